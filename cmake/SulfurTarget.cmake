@@ -1,0 +1,22 @@
+# What every target of the project is compiled with.
+#
+# sulfur_target(<target>) sets the language level, the warnings and the flags on
+# which determinism stands: no contraction of a*b+c into a fused multiply-add and
+# no fast-math, so that every compiler and instruction set gives the same bits.
+function(sulfur_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES
+    CXX_EXTENSIONS OFF
+    POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE
+    -ffp-contract=off -fno-fast-math
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+    -Woverloaded-virtual -Wcast-align -Wunused -Wnull-dereference -Wdouble-promotion)
+  if(SULFUR_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(SULFUR_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()

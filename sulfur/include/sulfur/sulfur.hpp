@@ -1,0 +1,14 @@
+// The whole library.
+#pragma once
+
+#include <sulfur/blueprint.hpp>
+#include <sulfur/error.hpp>
+#include <sulfur/events.hpp>
+#include <sulfur/ids.hpp>
+#include <sulfur/material.hpp>
+#include <sulfur/math.hpp>
+#include <sulfur/queries.hpp>
+#include <sulfur/shapes.hpp>
+#include <sulfur/statistics.hpp>
+#include <sulfur/version.hpp>
+#include <sulfur/world.hpp>

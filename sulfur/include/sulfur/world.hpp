@@ -1,0 +1,247 @@
+// The world: owns everything, one step() is one tick.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <sulfur/blueprint.hpp>
+#include <sulfur/error.hpp>
+#include <sulfur/events.hpp>
+#include <sulfur/ids.hpp>
+#include <sulfur/material.hpp>
+#include <sulfur/math.hpp>
+#include <sulfur/queries.hpp>
+#include <sulfur/statistics.hpp>
+#include <vector>
+
+namespace sulfur {
+
+/// What a world is made with.
+struct WorldSettings {
+    Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
+    Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
+    int tickRate = 500;    ///< Hz, 60 to 10000
+    int sweeps = 4;        ///< passes over the constraints in a tick, 1 to 100
+};
+
+/// What a particle is at the moment.
+struct ParticleInfo {
+    BodyId body;
+    Point position{0, 0};  ///< metres
+    Vec2 velocity{0, 0};   ///< m/s; see World::velocity
+    Real mass = 0;         ///< kg
+    Real radius = 0;       ///< m
+    bool pinned = false;
+};
+
+/// What a joint is at the moment.
+struct JointInfo {
+    BodyId body;  ///< null for a joint between bodies
+    ParticleId a, b;
+    Real restLength = 0;
+    Real stiffness = 0;
+    Real damping = 0;
+    Real radius = 0;
+    Real strength = 0;
+    Real force = 0;  ///< N in the last tick, positive when it pulls
+};
+
+/// What a contact of the last tick was; for drawing and for the curious.
+struct ContactInfo {
+    BodyId a, b;
+    Point point{0, 0};
+    Vec2 normal{0, 0};  ///< unit, from b towards a
+    Real impulse = 0;   ///< N s along the normal in the last tick
+};
+
+/// Options of a joint between two particles that exist already.
+struct ConnectOptions {
+    Real stiffness = infinite;       ///< N/m; `infinite` is rigid
+    Real damping = 0;                ///< N s/m
+    std::optional<Real> restLength;  ///< m; their distance now when not given
+    Real radius = 0;                 ///< m; > 0 collides
+    Real strength = infinite;        ///< N
+};
+
+/// The state of a world as bytes. Opaque; the same build of the library reads it back.
+using Snapshot = std::vector<std::byte>;
+
+class World;
+
+/// A body in a world: a handle with the world beside it. Copy it freely; it stays valid until the
+/// body is removed or the world is gone.
+class Body {
+public:
+    Body() = default;
+    Body(World& world, BodyId id) : world_(&world), id_(id) {}
+
+    BodyId id() const { return id_; }
+    operator BodyId() const { return id_; }  // NOLINT: a body is its id wherever an id is wanted
+    std::span<const ParticleId> particles() const;
+    std::span<const JointId> joints() const;
+    std::size_t size() const { return particles().size(); }
+    ParticleId operator[](std::size_t i) const { return particles()[i]; }
+    ParticleId front() const { return particles().front(); }
+    ParticleId back() const { return particles().back(); }
+
+private:
+    World* world_ = nullptr;
+    BodyId id_;
+};
+
+/// Owns particles, joints and bodies and moves them.
+///
+/// Not thread-safe: one thread at a time may use a world; different worlds are independent.
+/// Determinism: the same calls in the same order give the same bits, whatever the compiler,
+/// optimisation level or machine.
+///
+/// Every function that takes a handle throws Error{staleHandle} when it is null or its thing is
+/// gone; every function that takes numbers throws Error when they are not finite or not in the
+/// documented range. The world is then unchanged.
+class World {
+public:
+    explicit World(const WorldSettings& settings = {});
+    ~World();
+    World(World&&) = delete;  // Body refers to its world
+    World& operator=(World&&) = delete;
+
+    // --- making and removing ---------------------------------------------------------------
+
+    /// Makes a body. Its particles start at rest. Complexity: linear in the blueprint.
+    Body add(const Blueprint& blueprint, const Pose& pose = {});
+    /// Removes a body with its particles, its joints and all that was connected to them.
+    void remove(BodyId body);
+    /// Joins two particles, usually of different bodies. At least one must be free to move.
+    JointId connect(ParticleId a, ParticleId b, const ConnectOptions& options = {});
+    /// Removes one joint.
+    void remove(JointId joint);
+    /// Holds `particle` at a point of `body`, given in the frame of its blueprint. The point
+    /// follows the body's nearest particles, also when the body deforms.
+    AttachmentId attach(ParticleId particle, BodyId body, Vec2 localPoint);
+    /// Holds `particle` at the place along the capsule `joint` (0: its particle a, 1: b), with
+    /// the offset that it has now.
+    AttachmentId attach(ParticleId particle, JointId joint, Real along);
+    /// Lets go.
+    void remove(AttachmentId attachment);
+    /// Holds a particle where it is, or lets it go.
+    void setPinned(ParticleId particle, bool pinned);
+
+    bool contains(BodyId body) const;
+    bool contains(ParticleId particle) const;
+    bool contains(JointId joint) const;
+    bool contains(AttachmentId attachment) const;
+
+    // --- looking ---------------------------------------------------------------------------
+
+    /// All bodies, oldest first. Valid until the next body is added or removed.
+    std::span<const BodyId> bodies() const;
+    /// Joints between bodies, oldest first.
+    std::vector<JointId> connections() const;
+    Body body(BodyId body);
+    /// Particles of a body in the order of its blueprint. Valid until it changes.
+    std::span<const ParticleId> particles(BodyId body) const;
+    /// Joints of a body in the order of its blueprint, without those that are gone.
+    std::span<const JointId> joints(BodyId body) const;
+    const std::string& name(BodyId body) const;
+    BodyKind kind(BodyId body) const;
+    const Material& material(BodyId body) const;
+    const Filter& filter(BodyId body) const;
+    const std::optional<Skin>& skin(BodyId body) const;
+    std::uint64_t userData(BodyId body) const;
+    Point centreOfMass(BodyId body) const;
+    Vec2 meanVelocity(BodyId body) const;
+    Real mass(BodyId body) const;
+    bool asleep(BodyId body) const;
+
+    ParticleInfo info(ParticleId particle) const;
+    JointInfo info(JointId joint) const;
+    Point position(ParticleId particle) const;
+    /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
+    /// clock: between the last two ticks' positions, so drawing lags by at most one tick.
+    Point interpolated(ParticleId particle, double alpha) const;
+    /// Mean velocity over the last tick (its displacement divided by its duration), which is the
+    /// velocity at the middle of that tick; after setVelocity, what was set.
+    Vec2 velocity(ParticleId particle) const;
+    /// Contacts of the last tick.
+    std::vector<ContactInfo> contacts() const;
+    /// Kinetic plus gravitational plus elastic energy of all dynamic bodies, joules.
+    double energy() const;
+
+    // --- changing --------------------------------------------------------------------------
+
+    void setGravity(Vec2 gravity);
+    Vec2 gravity() const;
+    void setAirFriction(Real airFriction);
+    Real airFriction() const;
+    void setMaterial(BodyId body, const Material& material);
+    void setFilter(BodyId body, const Filter& filter);
+    void setUserData(BodyId body, std::uint64_t data);
+    void setStiffness(JointId joint, Real stiffness);
+    void setDamping(JointId joint, Real damping);
+    void setRestLength(JointId joint, Real restLength);
+    void setStrength(JointId joint, Real strength);
+    void setMass(ParticleId particle, Real mass);
+    /// Moves a particle without giving it velocity.
+    void setPosition(ParticleId particle, Point position);
+    void setVelocity(ParticleId particle, Vec2 velocity);
+    void setVelocity(BodyId body, Vec2 velocity);
+    /// Adds a force, in newtons, that acts during the next tick only.
+    void applyForce(ParticleId particle, Vec2 force);
+    /// Changes the velocity at once by impulse / mass; N s. Does nothing to what cannot move.
+    void applyImpulse(ParticleId particle, Vec2 impulse);
+    /// Moves a kinematic body so that it is at `pose` after the next tick, pushing what is in its
+    /// way. It then stands still unless it is moved again.
+    void moveTo(BodyId body, const Pose& pose);
+    /// Wakes a sleeping body and its island.
+    void wake(BodyId body);
+
+    // --- time ------------------------------------------------------------------------------
+
+    /// Advances by exactly one tick.
+    void step();
+    std::uint64_t ticks() const;
+    double time() const;        ///< seconds since the world was made
+    Real tickDuration() const;  ///< seconds
+    const WorldSettings& settings() const;
+    const Events& events() const;
+    const Statistics& statistics() const;
+    /// Whether statistics() also measures the time of each stage. It does not affect results.
+    void setProfiling(bool on);
+
+    // --- queries ---------------------------------------------------------------------------
+
+    /// The first surface between two points. Complexity: the cells crossed.
+    std::optional<RayHit> castRay(Point from, Point to, const QueryFilter& filter = {}) const;
+    /// The particle nearest to a point and at most `reach` metres away.
+    std::optional<ParticleId> nearestParticle(Point point, Real reach) const;
+
+    // --- state -----------------------------------------------------------------------------
+
+    /// A 64-bit hash of everything that decides how the world goes on.
+    std::uint64_t hash() const;
+    /// The whole state. restore() and going on gives the same hash as never having stopped, and
+    /// all handles that were valid then are valid again.
+    Snapshot snapshot() const;
+    /// Throws Error{badSnapshot}, leaving the world unchanged, unless `snapshot` came from the
+    /// same build of the library.
+    void restore(const Snapshot& snapshot);
+    /// Names the first broken invariant (a number that is not finite, an index out of range, a
+    /// list out of order), or returns an empty string.
+    std::string validate() const;
+
+    struct Impl;
+
+private:
+    std::unique_ptr<Impl> impl_;
+};
+
+inline std::span<const ParticleId> Body::particles() const {
+    return world_->particles(id_);
+}
+inline std::span<const JointId> Body::joints() const {
+    return world_->joints(id_);
+}
+
+}  // namespace sulfur

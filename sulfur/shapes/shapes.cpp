@@ -1,0 +1,1 @@
+#include <sulfur/shapes.hpp>

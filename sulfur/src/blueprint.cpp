@@ -1,0 +1,98 @@
+#include <sstream>
+#include <sulfur/blueprint.hpp>
+#include <sulfur/error.hpp>
+
+#include "core/error_checks.hpp"
+
+namespace sulfur {
+
+namespace {
+
+std::string itemName(const char* kind, std::size_t index, const char* property) {
+    std::ostringstream name;
+    name << kind << ' ' << index << ": " << property;
+    return name.str();
+}
+
+void validateParticle(const ParticleSpec& p, std::size_t i) {
+    using namespace detail;
+    requireFinite(p.position, itemName("particle", i, "position").c_str());
+    requirePositive(static_cast<double>(p.mass), itemName("particle", i, "mass").c_str());
+    requireRange(static_cast<double>(p.radius), 0, 1e6, itemName("particle", i, "radius").c_str());
+}
+
+double restLengthOf(const JointSpec& joint, const std::vector<ParticleSpec>& particles) {
+    if (joint.restLength) return static_cast<double>(*joint.restLength);
+    const Vec2 apart = particles[joint.b].position - particles[joint.a].position;
+    return static_cast<double>(apart.norm());
+}
+
+void validateJoint(const JointSpec& joint, std::size_t i,
+                   const std::vector<ParticleSpec>& particles) {
+    using namespace detail;
+    const auto named = [i](const char* property) { return itemName("joint", i, property); };
+    for (const auto index : {joint.a, joint.b}) {
+        if (index < particles.size()) continue;
+        throw Error(ErrorCode::badIndex, named("refers to particle ") + std::to_string(index) +
+                                             "; allowed is 0 to " +
+                                             std::to_string(particles.size() - 1));
+    }
+    if (joint.a == joint.b)
+        throw Error(ErrorCode::degenerate, named("joins a particle to itself; allowed are two "
+                                                 "different particles"));
+    requireNonNegativeOrInfinite(static_cast<double>(joint.stiffness), named("stiffness").c_str());
+    requireRange(static_cast<double>(joint.damping), 0, 1e12, named("damping").c_str());
+    requireRange(static_cast<double>(joint.radius), 0, 1e6, named("radius").c_str());
+    requireNonNegativeOrInfinite(static_cast<double>(joint.strength), named("strength").c_str());
+    const double rest = restLengthOf(joint, particles);
+    requireRange(rest, 0, 1e6, named("rest length").c_str());
+    if (rest == 0 && (joint.stiffness == infinite || joint.radius > 0))
+        throw Error(ErrorCode::degenerate, named("rest length is 0; a rigid or colliding joint "
+                                                 "needs more than 0"));
+}
+
+void validateSkin(const Skin& skin, std::size_t particles) {
+    if (skin.uv.size() != particles)
+        throw Error(ErrorCode::badIndex,
+                    "skin: has " + std::to_string(skin.uv.size()) +
+                        " texture coordinates; needed is one for each of the " +
+                        std::to_string(particles) + " particles");
+    for (const auto& uv : skin.uv) detail::requireFinite(uv, "skin: texture coordinate");
+    for (const auto& triangle : skin.triangles) {
+        for (const auto index : triangle) {
+            if (index < particles) continue;
+            throw Error(ErrorCode::badIndex, "skin: triangle refers to particle " +
+                                                 std::to_string(index) + "; allowed is 0 to " +
+                                                 std::to_string(particles - 1));
+        }
+    }
+}
+
+}  // namespace
+
+void Blueprint::validate() const {
+    if (particles.empty())
+        throw Error(ErrorCode::degenerate, "blueprint has no particles; needed is at least one");
+    for (std::size_t i = 0; i < particles.size(); ++i) validateParticle(particles[i], i);
+    for (std::size_t i = 0; i < joints.size(); ++i) validateJoint(joints[i], i, particles);
+    detail::validate(material);
+    if (skin) validateSkin(*skin, particles.size());
+}
+
+Real Blueprint::mass() const {
+    double sum = 0;
+    for (const auto& p : particles) sum += static_cast<double>(p.mass);
+    return static_cast<Real>(sum);
+}
+
+Vec2 Blueprint::centreOfMass() const {
+    Point sum{0, 0};
+    double total = 0;
+    for (const auto& p : particles) {
+        sum += static_cast<double>(p.mass) * p.position.cast<double>();
+        total += static_cast<double>(p.mass);
+    }
+    return (sum / total).cast<Real>();
+}
+
+}  // namespace sulfur

@@ -1,0 +1,47 @@
+#include "core/error_checks.hpp"
+
+#include <sstream>
+
+namespace sulfur::detail {
+
+namespace {
+
+[[noreturn]] void refuse(ErrorCode code, const char* what, double value,
+                         const std::string& allowed) {
+    std::ostringstream message;
+    message << what << " is " << value << "; allowed is " << allowed;
+    throw Error(code, message.str());
+}
+
+}  // namespace
+
+void requireFinite(double value, const char* what) {
+    if (!std::isfinite(value)) refuse(ErrorCode::notFinite, what, value, "a finite number");
+}
+
+void requireRange(double value, double low, double high, const char* what) {
+    requireFinite(value, what);
+    if (value >= low && value <= high) return;
+    std::ostringstream allowed;
+    allowed << low << " to " << high;
+    refuse(ErrorCode::outOfRange, what, value, allowed.str());
+}
+
+void requirePositive(double value, const char* what) {
+    requireFinite(value, what);
+    if (!(value > 0)) refuse(ErrorCode::outOfRange, what, value, "more than 0");
+}
+
+void requireNonNegativeOrInfinite(double value, const char* what) {
+    if (std::isnan(value)) refuse(ErrorCode::notFinite, what, value, "0 to infinity");
+    if (value < 0) refuse(ErrorCode::outOfRange, what, value, "0 to infinity");
+}
+
+void validate(const Material& material) {
+    requireRange(static_cast<double>(material.kineticFriction), 0, 1e6, "kinetic friction");
+    requireRange(static_cast<double>(material.staticFriction),
+                 static_cast<double>(material.kineticFriction), 1e6, "static friction");
+    requireRange(static_cast<double>(material.restitution), 0, 1, "restitution");
+}
+
+}  // namespace sulfur::detail

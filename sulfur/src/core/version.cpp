@@ -1,0 +1,9 @@
+#include <sulfur/version.hpp>
+
+namespace sulfur {
+
+const char* version() {
+    return SULFUR_VERSION;
+}
+
+}  // namespace sulfur
