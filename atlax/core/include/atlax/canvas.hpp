@@ -1,0 +1,171 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include <atlax/camera.hpp>
+#include <atlax/color.hpp>
+#include <atlax/font.hpp>
+#include <atlax/image.hpp>
+#include <atlax/texture.hpp>
+#include <atlax/vec.hpp>
+
+namespace atlax {
+
+enum class Blend {
+    Alpha,     ///< covers what is below by its alpha
+    Additive,  ///< adds light; for glows, sparks, snow
+};
+
+enum class AlignX { Left, Centre, Right };
+enum class AlignY { Top, Middle, Baseline, Bottom };
+
+/// `size` is the font's em in units of the current space: pixels on the screen, metres in the
+/// world.
+struct TextStyle {
+    float size = 16;
+    Color color = colors::white;
+    AlignX alignX = AlignX::Left;
+    AlignY alignY = AlignY::Baseline;
+};
+
+/// One corner of a mesh; uv (0,0) is the top left of the texture.
+struct MeshVertex {
+    Vec2 position;
+    Vec2 uv;
+    Color tint = colors::white;
+};
+
+/// `uv` picks a part of the texture; a negative size mirrors it. `angle` turns by radians,
+/// counter-clockwise in world space and clockwise on the screen.
+struct SpriteStyle {
+    float angle = 0;
+    Color tint = colors::white;
+    Rect uv{{0, 0}, {1, 1}};
+};
+
+/// What one frame cost.
+struct CanvasStatistics {
+    int drawCalls = 0;
+    int triangles = 0;
+    int glyphUploads = 0;
+};
+
+/// Draws with OpenGL 3.3 core, in the order of the calls (later covers earlier), batched: a draw
+/// call is spent only when the texture, the clip or the target changes. Blend modes, shapes,
+/// cameras and plain colours cost none.
+///
+/// Lines, capsules, circles and rounded rectangles are antialiased by their distance in the
+/// fragment shader, polygons by a fringe of one pixel; no multisampling is needed.
+///
+/// Lengths are in units of the current space: metres after setCamera, pixels after
+/// setScreenSpace. What is not finite is not drawn. All calls belong to the thread that has the
+/// context, and to the time between beginFrame and endFrame unless said otherwise.
+class Canvas {
+public:
+    /// Needs a current OpenGL 3.3 core context, which must stay alive as long as the canvas.
+    /// Throws Error when there is none or it is too old.
+    Canvas();
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    /// Called by backends. Starts a frame in a framebuffer of OpenGL (0 is the window) in screen
+    /// space.
+    void beginFrame(PixelSize size, float scaleFactor = 1, unsigned framebuffer = 0);
+    /// Called by backends. Draws what is still batched.
+    void endFrame();
+
+    // -- resources (any time while the context is current) --
+
+    /// Copies the picture to the graphics card, premultiplied. Throws Error for an empty one.
+    Texture createTexture(const Image& image, TextureOptions options = {});
+    /// A transparent picture to draw into. Throws Error when the card refuses the size.
+    RenderTarget createTarget(PixelSize size);
+    /// Until popTarget, everything goes to this target, in screen space; the frame's space and clip
+    /// come back afterwards. Pushes nest. No frame is needed for drawing into a target.
+    void pushTarget(const RenderTarget& target);
+    void popTarget();
+    /// Reads a target back with straight alpha.
+    Image read(const RenderTarget& target);
+    /// Reads what the current frame has drawn so far (for screenshots), opaque.
+    Image readFrame();
+
+    // -- space --
+
+    /// Size in pixels of what is drawn into, and pixels per logical unit (HiDPI).
+    PixelSize size() const;
+    float scaleFactor() const;
+    /// World space: metres, y up.
+    void setCamera(const Camera& camera);
+    /// Screen space: one unit is `pixelsPerUnit` pixels, y down, origin at the top left.
+    /// setScreenSpace(scaleFactor()) gives sizes that look alike on every display.
+    void setScreenSpace(float pixelsPerUnit = 1);
+    /// One pixel in units of the current space: the width of a hairline.
+    float pixel() const;
+    /// Pixels of a point of the current space, and back.
+    Vec2 toPixels(Vec2 point) const;
+    Vec2 fromPixels(Vec2 pixels) const;
+
+    /// Confines drawing to a rectangle of the current space (within the clips already pushed).
+    void pushClip(Rect rect);
+    void popClip();
+
+    void setBlend(Blend blend);
+    /// Multiplies the alpha of everything that follows, 0..1; for fades.
+    void setOpacity(float opacity);
+
+    // -- drawing --
+
+    /// Fills all of the target, ignoring clip and blend.
+    void clear(Color color);
+
+    /// Line with round ends; thinner than a pixel it fades instead of breaking up.
+    void line(Vec2 from, Vec2 to, float width, Color color);
+    /// Connected lines with round joins; a transparent colour shows no overlap at the joins
+    /// unless they are sharper than about 60 degrees.
+    void polyline(std::span<const Vec2> points, float width, Color color, bool closed = false);
+    void dashedLine(Vec2 from, Vec2 to, float width, float dash, float gap, Color color);
+    void capsule(Vec2 from, Vec2 to, float radius, Color color);
+    /// The line of this width lies inside the capsule's border.
+    void capsuleOutline(Vec2 from, Vec2 to, float radius, float width, Color color);
+    void circle(Vec2 centre, float radius, Color color);
+    void circleOutline(Vec2 centre, float radius, float width, Color color);
+    /// A soft spot of light: full colour in the middle, nothing at the radius.
+    void glow(Vec2 centre, float radius, Color color);
+
+    void rect(Rect rect, Color color);
+    void roundedRect(Rect rect, float radius, Color color);
+    void roundedRectOutline(Rect rect, float radius, float width, Color color);
+    /// From the visually upper to the lower edge, dithered so that dark skies show no bands.
+    void gradientRect(Rect rect, Color top, Color bottom);
+
+    void triangle(Vec2 a, Vec2 b, Vec2 c, Color color);
+    /// Any simple polygon, convex or concave, in either direction. Fewer than three points
+    /// draw nothing; a polygon that crosses itself is filled somehow.
+    void polygon(std::span<const Vec2> points, Color color);
+    void polygonOutline(std::span<const Vec2> points, float width, Color color);
+
+    /// Triangles from triples of indices into `vertices`; indices out of range are skipped.
+    void mesh(const Texture& texture, std::span<const MeshVertex> vertices,
+              std::span<const std::uint32_t> indices);
+    void sprite(const Texture& texture, Vec2 centre, Vec2 size, const SpriteStyle& style = {});
+
+    /// Draws UTF-8 text at a point (see TextStyle for what the point means); '\n' starts a
+    /// new line. Returns its extent in units of the current space.
+    TextExtent text(const Font& font, std::string_view utf8, Vec2 position,
+                    const TextStyle& style = {});
+    /// The extent that text() would return.
+    TextExtent measure(const Font& font, std::string_view utf8, float size) const;
+
+    /// Cost of the current frame so far, or of the last one between frames.
+    CanvasStatistics statistics() const;
+
+private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace atlax

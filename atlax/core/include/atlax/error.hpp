@@ -1,0 +1,15 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace atlax {
+
+/// What atlax throws: one clear sentence that says what went wrong and, where it
+/// is known, what to do about it. Nothing else is thrown on purpose.
+class Error : public std::runtime_error {
+public:
+    explicit Error(const std::string& sentence) : std::runtime_error(sentence) {}
+};
+
+}  // namespace atlax

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <atlax/audio.hpp>
+#include <atlax/canvas.hpp>
+#include <atlax/event.hpp>
+#include <atlax/input.hpp>
+#include <atlax/timestep.hpp>
+
+namespace atlax {
+
+/// What the last frames cost; refreshed about twice a second except where said otherwise.
+struct FrameStatistics {
+    double framesPerSecond = 0;
+    double tickMilliseconds = 0;  ///< average of one tick
+    double drawMilliseconds = 0;  ///< average of one draw, without waiting for the display
+    int ticksLastFrame = 0;       ///< of the last frame
+    std::uint64_t frames = 0;     ///< since the start
+};
+
+/// What a backend offers to the application that it runs. The same for every backend. Main thread
+/// only; valid from Application::start until Application::stop has returned.
+class Platform {
+public:
+    virtual ~Platform() = default;
+
+    // -- drawing, sound, input --
+    virtual Canvas& canvas() = 0;
+    virtual Audio& audio() = 0;
+    /// The input of the current tick; between ticks, that of the last one.
+    virtual const InputState& input() const = 0;
+    /// Handles an event as if it came from the user, before the next tick: for scripts and tests.
+    virtual void post(const Event& event) = 0;
+
+    // -- time --
+    /// Tick rate, pause, single tick, slow motion, overload.
+    virtual FixedTimestep& clock() = 0;
+    virtual const FrameStatistics& statistics() const = 0;
+
+    // -- window --
+    /// Drawable area in pixels, and pixels per logical unit (HiDPI).
+    virtual PixelSize size() const = 0;
+    virtual float scaleFactor() const = 0;
+    virtual bool focused() const = 0;
+    virtual void setTitle(const std::string& utf8) = 0;
+    virtual void setFullscreen(bool fullscreen) = 0;
+    virtual bool fullscreen() const = 0;
+    /// Logical units; ignored in fullscreen.
+    virtual void setWindowSize(PixelSize size) = 0;
+    virtual void setCursorVisible(bool visible) = 0;
+    /// TextEvents (and an input method's window) come only while this is on; off at the start.
+    virtual void setTextInput(bool on) = 0;
+    /// UTF-8; empty when there is none.
+    virtual std::string clipboard() = 0;
+    virtual void setClipboard(const std::string& utf8) = 0;
+
+    /// Writes the next frame as PNG. A failure goes to the log and changes nothing else.
+    virtual void requestScreenshot(const std::filesystem::path& file) = 0;
+    /// Ends the program after the current callback with this exit code.
+    virtual void quit(int exitCode = 0) = 0;
+};
+
+}  // namespace atlax

@@ -1,0 +1,1 @@
+#include <atlax/canvas.hpp>
