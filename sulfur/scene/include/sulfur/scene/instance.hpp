@@ -1,0 +1,36 @@
+// From a scene to a running world, and back.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <sulfur/scene/scene.hpp>
+#include <sulfur/world.hpp>
+#include <vector>
+
+namespace sulfur::scene {
+
+/// What a scene has become in a world.
+struct Instance {
+    std::map<std::string, BodyId, std::less<>> bodies;  ///< by id of the placement
+    std::vector<JointId> connections;                   ///< in the order of the scene
+    std::vector<AttachmentId> attachments;              ///< in the order of the scene
+
+    /// The handle of a body, null when the scene has no such id.
+    BodyId body(std::string_view id) const;
+    /// The id of a body, "" when it does not come from the scene.
+    std::string id(BodyId body) const;
+};
+
+/// Adds everything of a scene to a world, which must have been made with `scene.settings` for the
+/// scene to behave as it was meant. Throws sulfur::Error or ReadError when the scene is not one
+/// that read() would accept; the world then holds a part of it.
+Instance instantiate(const Scene& scene, World& world);
+
+/// The state of a running world as a scene. Bodies of `instance` keep their id, their prefab while
+/// it still describes them, and their attachments; bodies that came later, broke or were changed
+/// get explicit blueprints of their own. `base` gives title, sections and all other unknown
+/// members. Attachments that were made after instantiate() are not seen.
+Scene capture(const World& world, const Scene& base = {}, const Instance& instance = {});
+
+}  // namespace sulfur::scene

@@ -1,0 +1,107 @@
+// A scene: everything that a world begins with, as plain data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <sulfur/scene/document.hpp>
+#include <sulfur/scene/extra.hpp>
+#include <sulfur/scene/prefab.hpp>
+#include <sulfur/world.hpp>
+#include <vector>
+
+namespace sulfur::scene {
+
+/// Bounds of what a file may contain.
+struct Limits {
+    static constexpr std::size_t particles = 20'000;  ///< of all bodies, and of all blueprints
+    static constexpr std::size_t joints = 60'000;     ///< the same, connections included
+    static constexpr std::size_t bodies = 20'000;
+    static constexpr double coordinate = 1'000;        ///< metres, either way
+    static constexpr double speed = 10'000;            ///< m/s
+    static constexpr double mass = 1e9;                ///< kg
+    static constexpr double stiffness = 1e18;          ///< N/m, beside "rigid"
+    static constexpr double damping = 1e12;            ///< N s/m
+    static constexpr double strength = 1e18;           ///< N, beside "unbreakable"
+    static constexpr double friction = 1e6;            ///< coefficient
+    static constexpr double gravity = 10'000;          ///< m/s^2
+    static constexpr std::size_t nameBytes = 100;      ///< of ids and names
+    static constexpr std::size_t textBytes = 100'000;  ///< of titles and descriptions
+};
+
+/// Where the particles of a body are when they have left the shape of its blueprint.
+struct BodyState {
+    std::vector<Point> positions;  ///< in the world, one per particle
+    std::vector<Vec2> velocities;  ///< one per particle
+};
+
+/// One body: an instance of a prefab.
+struct Placement {
+    std::string id;         ///< unique in the scene; stays the same when others come and go
+    std::string blueprint;  ///< name of a prefab of the scene
+    Pose pose;
+    Vec2 velocity{0, 0};  ///< of the whole body at the start
+    /// Where given, instead of what the prefab says.
+    std::optional<BodyKind> kind;
+    std::optional<Material> material;
+    std::optional<Filter> filter;
+    std::optional<BodyState> state;  ///< instead of pose and velocity
+    ExtraTree extra;
+};
+
+/// A particle of a body of the scene.
+struct ParticleRef {
+    std::string body;  ///< id of a placement
+    std::uint32_t particle = 0;
+};
+
+/// A joint between two bodies.
+struct Connection {
+    ParticleRef a, b;
+    ConnectOptions options;
+    Extra extra;
+};
+
+/// A particle that is held at a point of a body.
+struct Attachment {
+    ParticleRef particle;
+    std::string body;  ///< id of a placement
+    Vec2 point{0, 0};  ///< metres, in the frame of the body's blueprint
+    Extra extra;
+};
+
+/// A whole scene file.
+struct Scene {
+    std::string title;
+    std::string description;
+    WorldSettings settings;
+    std::vector<Prefab> blueprints;
+    std::vector<Placement> bodies;
+    std::vector<Connection> connections;
+    std::vector<Attachment> attachments;
+    Extra settingsExtra;  ///< unknown members of "world"
+    Extra extra;          ///< unknown top-level members, such as the game's "level"
+    std::string file;     ///< what it was read from, for messages
+
+    const Prefab* prefab(std::string_view name) const;
+    Prefab* prefab(std::string_view name);
+    const Placement* body(std::string_view id) const;
+    Placement* body(std::string_view id);
+    /// `base` if no body has this id, otherwise base2, base3, ...
+    std::string freeId(const std::string& base) const;
+    /// The same for names of prefabs.
+    std::string freeName(const std::string& base) const;
+
+    /// An unknown top-level member as a document whose errors name the scene's file and lines.
+    std::optional<Document> section(std::string_view key) const;
+};
+
+/// The blueprint of a body with its overrides applied. Throws ReadError when the prefab is
+/// missing.
+Blueprint blueprintOf(const Scene& scene, const Placement& body);
+
+/// Places in a scene that the reader had no use for, as "file:line: object ...: unknown key ...":
+/// usually a typing mistake or another program's data. Top-level members are not among them.
+std::vector<std::string> unknownKeys(const Scene& scene);
+
+}  // namespace sulfur::scene
