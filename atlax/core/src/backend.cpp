@@ -1,1 +1,206 @@
+#include <algorithm>
 #include <atlax/backend.hpp>
+#include <atlax/error.hpp>
+#include <atlax/image.hpp>
+#include <atlax/log.hpp>
+#include <atlax/offscreen.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <utility>
+
+namespace atlax {
+
+namespace {
+
+/// Longest time that the ticks of one frame may take. It keeps an overloaded program at 20 frames a
+/// second or more; what remains is given up, so that time slows down instead.
+constexpr std::int64_t tickBudgetNs = 40'000'000;
+constexpr std::int64_t statisticsWindowNs = 500'000'000;
+
+}  // namespace
+
+std::int64_t monotonicNs() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+BackendPlatform::BackendPlatform(Application& application, const WindowOptions& options, Now now)
+    : application_(application), now_(std::move(now)), clock_(options.tickRateHz) {}
+
+BackendPlatform::~BackendPlatform() = default;
+
+Canvas& BackendPlatform::canvas() {
+    if (canvas_ == nullptr) throw Error("the canvas exists only between start and stop");
+    return *canvas_;
+}
+
+Audio& BackendPlatform::audio() {
+    if (audio_ == nullptr) audio_ = std::make_unique<Audio>();
+    return *audio_;
+}
+
+void BackendPlatform::quit(int exitCode) {
+    if (!exitCode_) exitCode_ = exitCode;
+}
+
+void BackendPlatform::begin() {
+    canvas_ = std::make_unique<Canvas>();
+    gamepads_ = std::make_unique<Gamepads>();
+    application_.start(*this);
+    started_ = true;
+    clock_.advance(now_());
+    window_.start = now_();
+}
+
+void BackendPlatform::end() noexcept {
+    if (started_) {
+        started_ = false;
+        try {
+            application_.stop();
+        } catch (const std::exception& error) {
+            log(LogLevel::Error, error.what());
+        }
+    }
+    gamepads_.reset();
+    audio_.reset();
+    canvas_.reset();
+}
+
+void BackendPlatform::handle(const Event& event) {
+    if (const auto* resized = std::get_if<WindowResized>(&event)) {
+        size_ = resized->size;
+        scaleFactor_ = resized->scaleFactor;
+    }
+    if (const auto* focus = std::get_if<FocusChanged>(&event)) focused_ = focus->focused;
+    input_.feed(event);
+    if (!started_) return;
+    application_.event(event);
+    if (std::holds_alternative<CloseRequested>(event) && application_.mayClose()) quit();
+}
+
+void BackendPlatform::frame(bool visible) {
+    const std::int64_t start = now_();
+    // A handler may post again; such events wait for the next frame.
+    for (const Event& event : std::exchange(posted_, {})) handle(event);
+    gamepads_->poll([this](const Event& event) { handle(event); });
+    clock_.advance(start);
+    runTicks();
+    const std::int64_t ticksEnd = now_();
+    if (!finished() && visible && !size_.empty()) drawFrame();
+    measure(start, ticksEnd, now_());
+}
+
+void BackendPlatform::runTicks() {
+    const std::int64_t deadline = now_() + tickBudgetNs;
+    statistics_.ticksLastFrame = 0;
+    while (!finished() && clock_.takeTick()) {
+        input_.sample();
+        application_.tick();
+        ++statistics_.ticksLastFrame;
+        if (now_() > deadline) clock_.giveUp();
+    }
+}
+
+void BackendPlatform::beginCanvasFrame(Canvas& canvas) {
+    canvas.beginFrame(size_, scaleFactor_);
+}
+
+void BackendPlatform::drawFrame() {
+    beginCanvasFrame(*canvas_);
+    application_.draw(*canvas_, clock_.alpha());
+    if (screenshot_) takeScreenshot();
+    canvas_->endFrame();
+    ++statistics_.frames;
+}
+
+void BackendPlatform::takeScreenshot() {
+    const auto file = *std::exchange(screenshot_, std::nullopt);
+    try {
+        savePng(canvas_->readFrame(), file);
+        log(LogLevel::Info, "wrote " + file.string());
+    } catch (const std::exception& error) {
+        log(LogLevel::Error, error.what());
+    }
+}
+
+void BackendPlatform::measure(std::int64_t frameStart, std::int64_t ticksEnd,
+                              std::int64_t drawEnd) {
+    window_.tickNs += ticksEnd - frameStart;
+    window_.drawNs += drawEnd - ticksEnd;
+    window_.frames += 1;
+    window_.ticks += statistics_.ticksLastFrame;
+    const std::int64_t length = drawEnd - window_.start;
+    if (length < statisticsWindowNs) return;
+    constexpr double nsPerMs = 1e6;
+    statistics_.framesPerSecond = window_.frames * 1e9 / static_cast<double>(length);
+    statistics_.tickMilliseconds =
+        static_cast<double>(window_.tickNs) / nsPerMs / std::max(window_.ticks, 1);
+    statistics_.drawMilliseconds = static_cast<double>(window_.drawNs) / nsPerMs / window_.frames;
+    window_ = {.start = drawEnd};
+}
+
+namespace {
+
+/// Draws into memory; frames follow each other without waiting, 1/60 s apart on its own clock.
+class OffscreenPlatform : public BackendPlatform {
+public:
+    OffscreenPlatform(Application& application, const WindowOptions& options)
+        : BackendPlatform(application, options, [this] { return clockNs(); }),
+          screen_(options.size) {}
+    ~OffscreenPlatform() override { end(); }
+
+    int loop() {
+        handle(WindowResized{screen_.size(), 1});
+        begin();
+        while (!finished()) {
+            ++frames_;
+            frame();
+        }
+        end();
+        return exitCode();
+    }
+
+    void setTitle(const std::string&) override {}
+    void setFullscreen(bool fullscreen) override { fullscreen_ = fullscreen; }
+    bool fullscreen() const override { return fullscreen_; }
+    void setWindowSize(PixelSize size) override {
+        screen_.resize(size);
+        handle(WindowResized{size, 1});
+    }
+    void setCursorVisible(bool) override {}
+    void setTextInput(bool) override {}
+    std::string clipboard() override { return clipboard_; }
+    void setClipboard(const std::string& utf8) override { clipboard_ = utf8; }
+
+protected:
+    void beginCanvasFrame(Canvas& canvas) override { canvas.beginFrame(screen_.target(), 1); }
+
+private:
+    // Multiplied before it is divided, so that frames do not drift against seconds.
+    std::int64_t clockNs() const { return frames_ * 1'000'000'000 / 60; }
+
+    OffscreenCanvas screen_;
+    std::int64_t frames_ = 0;
+    bool fullscreen_ = false;
+    std::string clipboard_;
+};
+
+}  // namespace
+
+int runOffscreen(Application& application, const WindowOptions& options) {
+    return guarded([&] { return OffscreenPlatform(application, options).loop(); });
+}
+
+int guarded(const std::function<int()>& body) noexcept {
+    try {
+        return body();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+    } catch (...) {
+        std::fprintf(stderr, "the program failed for an unknown reason\n");
+    }
+    return 1;
+}
+
+}  // namespace atlax

@@ -41,7 +41,7 @@ struct Voice {
 };
 
 /// The sound device (OpenAL Soft). Where there is none, everything works and nothing is heard: that
-/// is said in the log once and is never an error. One thread.
+/// is said in the log once and is never an error. One object and one thread per program.
 class Audio {
 public:
     Audio();
@@ -71,7 +71,8 @@ public:
     void setMasterVolume(float volume);
     float masterVolume() const;
 
-    /// Stops and continues everything, for a paused or hidden program.
+    /// Holds everything that is playing now, and lets it go on. What is started meanwhile (a menu's
+    /// click) is heard.
     void setPaused(bool paused);
 
 private:

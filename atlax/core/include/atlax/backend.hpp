@@ -53,16 +53,19 @@ protected:
     /// Gives an event to the input and to the application.
     void handle(const Event& event);
 
-    /// Posted events, gamepads, due ticks, then one draw into the framebuffer of OpenGL
-    /// named here, unless the drawable area is empty or `visible` is false.
-    void frame(unsigned framebuffer = 0, bool visible = true);
+    /// Posted events, gamepads, due ticks, then one draw, unless the drawable area is empty or
+    /// `visible` is false. The caller swaps buffers.
+    void frame(bool visible = true);
+
+    /// Starts the canvas's frame; a backend that does not draw into framebuffer 0 overrides it.
+    virtual void beginCanvasFrame(Canvas& canvas);
 
     bool finished() const { return exitCode_.has_value(); }
     int exitCode() const { return exitCode_.value_or(0); }
 
 private:
     void runTicks();
-    void drawFrame(unsigned framebuffer);
+    void drawFrame();
     void takeScreenshot();
     void measure(std::int64_t frameStart, std::int64_t ticksEnd, std::int64_t drawEnd);
 

@@ -65,16 +65,18 @@ struct CanvasStatistics {
 /// context, and to the time between beginFrame and endFrame unless said otherwise.
 class Canvas {
 public:
-    /// Needs a current OpenGL 3.3 core context, which must stay alive as long as the canvas.
-    /// Throws Error when there is none or it is too old.
+    /// An OpenGL context must be current and stay alive as long as the canvas. Throws Error when
+    /// it is older than 3.3 core.
     Canvas();
     ~Canvas();
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
     /// Called by backends. Starts a frame in a framebuffer of OpenGL (0 is the window) in screen
-    /// space.
+    /// space, with no clip, full opacity and alpha blending.
     void beginFrame(PixelSize size, float scaleFactor = 1, unsigned framebuffer = 0);
+    /// The same, drawing into a target.
+    void beginFrame(const RenderTarget& target, float scaleFactor = 1);
     /// Called by backends. Draws what is still batched.
     void endFrame();
 

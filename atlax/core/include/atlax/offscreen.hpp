@@ -8,8 +8,8 @@
 namespace atlax {
 
 /// An OpenGL 3.3 core context without a window and without a display (EGL surfaceless; Mesa's
-/// software renderer suffices). Current in the creating thread until destroyed; then whichever
-/// context was current before comes back.
+/// software renderer suffices). Current in the creating thread. For programs without a window:
+/// where a window's context is current, draw into a target of its canvas instead.
 class OffscreenContext {
 public:
     /// Throws Error that says what is missing on this machine.
@@ -46,6 +46,8 @@ public:
     /// The last finished frame.
     Image image();
 
+    /// What frames are drawn into; for Canvas::beginFrame.
+    const RenderTarget& target() const { return target_; }
     PixelSize size() const { return target_.size(); }
     void resize(PixelSize size);
 

@@ -58,7 +58,8 @@ public:
     /// Ticks taken since the start. Exact simulated time is ticks() / rateHz().
     std::uint64_t ticks() const { return ticks_; }
 
-    void setPaused(bool paused) { paused_ = paused; }
+    /// A change forgets single ticks that were not taken. Time in the pause is not lost time.
+    void setPaused(bool paused);
     bool paused() const { return paused_; }
     /// Makes one tick due although the clock is paused; adds up when called again. Without a
     /// pause it does nothing.
