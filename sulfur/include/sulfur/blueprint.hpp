@@ -22,20 +22,21 @@ struct ParticleSpec {
 
 /// A connection that holds two particles at a distance.
 struct JointSpec {
-    std::uint32_t a = 0;             ///< index into Blueprint::particles
-    std::uint32_t b = 0;             ///< index into Blueprint::particles, not `a`
-    Real stiffness = infinite;       ///< k in N/m, 0 to infinity; `infinite` is rigid
-    Real damping = 0;                ///< b in N s/m, >= 0, along the joint; ignored when rigid
-    std::optional<Real> restLength;  ///< metres, >= 0; the particles' distance when not given
-    Real radius = 0;                 ///< metres; > 0: a capsule that collides; 0: structural
-    Real strength = infinite;        ///< newtons; a larger force breaks the joint
+    std::uint32_t a = 0;        ///< index into Blueprint::particles
+    std::uint32_t b = 0;        ///< index into Blueprint::particles, not `a`
+    Real stiffness = infinite;  ///< k in N/m, 0 to infinity; `infinite` is rigid
+    Real damping = 0;           ///< b in N s/m, >= 0, along the joint; ignored when rigid
+    std::optional<Real> restLength =
+        std::nullopt;          ///< metres, >= 0; the particles' distance when not given
+    Real radius = 0;           ///< metres; > 0: a capsule that collides; 0: structural
+    Real strength = infinite;  ///< newtons; a larger force breaks the joint
 };
 
 /// A texture worn by a body: mapped at rest, drawn through the live particles.
 struct Skin {
-    std::string texture;                                  ///< asset name
-    std::vector<Vec2> uv;                                 ///< one per particle; 0..1, v points down
-    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of particles
+    std::string texture = {};   ///< asset name
+    std::vector<Vec2> uv = {};  ///< one per particle; 0..1, v points down
+    std::vector<std::array<std::uint32_t, 3>> triangles = {};  ///< indices of particles
 };
 
 /// Who moves a body.
@@ -47,13 +48,13 @@ enum class BodyKind : std::uint8_t {
 
 /// Everything that World::add needs to know to make a body.
 struct Blueprint {
-    std::string name;
+    std::string name = {};
     BodyKind kind = BodyKind::dynamic;
-    std::vector<ParticleSpec> particles;
-    std::vector<JointSpec> joints;
-    Material material;
-    Filter filter;
-    std::optional<Skin> skin;
+    std::vector<ParticleSpec> particles = {};
+    std::vector<JointSpec> joints = {};
+    Material material = {};
+    Filter filter = {};
+    std::optional<Skin> skin = std::nullopt;
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least
     /// one particle, every number finite and in its range, every index in range, no joint from a

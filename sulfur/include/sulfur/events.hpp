@@ -9,7 +9,7 @@ namespace sulfur {
 
 /// Two bodies began to touch.
 struct ContactBegun {
-    BodyId a, b;
+    BodyId a = {}, b = {};
     Point point{0, 0};  ///< metres
     Vec2 normal{0, 0};  ///< unit length, from b towards a
     Real speed = 0;     ///< m/s at which they approached, >= 0
@@ -17,16 +17,16 @@ struct ContactBegun {
 
 /// A joint was loaded beyond its strength and is gone.
 struct JointBroken {
-    JointId joint;  ///< no longer valid; for comparison only
-    BodyId body;    ///< null for a joint between bodies
+    JointId joint = {};  ///< no longer valid; for comparison only
+    BodyId body = {};    ///< null for a joint between bodies
     Point point{0, 0};
     Real force = 0;  ///< newtons at which it broke
 };
 
 /// Events of one tick, in a fixed order; overwritten by the next World::step.
 struct Events {
-    std::vector<ContactBegun> contactsBegun;
-    std::vector<JointBroken> jointsBroken;
+    std::vector<ContactBegun> contactsBegun = {};
+    std::vector<JointBroken> jointsBroken = {};
 };
 
 }  // namespace sulfur

@@ -11,10 +11,10 @@ namespace sulfur::shapes {
 
 /// A fixed line of capsules through `points` (at least two), such as ground, a wall or a ceiling.
 struct GroundOptions {
-    std::vector<Vec2> points;
+    std::vector<Vec2> points = {};
     bool closed = false;       ///< also joins the last point to the first
     Real radius = Real(0.05);  ///< metres, > 0: half the thickness
-    Material material;
+    Material material = {};
 };
 Blueprint ground(const GroundOptions& options);
 
@@ -35,7 +35,7 @@ struct BoxOptions {
     Real damping = 0;           ///< N s/m of every joint
     Real strength = infinite;   ///< N of every joint
     bool solidInertia = true;
-    Material material;
+    Material material = {};
 };
 Blueprint box(const BoxOptions& options = {});
 
@@ -43,7 +43,7 @@ Blueprint box(const BoxOptions& options = {});
 struct BallOptions {
     Real radius = Real(0.25);  ///< metres, > 0
     Real mass = 1;             ///< kilograms, > 0
-    Material material;
+    Material material = {};
 };
 Blueprint ball(const BallOptions& options = {});
 
@@ -59,7 +59,7 @@ struct RopeOptions {
     Real strength = infinite;   ///< N of a link
     bool pinFirst = false;
     bool pinLast = false;
-    Material material;
+    Material material = {};
 };
 Blueprint rope(const RopeOptions& options = {});
 
@@ -74,7 +74,7 @@ struct JellyOptions {
     Real stiffness = 400;      ///< N/m of a spring
     Real damping = 1;          ///< N s/m of a spring
     Real strength = infinite;  ///< N of a spring
-    Material material;
+    Material material = {};
 };
 Blueprint jelly(const JellyOptions& options = {});
 
@@ -86,7 +86,7 @@ struct BlobOptions {
     Real skinRadius = Real(0.03);  ///< metres, > 0: half the thickness of the outline
     Real stiffness = 800;          ///< N/m of a spring
     Real damping = 2;              ///< N s/m of a spring
-    Material material;
+    Material material = {};
 };
 Blueprint blob(const BlobOptions& options = {});
 

@@ -23,12 +23,13 @@ struct WorldSettings {
     Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
     Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
     int tickRate = 500;    ///< Hz, 60 to 10000
+    bool sleeping = true;  ///< whether islands at rest fall asleep
     int sweeps = 4;        ///< passes over the constraints in a tick, 1 to 100
 };
 
 /// What a particle is at the moment.
 struct ParticleInfo {
-    BodyId body;
+    BodyId body = {};
     Point position{0, 0};  ///< metres
     Vec2 velocity{0, 0};   ///< m/s; see World::velocity
     Real mass = 0;         ///< kg
@@ -38,8 +39,8 @@ struct ParticleInfo {
 
 /// What a joint is at the moment.
 struct JointInfo {
-    BodyId body;  ///< null for a joint between bodies
-    ParticleId a, b;
+    BodyId body = {};  ///< null for a joint between bodies
+    ParticleId a = {}, b = {};
     Real restLength = 0;
     Real stiffness = 0;
     Real damping = 0;
@@ -50,7 +51,7 @@ struct JointInfo {
 
 /// What a contact of the last tick was; for drawing and for the curious.
 struct ContactInfo {
-    BodyId a, b;
+    BodyId a = {}, b = {};
     Point point{0, 0};
     Vec2 normal{0, 0};  ///< unit, from b towards a
     Real impulse = 0;   ///< N s along the normal in the last tick
@@ -58,11 +59,11 @@ struct ContactInfo {
 
 /// Options of a joint between two particles that exist already.
 struct ConnectOptions {
-    Real stiffness = infinite;       ///< N/m; `infinite` is rigid
-    Real damping = 0;                ///< N s/m
-    std::optional<Real> restLength;  ///< m; their distance now when not given
-    Real radius = 0;                 ///< m; > 0 collides
-    Real strength = infinite;        ///< N
+    Real stiffness = infinite;                      ///< N/m; `infinite` is rigid
+    Real damping = 0;                               ///< N s/m
+    std::optional<Real> restLength = std::nullopt;  ///< m; their distance now when not given
+    Real radius = 0;                                ///< m; > 0 collides
+    Real strength = infinite;                       ///< N
 };
 
 /// The state of a world as bytes. Opaque; the same build of the library reads it back.
@@ -88,7 +89,7 @@ public:
 
 private:
     World* world_ = nullptr;
-    BodyId id_;
+    BodyId id_ = {};
 };
 
 /// Owns particles, joints and bodies and moves them.
@@ -120,8 +121,7 @@ public:
     /// Holds `particle` at a point of `body`, given in the frame of its blueprint. The point
     /// follows the body's nearest particles, also when the body deforms.
     AttachmentId attach(ParticleId particle, BodyId body, Vec2 localPoint);
-    /// Holds `particle` at the place along the capsule `joint` (0: its particle a, 1: b), with
-    /// the offset that it has now.
+    /// Holds `particle` at the place along the axis of `joint` (0: its particle a, 1: its b).
     AttachmentId attach(ParticleId particle, JointId joint, Real along);
     /// Lets go.
     void remove(AttachmentId attachment);

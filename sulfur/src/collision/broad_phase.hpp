@@ -1,0 +1,39 @@
+// Which particles might touch which capsules.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <utility>
+#include <vector>
+
+#include "collision/contact.hpp"
+#include "collision/grid.hpp"
+
+namespace sulfur::detail {
+
+/// The grid and the candidates that came out of it. They stay valid until some collider has left
+/// its skin: the margin by which it was rasterised larger than it is.
+struct BroadPhase {
+    std::vector<Collider> moving;  // of bodies that can move
+    std::vector<Collider> fixed;   // of those that cannot; numbered after the moving ones
+    std::vector<Point> reference;  // per particle: where it was when rasterised
+    std::vector<Real> skin;        // m, per particle
+    Real baseSkin = Real(0.1);     // m
+    Grid movingGrid;
+    Grid fixedGrid;
+    double cellSize = 1;                // m
+    double reach = 0;                   // m, the largest radius of any collider
+    std::vector<Candidate> candidates;  // sorted, without duplicates
+    std::vector<std::uint64_t> pairs;   // of colliders, sorted; scratch and for crossings
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
+    std::uint64_t runs = 0;
+    bool collidersStale = true;  // bodies or joints changed
+    bool fixedStale = true;
+    bool pairsStale = true;
+
+    const Collider& collider(std::uint32_t i) const {
+        return i < moving.size() ? moving[i] : fixed[i - moving.size()];
+    }
+};
+
+}  // namespace sulfur::detail

@@ -1,0 +1,24 @@
+#include "collision/grid.hpp"
+
+#include <bit>
+
+namespace sulfur::detail {
+
+void Grid::build() {
+    const auto buckets = std::bit_ceil(std::max<std::size_t>(2, entries_.size() * 2));
+    shift_ = 64 - std::countr_zero(buckets);
+    start_.assign(buckets + 1, 0);
+    for (const Entry& entry : entries_) ++start_[bucketOf(entry.cell) + 1];
+    for (std::size_t i = 1; i <= buckets; ++i) start_[i] += start_[i - 1];
+    sorted_.resize(entries_.size());
+    // Filling from the back leaves start_ at the first entry of each bucket.
+    for (std::size_t i = entries_.size(); i-- > 0;) {
+        auto& end = start_[bucketOf(entries_[i].cell) + 1];
+        sorted_[--end] = entries_[i];
+    }
+    // Now start_[b + 1] is the first entry of bucket b: shift by one.
+    for (std::size_t i = 0; i < buckets; ++i) start_[i] = start_[i + 1];
+    start_[buckets] = static_cast<std::uint32_t>(entries_.size());
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,69 @@
+// The uniform grid of the broad phase.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <utility>
+#include <vector>
+
+namespace sulfur::detail {
+
+struct Cell {
+    std::int32_t x = 0, y = 0;
+    friend auto operator<=>(const Cell&, const Cell&) = default;
+};
+
+/// An unbounded grid that stores only the cells that something covers. Cells are hashed into
+/// buckets and the buckets filled by a counting sort, so building is linear and the order within
+/// a bucket is the order of insertion.
+class Grid {
+public:
+    struct Entry {
+        Cell cell;
+        std::uint32_t item = 0;
+    };
+
+    void clear() {
+        entries_.clear();
+        sorted_.clear();
+        start_.clear();
+    }
+    void insert(Cell cell, std::uint32_t item) { entries_.push_back({cell, item}); }
+    /// Sorts what was inserted since clear() into buckets. Queries come after it.
+    void build();
+
+    /// Calls f(item) for everything in a cell, in order of insertion.
+    template <class Function>
+    void forEachIn(Cell cell, Function&& f) const {
+        if (start_.empty()) return;
+        const std::uint32_t bucket = bucketOf(cell);
+        for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i)
+            if (sorted_[i].cell == cell) f(sorted_[i].item);
+    }
+
+    /// Calls f(first, second) for every two entries of one cell; first was inserted before.
+    template <class Function>
+    void forEachPair(Function&& f) const {
+        for (std::size_t bucket = 0; bucket + 1 < start_.size(); ++bucket)
+            for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i)
+                for (std::uint32_t j = i + 1; j < start_[bucket + 1]; ++j)
+                    if (sorted_[i].cell == sorted_[j].cell) f(sorted_[i].item, sorted_[j].item);
+    }
+
+    const std::vector<Entry>& entries() const { return entries_; }
+
+private:
+    std::uint32_t bucketOf(Cell cell) const {
+        const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) |
+                                  static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y))
+                                      << 32;
+        return static_cast<std::uint32_t>((key * 0x9e3779b97f4a7c15u) >> shift_);
+    }
+
+    std::vector<Entry> entries_;
+    std::vector<Entry> sorted_;
+    std::vector<std::uint32_t> start_;  // first entry of each bucket, and one past the last
+    int shift_ = 63;
+};
+
+}  // namespace sulfur::detail

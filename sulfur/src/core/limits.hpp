@@ -1,0 +1,15 @@
+// Bounds that keep every number finite.
+#pragma once
+
+#include <sulfur/math.hpp>
+
+namespace sulfur::detail {
+
+inline constexpr Real maxSpeed = 2000;          // m/s, per axis
+inline constexpr double maxCoordinate = 1e9;    // m
+inline constexpr double maxForce = 1e12;        // N
+inline constexpr double minMass = 1e-9;         // kg
+inline constexpr double maxMass = 1e12;         // kg
+inline constexpr double maxAcceleration = 1e6;  // m/s^2, gravity
+
+}  // namespace sulfur::detail

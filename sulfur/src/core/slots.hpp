@@ -1,0 +1,57 @@
+// Generational handles to the entries of dense arrays.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/ids.hpp>
+#include <vector>
+
+namespace sulfur::detail {
+
+inline constexpr std::uint32_t none = 0xffffffffu;
+
+/// Hands out handles and knows at which dense index each thing is now. Freed slots are reused in
+/// last-in-first-out order, with a new generation.
+template <class Id>
+class Slots {
+public:
+    Id insert(std::uint32_t denseIndex) {
+        std::uint32_t slot;
+        if (!free_.empty()) {
+            slot = free_.back();
+            free_.pop_back();
+        } else {
+            slot = static_cast<std::uint32_t>(dense_.size());
+            dense_.push_back(none);
+            generation_.push_back(0);
+        }
+        dense_[slot] = denseIndex;
+        return {slot + 1, ++generation_[slot]};
+    }
+
+    void erase(Id id) {
+        dense_[id.index - 1] = none;
+        free_.push_back(id.index - 1);
+    }
+
+    bool contains(Id id) const {
+        return id.index != 0 && id.index <= dense_.size() &&
+               generation_[id.index - 1] == id.generation && dense_[id.index - 1] != none;
+    }
+
+    std::uint32_t dense(Id id) const { return dense_[id.index - 1]; }
+    void move(Id id, std::uint32_t denseIndex) { dense_[id.index - 1] = denseIndex; }
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(dense_);
+        a(generation_);
+        a(free_);
+    }
+
+private:
+    std::vector<std::uint32_t> dense_;
+    std::vector<std::uint32_t> generation_;
+    std::vector<std::uint32_t> free_;
+};
+
+}  // namespace sulfur::detail

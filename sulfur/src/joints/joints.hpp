@@ -1,0 +1,74 @@
+// The joints of a world as a structure of arrays, and attachments.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sulfur/ids.hpp>
+#include <sulfur/math.hpp>
+#include <vector>
+
+#include "core/slots.hpp"
+
+namespace sulfur::detail {
+
+/// How a joint is solved. Derived by classify(), never chosen.
+enum class JointKind : std::uint8_t { explicitElastic, implicitElastic, rigid };
+
+struct Joints {
+    std::vector<std::uint32_t> a, b;  // particles, dense indices
+    std::vector<Real> restLength;     // m
+    std::vector<Real> stiffness;      // N/m
+    std::vector<Real> damping;        // N s/m
+    std::vector<Real> lambda;         // this tick's multiplier
+    std::vector<Real> force;          // N in the last tick, positive pulls
+    std::vector<JointKind> kind;
+    std::vector<Real> radius;         // m, > 0: a capsule
+    std::vector<Real> strength;       // N
+    std::vector<std::uint32_t> body;  // dense index, or none between bodies
+    std::vector<JointId> id;
+
+    std::size_t size() const { return a.size(); }
+
+    template <class Function>
+    void forEachArray(Function&& f) {
+        f(a);
+        f(b);
+        f(restLength);
+        f(stiffness);
+        f(damping);
+        f(lambda);
+        f(force);
+        f(kind);
+        f(radius);
+        f(strength);
+        f(body);
+        f(id);
+    }
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        forEachArray(archive);
+    }
+};
+
+/// Holds a particle at a point that moves with up to three others: the point is the sum of
+/// weight_i x_i with weights that add up to 1, so it turns with a rigid body and stretches with
+/// a soft one.
+struct Attachment {
+    std::uint32_t particle = none;
+    std::uint32_t count = 0;  // of supports
+    std::array<std::uint32_t, 3> support{none, none, none};
+    std::array<Real, 3> weight{0, 0, 0};
+    AttachmentId id;
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(particle);
+        a(count);
+        a(support);
+        a(weight);
+        a(id);
+    }
+};
+
+}  // namespace sulfur::detail

@@ -1,0 +1,18 @@
+// The kinds of constraints that solveConstraints() sweeps over.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+void clearMultipliers(State& state);
+void solveImplicitJoints(State& state);
+void solveContacts(State& state);
+/// After the last sweep: nothing that joints pushed may be past the surface that it touches.
+void guardContacts(State& state);
+void solveAttachments(State& state);
+void solveRigidJoints(State& state);
+/// The forces that the multipliers stand for: lambda / h^2.
+void recordForces(State& state);
+
+}  // namespace sulfur::detail

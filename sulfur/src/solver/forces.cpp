@@ -1,0 +1,37 @@
+// Stage: forces of explicit elastic joints.
+#include <cmath>
+
+#include "solver/stages.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Hooke's law with a damper along the joint, the paper's equation (1) with the damper projected
+/// on the joint, so that it brakes stretching but not rotation.
+void addElasticForce(State& state, std::uint32_t j) {
+    Joints& joints = state.joints;
+    Particles& particles = state.particles;
+    const auto a = joints.a[j], b = joints.b[j];
+    const Vec2 apart = (particles.position[b] - particles.position[a]).cast<Real>();
+    const Real length = apart.norm();
+    if (length == 0) {
+        joints.force[j] = 0;
+        return;
+    }
+    const Vec2 direction = apart / length;
+    const Real lengthening = direction.dot(particles.velocity[b] - particles.velocity[a]);
+    const Real pull =
+        joints.stiffness[j] * (length - joints.restLength[j]) + joints.damping[j] * lengthening;
+    joints.force[j] = pull;
+    particles.force[a] += pull * direction;
+    particles.force[b] -= pull * direction;
+}
+
+}  // namespace
+
+void gatherForces(State& state) {
+    for (const auto j : state.work.explicitJoints) addElasticForce(state, j);
+}
+
+}  // namespace sulfur::detail

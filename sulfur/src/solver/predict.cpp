@@ -1,0 +1,85 @@
+// Stage: velocities and displacements that forces alone would give.
+#include <algorithm>
+
+#include "core/limits.hpp"
+#include "core/trigonometry.hpp"
+#include "solver/stages.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Displaces the particles of a kinematic body so that they arrive at its target.
+void driveTowardsTarget(State& state, const BodyRecord& body) {
+    Particles& particles = state.particles;
+    const Point turn = unitVector(body.target.angle);
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        const Point rest = particles.rest[i].cast<double>();
+        const Point goal = body.target.position + Point(turn[0] * rest[0] - turn[1] * rest[1],
+                                                        turn[1] * rest[0] + turn[0] * rest[1]);
+        particles.displacement[i] = (goal - particles.position[i]).cast<Real>();
+        particles.velocity[i] = particles.displacement[i] / state.h;
+    }
+}
+
+/// Kinematic bodies follow their target, stop after it, or move on as their velocities say.
+void driveKinematicBodies(State& state) {
+    Particles& particles = state.particles;
+    for (BodyRecord& body : state.bodies) {
+        if (body.kind != BodyKind::kinematic) continue;
+        if (body.moving) {
+            driveTowardsTarget(state, body);
+        } else {
+            for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+                const auto i = body.firstParticle + k;
+                if (body.stopping) particles.velocity[i] = Vec2(0, 0);
+                particles.displacement[i] = state.h * particles.velocity[i];
+            }
+        }
+        body.stopping = body.moving;
+        body.moving = false;
+    }
+}
+
+/// A particle whose velocity was set at the start of this tick gets half a kick, so that its
+/// velocity then stands for the middle of the tick, as the scheme wants it (without it a fall
+/// would be wrong by g h t / 2). The other half is taken off here, before the full kick.
+void startFreshParticles(State& state) {
+    Particles& particles = state.particles;
+    for (const auto i : state.fresh) {
+        const Real w = particles.inverseMass[i];
+        if (w == 0) continue;
+        const Vec2 acceleration = state.settings.gravity + w * particles.force[i];
+        particles.velocity[i] -= state.h / 2 * acceleration;
+    }
+    state.fresh.clear();
+}
+
+}  // namespace
+
+void predict(State& state) {
+    startFreshParticles(state);
+    Particles& particles = state.particles;
+    const Real h = state.h;
+    const Vec2 kick = h * state.settings.gravity;
+    // The trapezoidal rule: v' - v = -h c (v + v') / 2.
+    const Real half = h * state.settings.airFriction / 2;
+    const Real keep = (1 - half) / (1 + half);
+    for (const Range range : state.work.awake) {
+        for (std::uint32_t i = range.first; i < range.last; ++i) {
+            const Real w = particles.inverseMass[i];
+            if (w != 0) {
+                const Vec2 v = keep * (particles.velocity[i] + kick + h * w * particles.force[i]);
+                particles.velocity[i] = v.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+                particles.displacement[i] = h * particles.velocity[i];
+            } else {
+                particles.displacement[i] = Vec2(0, 0);
+            }
+            particles.force[i] = Vec2(0, 0);
+        }
+    }
+    driveKinematicBodies(state);
+}
+
+}  // namespace sulfur::detail

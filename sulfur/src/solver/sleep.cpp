@@ -1,0 +1,144 @@
+// Stage: islands that have been at rest for a while fall asleep; what is touched wakes.
+#include <algorithm>
+#include <numeric>
+
+#include "solver/stages.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr Real restingSpeed = Real(0.005);  // m/s
+constexpr Real timeToSleep = Real(0.5);     // s
+constexpr Real wakingSpeed = Real(0.02);    // m/s, of what touches a sleeper
+
+/// Disjoint sets of bodies that hold or touch each other (path halving, the smaller index leads).
+class Islands {
+public:
+    explicit Islands(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0u);
+    }
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+bool isDynamic(const State& state, std::uint32_t body) {
+    return state.bodies[body].kind == BodyKind::dynamic;
+}
+
+void measureRest(State& state) {
+    const auto& v = state.particles.velocity;
+    for (BodyRecord& body : state.bodies) {
+        if (body.kind != BodyKind::dynamic || body.asleep) continue;
+        bool resting = true;
+        for (std::uint32_t k = 0; k < body.particles.size() && resting; ++k)
+            resting = v[body.firstParticle + k].squaredNorm() < restingSpeed * restingSpeed;
+        body.restingTime = resting ? body.restingTime + state.h : 0;
+    }
+}
+
+/// A body that is pushed by a kinematic one, or tied to one that moves, is never at rest.
+void tie(State& state, Islands& islands, std::uint32_t a, std::uint32_t b) {
+    if (a == b) return;
+    if (isDynamic(state, a) && isDynamic(state, b)) return islands.unite(a, b);
+    for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
+        if (!isDynamic(state, one) || state.bodies[other].kind != BodyKind::kinematic) continue;
+        const auto first = state.bodies[other].firstParticle;
+        if (state.particles.velocity[first].squaredNorm() > 0) state.bodies[one].restingTime = 0;
+    }
+}
+
+Islands findIslands(State& state) {
+    Islands islands(state.bodies.size());
+    for (const Contact& c : state.contacts)
+        if (c.normalLambda > 0) tie(state, islands, c.bodyA, c.bodyB);
+    const auto& body = state.particles.body;
+    const Joints& joints = state.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none) tie(state, islands, body[joints.a[j]], body[joints.b[j]]);
+    for (const Attachment& held : state.attachments)
+        tie(state, islands, body[held.particle], body[held.support[0]]);
+    return islands;
+}
+
+void wakeTouched(State& state) {
+    for (const Contact& c : state.contacts) {
+        if (c.approach < wakingSpeed) continue;
+        for (const auto body : {c.bodyA, c.bodyB})
+            if (state.bodies[body].asleep) wakeBody(state, body);
+    }
+}
+
+/// What is tied to something that moves moves with it.
+void wakeTied(State& state) {
+    const auto wake = [&](std::uint32_t p, std::uint32_t q) {
+        const auto& body = state.particles.body;
+        const auto& v = state.particles.velocity;
+        for (const auto& [mover, sleeper] : {std::pair(p, q), std::pair(q, p)})
+            if (state.bodies[body[sleeper]].asleep &&
+                v[mover].squaredNorm() > wakingSpeed * wakingSpeed)
+                wakeBody(state, body[sleeper]);
+    };
+    const Joints& joints = state.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none) wake(joints.a[j], joints.b[j]);
+    for (const Attachment& held : state.attachments)
+        for (std::uint32_t k = 0; k < held.count; ++k) wake(held.particle, held.support[k]);
+}
+
+}  // namespace
+
+void wakeBody(State& state, std::uint32_t index) {
+    BodyRecord& body = state.bodies[index];
+    body.restingTime = 0;
+    if (!body.asleep) return;
+    body.asleep = false;
+    restoreInverseMass(state, index);
+    state.work.stale = true;
+    state.broad.pairsStale = true;
+}
+
+void sleepBody(State& state, std::uint32_t index) {
+    BodyRecord& body = state.bodies[index];
+    body.asleep = true;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        state.particles.velocity[i] = Vec2(0, 0);
+        state.particles.displacement[i] = Vec2(0, 0);
+        state.particles.inverseMass[i] = 0;
+    }
+    state.work.stale = true;
+    state.broad.pairsStale = true;
+}
+
+void updateSleep(State& state) {
+    if (!state.settings.sleeping) return;
+    wakeTouched(state);
+    wakeTied(state);
+    measureRest(state);
+    const bool anyTired = std::any_of(
+        state.bodies.begin(), state.bodies.end(),
+        [](const BodyRecord& body) { return !body.asleep && body.restingTime >= timeToSleep; });
+    if (!anyTired) return;
+    Islands islands = findIslands(state);
+    std::vector<bool> restless(state.bodies.size(), false);
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
+        if (isDynamic(state, i) && !state.bodies[i].asleep &&
+            state.bodies[i].restingTime < timeToSleep)
+            restless[islands.find(i)] = true;
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
+        if (isDynamic(state, i) && !state.bodies[i].asleep && !restless[islands.find(i)])
+            sleepBody(state, i);
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,42 @@
+// The stages of a tick, in the order in which step() calls them. Each lives in a file of its own
+// name, beside this one or in collision/.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Rebuilds what is derived from bodies and joints, if they changed.
+void applyChanges(State& state);
+/// Gathers the forces of explicit elastic joints into Particles::force.
+void gatherForces(State& state);
+/// v += h (g + w f), air friction, d = h v.
+void predict(State& state);
+/// Finds the candidates again if a collider has left its skin.
+void updateBroadPhase(State& state);
+/// Candidates to contacts.
+void findContacts(State& state);
+/// Changes displacements until contacts, attachments and stiff joints hold.
+void solveConstraints(State& state);
+/// Velocities from displacements, restitution, and the move itself.
+void updateVelocities(State& state);
+/// Cuts joints that were loaded beyond their strength.
+void breakJoints(State& state);
+/// Lets islands at rest fall asleep and wakes those that were touched.
+void updateSleep(State& state);
+/// Tells what happened.
+void collectEvents(State& state);
+
+/// Makes a body take part again, or lets it rest, at once.
+void wakeBody(State& state, std::uint32_t body);
+void sleepBody(State& state, std::uint32_t body);
+
+/// Makes the grid valid for the present positions (lookAhead 0) or for those that the predicted
+/// displacements lead to (1). Never changes how the simulation goes on: contacts depend on
+/// geometry alone, not on when their candidates were found.
+void refreshGrid(State& state, Real lookAhead);
+
+/// One tick.
+void step(State& state);
+
+}  // namespace sulfur::detail

@@ -1,0 +1,60 @@
+// The bodies of a world.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <sulfur/blueprint.hpp>
+#include <sulfur/ids.hpp>
+#include <vector>
+
+namespace sulfur::detail {
+
+struct BodyRecord {
+    BodyId id;
+    BodyKind kind = BodyKind::dynamic;
+    bool asleep = false;
+    bool moving = false;              // kinematic: has a target for the next tick
+    bool stopping = false;            // kinematic: had a target for the last tick
+    Real restingTime = 0;             // s for which its island has been at rest
+    std::uint32_t firstParticle = 0;  // dense index
+    Material material;
+    Filter filter;
+    std::uint64_t userData = 0;
+    Pose target;
+    std::string name;
+    std::optional<Skin> skin;
+    std::vector<ParticleId> particles;
+    std::vector<JointId> joints;
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(id);
+        a(kind);
+        a(asleep);
+        a(moving);
+        a(stopping);
+        a(restingTime);
+        a(firstParticle);
+        a(material);
+        a(filter);
+        a(userData);
+        a(target.position);
+        a(target.angle);
+        a(name);
+        bool skinned = skin.has_value();
+        a(skinned);
+        if (skinned) {
+            if (!skin) skin.emplace();
+            a(skin->texture);
+            a(skin->uv);
+            a(skin->triangles);
+        } else {
+            skin.reset();
+        }
+        a(particles);
+        a(joints);
+    }
+};
+
+}  // namespace sulfur::detail

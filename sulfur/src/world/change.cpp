@@ -1,0 +1,212 @@
+// World: changing what exists.
+#include "core/error_checks.hpp"
+#include "core/limits.hpp"
+#include "solver/stages.hpp"
+#include "world/impl.hpp"
+
+namespace sulfur {
+
+using detail::indexOf;
+using detail::maxCoordinate;
+using detail::maxForce;
+using detail::maxSpeed;
+using detail::requireRange;
+using detail::State;
+
+namespace {
+
+void requireVector(Vec2 value, double limit, const char* what) {
+    for (int axis = 0; axis < 2; ++axis)
+        requireRange(static_cast<double>(value[axis]), -limit, limit, what);
+}
+
+void requireSpeed(Vec2 velocity) {
+    requireVector(velocity, static_cast<double>(maxSpeed), "velocity");
+}
+
+void wakeAll(State& state) {
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) detail::wakeBody(state, i);
+}
+
+void wakeOwner(State& state, std::uint32_t particle) {
+    detail::wakeBody(state, state.particles.body[particle]);
+}
+
+void setParticleVelocity(State& state, std::uint32_t i, Vec2 velocity) {
+    if (state.particles.pinned[i]) return;
+    state.particles.velocity[i] = velocity;
+    if (state.bodies[state.particles.body[i]].kind == BodyKind::dynamic) state.fresh.push_back(i);
+}
+
+void refuseFixed(const State& state, std::uint32_t body) {
+    if (state.bodies[body].kind == BodyKind::fixed)
+        throw Error(ErrorCode::degenerate,
+                    "a fixed body cannot have a velocity; allowed are dynamic and kinematic ones");
+}
+
+}  // namespace
+
+void World::setGravity(Vec2 gravity) {
+    requireVector(gravity, detail::maxAcceleration, "gravity");
+    if (gravity == impl_->state.settings.gravity) return;
+    impl_->state.settings.gravity = gravity;
+    wakeAll(impl_->state);
+}
+
+Vec2 World::gravity() const {
+    return impl_->state.settings.gravity;
+}
+
+void World::setAirFriction(Real airFriction) {
+    requireRange(static_cast<double>(airFriction), 0, impl_->state.settings.tickRate,
+                 "air friction");
+    impl_->state.settings.airFriction = airFriction;
+}
+
+Real World::airFriction() const {
+    return impl_->state.settings.airFriction;
+}
+
+void World::setMaterial(BodyId id, const Material& material) {
+    State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    detail::validate(material);
+    state.bodies[index].material = material;
+    detail::wakeBody(state, index);
+}
+
+void World::setFilter(BodyId id, const Filter& filter) {
+    State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    state.bodies[index].filter = filter;
+    detail::wakeBody(state, index);
+    detail::bodyChanged(state);
+}
+
+void World::setUserData(BodyId id, std::uint64_t data) {
+    impl_->state.bodies[indexOf(impl_->state, id)].userData = data;
+}
+
+void World::setStiffness(JointId id, Real stiffness) {
+    State& state = impl_->state;
+    const auto j = indexOf(state, id);
+    detail::requireNonNegativeOrInfinite(static_cast<double>(stiffness), "stiffness");
+    if (stiffness == infinite && state.joints.restLength[j] == 0)
+        throw Error(ErrorCode::degenerate,
+                    "a joint of rest length 0 cannot be rigid; allowed is a finite stiffness");
+    state.joints.stiffness[j] = stiffness;
+    detail::jointChanged(state, j);
+}
+
+void World::setDamping(JointId id, Real damping) {
+    State& state = impl_->state;
+    const auto j = indexOf(state, id);
+    requireRange(static_cast<double>(damping), 0, 1e12, "damping");
+    state.joints.damping[j] = damping;
+    detail::jointChanged(state, j);
+}
+
+void World::setRestLength(JointId id, Real restLength) {
+    State& state = impl_->state;
+    const auto j = indexOf(state, id);
+    requireRange(static_cast<double>(restLength), 0, 1e9, "rest length");
+    if (restLength == 0 && (state.joints.stiffness[j] == infinite || state.joints.radius[j] > 0))
+        throw Error(ErrorCode::degenerate,
+                    "rest length is 0; a rigid or colliding joint needs more than 0");
+    state.joints.restLength[j] = restLength;
+    for (const auto p : {state.joints.a[j], state.joints.b[j]}) wakeOwner(state, p);
+}
+
+void World::setStrength(JointId id, Real strength) {
+    State& state = impl_->state;
+    const auto j = indexOf(state, id);
+    detail::requireNonNegativeOrInfinite(static_cast<double>(strength), "strength");
+    state.joints.strength[j] = strength;
+    detail::jointChanged(state, j);
+}
+
+void World::setMass(ParticleId id, Real mass) {
+    State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    requireRange(static_cast<double>(mass), detail::minMass, detail::maxMass, "mass");
+    state.particles.mass[i] = mass;
+    const auto body = state.particles.body[i];
+    detail::wakeBody(state, body);
+    detail::restoreInverseMass(state, body);
+    state.work.stale = true;
+}
+
+void World::setPosition(ParticleId id, Point position) {
+    State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    for (int axis = 0; axis < 2; ++axis)
+        requireRange(position[axis], -maxCoordinate, maxCoordinate, "position");
+    wakeOwner(state, i);
+    state.particles.position[i] = position;
+    state.particles.displacement[i] = Vec2(0, 0);
+    state.broad.pairsStale = true;
+    if (state.bodies[state.particles.body[i]].kind == BodyKind::fixed)
+        state.broad.fixedStale = true;
+}
+
+void World::setVelocity(ParticleId id, Vec2 velocity) {
+    State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    requireSpeed(velocity);
+    refuseFixed(state, state.particles.body[i]);
+    wakeOwner(state, i);
+    setParticleVelocity(state, i, velocity);
+}
+
+void World::setVelocity(BodyId id, Vec2 velocity) {
+    State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    requireSpeed(velocity);
+    refuseFixed(state, index);
+    detail::wakeBody(state, index);
+    const auto& body = state.bodies[index];
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k)
+        setParticleVelocity(state, body.firstParticle + k, velocity);
+}
+
+void World::applyForce(ParticleId id, Vec2 force) {
+    State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    requireVector(force, maxForce, "force");
+    if (force.isZero(0)) return;
+    wakeOwner(state, i);
+    const Vec2 sum = state.particles.force[i] + force;
+    const Real limit = static_cast<Real>(maxForce);
+    state.particles.force[i] = sum.cwiseMax(-limit).cwiseMin(limit);
+}
+
+void World::applyImpulse(ParticleId id, Vec2 impulse) {
+    State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    requireVector(impulse, maxForce, "impulse");
+    if (impulse.isZero(0)) return;
+    wakeOwner(state, i);
+    const Vec2 changed = state.particles.velocity[i] + state.particles.inverseMass[i] * impulse;
+    state.particles.velocity[i] = changed.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+}
+
+void World::moveTo(BodyId id, const Pose& pose) {
+    State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    for (int axis = 0; axis < 2; ++axis)
+        requireRange(pose.position[axis], -maxCoordinate / 2, maxCoordinate / 2, "pose: position");
+    requireRange(pose.angle, -1e6, 1e6, "pose: angle");
+    detail::BodyRecord& body = state.bodies[index];
+    if (body.kind != BodyKind::kinematic)
+        throw Error(ErrorCode::degenerate,
+                    "only a kinematic body can be moved to a pose; this "
+                    "one is dynamic or fixed");
+    body.target = pose;
+    body.moving = true;
+}
+
+void World::wake(BodyId id) {
+    detail::wakeBody(impl_->state, indexOf(impl_->state, id));
+}
+
+}  // namespace sulfur

@@ -1,0 +1,27 @@
+// What World hides.
+#pragma once
+
+#include <sulfur/world.hpp>
+
+#include "world/state.hpp"
+
+namespace sulfur {
+
+struct World::Impl {
+    detail::State state;
+};
+
+namespace detail {
+
+/// Dense indices of handles; they throw Error{staleHandle} when the thing is gone.
+std::uint32_t indexOf(const State& state, ParticleId id);
+std::uint32_t indexOf(const State& state, JointId id);
+std::uint32_t indexOf(const State& state, BodyId id);
+std::uint32_t indexOf(const State& state, AttachmentId id);
+
+/// Wakes the bodies of both ends, and makes the next tick notice changed joints.
+void jointChanged(State& state, std::uint32_t joint);
+void bodyChanged(State& state);
+
+}  // namespace detail
+}  // namespace sulfur

@@ -1,0 +1,305 @@
+// Making and removing bodies, connections and attachments.
+#include <algorithm>
+#include <cmath>
+
+#include "collision/geometry.hpp"
+#include "core/error_checks.hpp"
+#include "core/limits.hpp"
+#include "core/trigonometry.hpp"
+#include "solver/stages.hpp"
+#include "world/impl.hpp"
+
+namespace sulfur {
+
+namespace detail {
+
+namespace {
+
+void validatePose(const Pose& pose) {
+    for (int axis = 0; axis < 2; ++axis)
+        requireRange(pose.position[axis], -maxCoordinate / 2, maxCoordinate / 2, "pose: position");
+    requireRange(pose.angle, -1e6, 1e6, "pose: angle");
+}
+
+void validateMasses(const Blueprint& plan) {
+    for (const auto& p : plan.particles)
+        requireRange(static_cast<double>(p.mass), minMass, maxMass, "particle mass");
+}
+
+void addParticle(State& state, const ParticleSpec& spec, const Pose& pose, const Point& turn,
+                 BodyRecord& body, std::uint32_t bodyIndex) {
+    Particles& p = state.particles;
+    const auto index = static_cast<std::uint32_t>(p.size());
+    const Point rest = spec.position.cast<double>();
+    p.position.push_back(pose.position + Point(turn[0] * rest[0] - turn[1] * rest[1],
+                                               turn[1] * rest[0] + turn[0] * rest[1]));
+    p.displacement.emplace_back(0, 0);
+    p.velocity.emplace_back(0, 0);
+    p.force.emplace_back(0, 0);
+    p.inverseMass.push_back(0);
+    p.reach.push_back(spec.radius);
+    p.body.push_back(bodyIndex);
+    p.mass.push_back(spec.mass);
+    p.radius.push_back(spec.radius);
+    p.rest.push_back(spec.position);
+    p.pinned.push_back(spec.pinned ? 1 : 0);
+    p.id.push_back(state.particleSlots.insert(index));
+    body.particles.push_back(p.id.back());
+    if (body.kind == BodyKind::dynamic) state.fresh.push_back(index);
+}
+
+JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOptions& options,
+                 Real restLength, std::uint32_t body) {
+    Joints& j = state.joints;
+    const auto index = static_cast<std::uint32_t>(j.size());
+    j.a.push_back(a);
+    j.b.push_back(b);
+    j.restLength.push_back(restLength);
+    j.stiffness.push_back(options.stiffness);
+    j.damping.push_back(options.damping);
+    j.lambda.push_back(0);
+    j.force.push_back(0);
+    j.kind.push_back(JointKind::rigid);
+    j.radius.push_back(options.radius);
+    j.strength.push_back(options.strength);
+    j.body.push_back(body);
+    j.id.push_back(state.jointSlots.insert(index));
+    return j.id.back();
+}
+
+Real distanceNow(const State& state, std::uint32_t a, std::uint32_t b) {
+    return static_cast<Real>((state.particles.position[b] - state.particles.position[a]).norm());
+}
+
+void validateConnection(const ConnectOptions& options, Real rest) {
+    requireNonNegativeOrInfinite(static_cast<double>(options.stiffness), "stiffness");
+    requireRange(static_cast<double>(options.damping), 0, 1e12, "damping");
+    requireRange(static_cast<double>(options.radius), 0, 1e6, "radius");
+    requireNonNegativeOrInfinite(static_cast<double>(options.strength), "strength");
+    requireRange(static_cast<double>(rest), 0, 1e9, "rest length");
+    if (rest == 0 && (options.stiffness == infinite || options.radius > 0))
+        throw Error(ErrorCode::degenerate,
+                    "rest length is 0; a rigid or colliding joint needs more than 0");
+}
+
+/// The three particles of a body that hold a point best, with its weights: the two nearest to the
+/// point, and that third one which makes the triangle with them the least flat.
+Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point) {
+    const BodyRecord& record = state.bodies[body];
+    const auto& rest = state.particles.rest;
+    std::vector<std::uint32_t> order(record.particles.size());
+    for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = record.firstParticle + k;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return (rest[a] - point).squaredNorm() < (rest[b] - point).squaredNorm();
+    });
+    Attachment held;
+    held.count = 1;
+    held.support[0] = order[0];
+    held.weight[0] = 1;
+    if (order.size() == 1 || (rest[order[0]] - point).norm() == 0) return held;
+    const Vec2 a = rest[order[0]], ab = rest[order[1]] - a, ap = point - a;
+    std::uint32_t third = none;
+    Real best = 0;
+    for (std::size_t k = 2; k < order.size(); ++k) {
+        const Vec2 ac = rest[order[k]] - a;
+        const Real flatness = std::abs(cross(ab, ac)) / (ab.squaredNorm() + ac.squaredNorm());
+        if (flatness > best * Real(1.5)) {
+            best = flatness;
+            third = order[k];
+        }
+    }
+    held.support[1] = order[1];
+    if (best < Real(0.01)) {  // all in a line: the nearest place on the segment
+        held.count = 2;
+        held.weight[1] = nearestAlong<Vec2>(ap, Vec2(0, 0), ab);
+        held.weight[0] = 1 - held.weight[1];
+        return held;
+    }
+    const Vec2 ac = rest[third] - a;
+    held.count = 3;
+    held.support[2] = third;
+    held.weight[1] = cross(ap, ac) / cross(ab, ac);
+    held.weight[2] = cross(ab, ap) / cross(ab, ac);
+    held.weight[0] = 1 - held.weight[1] - held.weight[2];
+    return held;
+}
+
+AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle) {
+    for (std::uint32_t k = 0; k < held.count; ++k)
+        if (held.support[k] == particle)
+            throw Error(ErrorCode::degenerate,
+                        "a particle cannot be attached to itself; allowed "
+                        "is a point of another body");
+    held.particle = particle;
+    held.id = state.attachmentSlots.insert(static_cast<std::uint32_t>(state.attachments.size()));
+    state.attachments.push_back(held);
+    for (const auto p : {particle, held.support[0]}) wakeBody(state, state.particles.body[p]);
+    bodyChanged(state);
+    return held.id;
+}
+
+/// Wakes sleepers that may have lost their support: all whose particles are within a metre of
+/// what goes.
+void wakeAround(State& state, std::uint32_t gone) {
+    const auto& x = state.particles.position;
+    const BodyRecord& body = state.bodies[gone];
+    Point low(1e300, 1e300), high(-1e300, -1e300);
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        low = low.cwiseMin(x[body.firstParticle + k]);
+        high = high.cwiseMax(x[body.firstParticle + k]);
+    }
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        if (!state.bodies[i].asleep) continue;
+        for (std::uint32_t k = 0; k < state.bodies[i].particles.size(); ++k) {
+            const Point& p = x[state.bodies[i].firstParticle + k];
+            if ((p.array() < low.array() - 1).any() || (p.array() > high.array() + 1).any())
+                continue;
+            wakeBody(state, i);
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+void restoreInverseMass(State& state, std::uint32_t index) {
+    const BodyRecord& body = state.bodies[index];
+    Particles& p = state.particles;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        const bool free = body.kind == BodyKind::dynamic && !body.asleep && p.pinned[i] == 0;
+        p.inverseMass[i] = free ? 1 / p.mass[i] : 0;
+    }
+}
+
+void bodyChanged(State& state) {
+    state.work.stale = true;
+    state.broad.collidersStale = true;
+}
+
+void jointChanged(State& state, std::uint32_t joint) {
+    for (const auto p : {state.joints.a[joint], state.joints.b[joint]})
+        wakeBody(state, state.particles.body[p]);
+    state.work.stale = true;
+}
+
+}  // namespace detail
+
+using detail::indexOf;
+
+Body World::add(const Blueprint& plan, const Pose& pose) {
+    plan.validate();
+    detail::validateMasses(plan);
+    detail::validatePose(pose);
+    detail::State& state = impl_->state;
+    const auto index = static_cast<std::uint32_t>(state.bodies.size());
+    detail::BodyRecord body;
+    body.id = state.bodySlots.insert(index);
+    body.kind = plan.kind;
+    body.firstParticle = static_cast<std::uint32_t>(state.particles.size());
+    body.material = plan.material;
+    body.filter = plan.filter;
+    body.name = plan.name;
+    body.skin = plan.skin;
+    const Point turn = detail::unitVector(pose.angle);
+    for (const ParticleSpec& spec : plan.particles)
+        detail::addParticle(state, spec, pose, turn, body, index);
+    for (const JointSpec& spec : plan.joints) {
+        const auto a = body.firstParticle + spec.a, b = body.firstParticle + spec.b;
+        const Vec2 apart = plan.particles[spec.b].position - plan.particles[spec.a].position;
+        body.joints.push_back(detail::addJoint(
+            state, a, b, {spec.stiffness, spec.damping, {}, spec.radius, spec.strength},
+            spec.restLength.value_or(apart.norm()), index));
+    }
+    state.bodyIds.push_back(body.id);
+    state.bodies.push_back(std::move(body));
+    detail::restoreInverseMass(state, index);
+    detail::bodyChanged(state);
+    return {*this, state.bodyIds.back()};
+}
+
+void World::remove(BodyId id) {
+    detail::State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    detail::wakeAround(state, index);
+    detail::Removal removal(state);
+    removal.bodies[index] = true;
+    detail::compact(state, removal);
+}
+
+JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions& options) {
+    detail::State& state = impl_->state;
+    const auto a = indexOf(state, first), b = indexOf(state, second);
+    if (a == b)
+        throw Error(ErrorCode::degenerate,
+                    "a joint from a particle to itself; allowed are two different particles");
+    const Real rest = options.restLength.value_or(detail::distanceNow(state, a, b));
+    detail::validateConnection(options, rest);
+    const auto& bodies = state.bodies;
+    const auto bodyA = state.particles.body[a], bodyB = state.particles.body[b];
+    for (const auto body : {bodyA, bodyB}) detail::wakeBody(state, body);
+    const auto& w = state.particles.inverseMass;
+    if (w[a] == 0 && w[b] == 0 && bodies[bodyA].kind != BodyKind::dynamic &&
+        bodies[bodyB].kind != BodyKind::dynamic)
+        throw Error(ErrorCode::degenerate,
+                    "a joint between two particles that never move; at least one must be of a "
+                    "dynamic body");
+    const auto owner = bodyA == bodyB ? bodyA : detail::none;
+    const JointId id = detail::addJoint(state, a, b, options, rest, owner);
+    if (owner != detail::none) state.bodies[owner].joints.push_back(id);
+    detail::bodyChanged(state);
+    return id;
+}
+
+AttachmentId World::attach(ParticleId particle, BodyId body, Vec2 localPoint) {
+    detail::State& state = impl_->state;
+    const auto p = indexOf(state, particle);
+    const auto b = indexOf(state, body);
+    detail::requireFinite(localPoint, "local point");
+    return detail::addAttachment(state, detail::supportsFor(state, b, localPoint), p);
+}
+
+AttachmentId World::attach(ParticleId particle, JointId joint, Real along) {
+    detail::State& state = impl_->state;
+    const auto p = indexOf(state, particle);
+    const auto j = indexOf(state, joint);
+    detail::requireRange(static_cast<double>(along), 0, 1, "along");
+    detail::Attachment held;
+    held.count = 2;
+    held.support = {state.joints.a[j], state.joints.b[j], detail::none};
+    held.weight = {1 - along, along, 0};
+    return detail::addAttachment(state, held, p);
+}
+
+void World::remove(JointId id) {
+    detail::State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    detail::jointChanged(state, index);
+    detail::Removal removal(state);
+    removal.joints[index] = true;
+    detail::compact(state, removal);
+}
+
+void World::remove(AttachmentId id) {
+    detail::State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    const detail::Attachment& held = state.attachments[index];
+    for (const auto p : {held.particle, held.support[0]})
+        detail::wakeBody(state, state.particles.body[p]);
+    detail::Removal removal(state);
+    removal.attachments[index] = true;
+    detail::compact(state, removal);
+}
+
+void World::setPinned(ParticleId particle, bool pinned) {
+    detail::State& state = impl_->state;
+    const auto i = indexOf(state, particle);
+    state.particles.pinned[i] = pinned ? 1 : 0;
+    if (pinned) state.particles.velocity[i] = Vec2(0, 0);
+    const auto body = state.particles.body[i];
+    detail::wakeBody(state, body);
+    detail::restoreInverseMass(state, body);
+    state.work.stale = true;
+}
+
+}  // namespace sulfur

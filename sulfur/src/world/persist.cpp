@@ -1,0 +1,160 @@
+// World: snapshot, restore, hash, and the check of invariants.
+#include <cmath>
+#include <sstream>
+
+#include "core/archive.hpp"
+#include "world/impl.hpp"
+
+namespace sulfur {
+
+namespace detail {
+
+namespace {
+
+constexpr std::uint64_t snapshotMark = 0x31735f7266756c53u;  // "Slfr_s1", little-endian
+
+/// Everything that decides how the world goes on. Candidates are not part of it: contacts depend
+/// on geometry alone, not on when their candidates were found.
+template <class Archive>
+void archiveDecisive(Archive& a, State& state) {
+    a(state.settings.gravity);
+    a(state.settings.airFriction);
+    a(state.settings.tickRate);
+    a(state.settings.sleeping);
+    a(state.settings.sweeps);
+    a(state.tick);
+    a(state.particles);
+    a(state.joints);
+    a(state.attachments);
+    a(state.fresh);
+    a(state.touching);
+    a(state.broad.cellSize);
+}
+
+template <class Archive>
+void archiveAll(Archive& a, State& state) {
+    a(state.h);
+    archiveDecisive(a, state);
+    a(state.bodies);
+    a(state.bodyIds);
+    a(state.particleSlots);
+    a(state.jointSlots);
+    a(state.bodySlots);
+    a(state.attachmentSlots);
+}
+
+void archiveBodyMotion(Hasher& hasher, State& state) {
+    for (BodyRecord& body : state.bodies) {
+        hasher(body.id);
+        hasher(body.kind);
+        hasher(body.asleep);
+        hasher(body.moving);
+        hasher(body.stopping);
+        hasher(body.restingTime);
+        hasher(body.material);
+        hasher(body.filter);
+        hasher(body.target.position);
+        hasher(body.target.angle);
+    }
+}
+
+/// What the snapshot of this build begins with.
+std::uint64_t buildMark() {
+    return snapshotMark ^ sizeof(Real) << 56;
+}
+
+std::string problem(const char* what, std::size_t index) {
+    return std::string(what) + " (index " + std::to_string(index) + ")";
+}
+
+std::string validateParticles(const State& state) {
+    const Particles& p = state.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!p.position[i].allFinite()) return problem("particle position is not finite", i);
+        if (!p.velocity[i].allFinite()) return problem("particle velocity is not finite", i);
+        if (!p.displacement[i].allFinite())
+            return problem("particle displacement is not finite", i);
+        if (!(p.inverseMass[i] >= 0)) return problem("particle inverse mass is negative", i);
+        if (p.body[i] >= state.bodies.size()) return problem("particle without a body", i);
+        if (!state.particleSlots.contains(p.id[i]) || state.particleSlots.dense(p.id[i]) != i)
+            return problem("particle handle leads elsewhere", i);
+    }
+    return {};
+}
+
+std::string validateJoints(const State& state) {
+    const Joints& j = state.joints;
+    for (std::size_t i = 0; i < j.size(); ++i) {
+        if (j.a[i] >= state.particles.size() || j.b[i] >= state.particles.size())
+            return problem("joint end out of range", i);
+        if (j.a[i] == j.b[i]) return problem("joint from a particle to itself", i);
+        if (!state.jointSlots.contains(j.id[i]) || state.jointSlots.dense(j.id[i]) != i)
+            return problem("joint handle leads elsewhere", i);
+    }
+    return {};
+}
+
+std::string validateBodies(const State& state) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+        const BodyRecord& body = state.bodies[i];
+        if (body.firstParticle != next) return problem("body does not follow its predecessor", i);
+        for (std::size_t k = 0; k < body.particles.size(); ++k)
+            if (state.particles.body[next + k] != i) return problem("particle of another body", i);
+        next += body.particles.size();
+        if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)
+            return problem("body handle leads elsewhere", i);
+    }
+    return next == state.particles.size() ? std::string() : "particles outside of bodies";
+}
+
+}  // namespace
+
+}  // namespace detail
+
+using detail::State;
+
+std::uint64_t World::hash() const {
+    detail::Hasher hasher;
+    // An archive takes its fields by reference because a reader fills them; the hasher only reads.
+    State& state = impl_->state;
+    detail::archiveDecisive(hasher, state);
+    detail::archiveBodyMotion(hasher, state);
+    return hasher.result;
+}
+
+Snapshot World::snapshot() const {
+    detail::Writer writer;
+    std::uint64_t mark = detail::buildMark();
+    writer(mark);
+    detail::archiveAll(writer, impl_->state);
+    return std::move(writer.result);
+}
+
+void World::restore(const Snapshot& snapshot) {
+    detail::Reader reader(snapshot);
+    std::uint64_t mark = 0;
+    reader(mark);
+    if (mark != detail::buildMark())
+        throw Error(ErrorCode::badSnapshot,
+                    "the snapshot is of another version or precision of "
+                    "the library; allowed is one of this build");
+    auto fresh = std::make_unique<Impl>();
+    detail::archiveAll(reader, fresh->state);
+    const std::string broken = detail::validateParticles(fresh->state);
+    if (!reader.finished() || !broken.empty())
+        throw Error(ErrorCode::badSnapshot,
+                    "the snapshot is damaged; allowed is one that "
+                    "World::snapshot made");
+    fresh->state.profiling = impl_->state.profiling;
+    impl_ = std::move(fresh);
+}
+
+std::string World::validate() const {
+    for (const auto check :
+         {detail::validateParticles, detail::validateJoints, detail::validateBodies})
+        if (std::string broken = check(impl_->state); !broken.empty()) return broken;
+    return {};
+}
+
+}  // namespace sulfur

@@ -1,0 +1,293 @@
+// World: life, time, and looking at things.
+#include <string>
+
+#include "core/error_checks.hpp"
+#include "core/limits.hpp"
+#include "solver/stages.hpp"
+#include "world/impl.hpp"
+
+namespace sulfur {
+
+namespace detail {
+
+namespace {
+
+template <class Id>
+std::uint32_t lookUp(const Slots<Id>& slots, Id id, const char* what) {
+    if (slots.contains(id)) return slots.dense(id);
+    throw Error(ErrorCode::staleHandle,
+                std::string("the ") + what + " handle " + std::to_string(id.index) + ":" +
+                    std::to_string(id.generation) + " refers to nothing; allowed is one whose " +
+                    what + " is still in this world");
+}
+
+void validateSettings(const WorldSettings& settings) {
+    for (int axis = 0; axis < 2; ++axis)
+        requireRange(static_cast<double>(settings.gravity[axis]), -maxAcceleration, maxAcceleration,
+                     "gravity");
+    requireRange(settings.tickRate, 60, 10000, "tick rate");
+    requireRange(settings.sweeps, 1, 100, "sweeps");
+    requireRange(static_cast<double>(settings.airFriction), 0, settings.tickRate, "air friction");
+}
+
+}  // namespace
+
+std::uint32_t indexOf(const State& state, ParticleId id) {
+    return lookUp(state.particleSlots, id, "particle");
+}
+std::uint32_t indexOf(const State& state, JointId id) {
+    return lookUp(state.jointSlots, id, "joint");
+}
+std::uint32_t indexOf(const State& state, BodyId id) {
+    return lookUp(state.bodySlots, id, "body");
+}
+std::uint32_t indexOf(const State& state, AttachmentId id) {
+    return lookUp(state.attachmentSlots, id, "attachment");
+}
+
+}  // namespace detail
+
+using detail::BodyRecord;
+using detail::indexOf;
+using detail::none;
+using detail::State;
+
+const char* name(Stage stage) {
+    switch (stage) {
+        case Stage::changes:
+            return "changes";
+        case Stage::forces:
+            return "forces";
+        case Stage::predict:
+            return "predict";
+        case Stage::broadPhase:
+            return "broad phase";
+        case Stage::narrowPhase:
+            return "narrow phase";
+        case Stage::constraints:
+            return "constraints";
+        case Stage::velocities:
+            return "velocities";
+        case Stage::breakage:
+            return "breakage";
+        case Stage::sleep:
+            return "sleep";
+        case Stage::count:
+            break;
+    }
+    return "?";
+}
+
+World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
+    detail::validateSettings(settings);
+    impl_->state.settings = settings;
+    impl_->state.h = 1 / static_cast<Real>(settings.tickRate);
+}
+
+World::~World() = default;
+
+// --- time ----------------------------------------------------------------------------------
+
+void World::step() {
+    detail::step(impl_->state);
+}
+std::uint64_t World::ticks() const {
+    return impl_->state.tick;
+}
+double World::time() const {
+    return static_cast<double>(impl_->state.tick) / impl_->state.settings.tickRate;
+}
+Real World::tickDuration() const {
+    return impl_->state.h;
+}
+const WorldSettings& World::settings() const {
+    return impl_->state.settings;
+}
+const Events& World::events() const {
+    return impl_->state.events;
+}
+const Statistics& World::statistics() const {
+    return impl_->state.statistics;
+}
+void World::setProfiling(bool on) {
+    impl_->state.profiling = on;
+}
+
+// --- looking -------------------------------------------------------------------------------
+
+bool World::contains(BodyId id) const {
+    return impl_->state.bodySlots.contains(id);
+}
+bool World::contains(ParticleId id) const {
+    return impl_->state.particleSlots.contains(id);
+}
+bool World::contains(JointId id) const {
+    return impl_->state.jointSlots.contains(id);
+}
+bool World::contains(AttachmentId id) const {
+    return impl_->state.attachmentSlots.contains(id);
+}
+
+std::span<const BodyId> World::bodies() const {
+    return impl_->state.bodyIds;
+}
+
+std::vector<JointId> World::connections() const {
+    const auto& joints = impl_->state.joints;
+    std::vector<JointId> found;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none) found.push_back(joints.id[j]);
+    return found;
+}
+
+Body World::body(BodyId id) {
+    indexOf(impl_->state, id);
+    return {*this, id};
+}
+
+namespace {
+const BodyRecord& record(const State& state, BodyId id) {
+    return state.bodies[indexOf(state, id)];
+}
+}  // namespace
+
+std::span<const ParticleId> World::particles(BodyId id) const {
+    return record(impl_->state, id).particles;
+}
+std::span<const JointId> World::joints(BodyId id) const {
+    return record(impl_->state, id).joints;
+}
+const std::string& World::name(BodyId id) const {
+    return record(impl_->state, id).name;
+}
+BodyKind World::kind(BodyId id) const {
+    return record(impl_->state, id).kind;
+}
+const Material& World::material(BodyId id) const {
+    return record(impl_->state, id).material;
+}
+const Filter& World::filter(BodyId id) const {
+    return record(impl_->state, id).filter;
+}
+const std::optional<Skin>& World::skin(BodyId id) const {
+    return record(impl_->state, id).skin;
+}
+std::uint64_t World::userData(BodyId id) const {
+    return record(impl_->state, id).userData;
+}
+bool World::asleep(BodyId id) const {
+    return record(impl_->state, id).asleep;
+}
+
+Point World::centreOfMass(BodyId id) const {
+    const BodyRecord& body = record(impl_->state, id);
+    const auto& p = impl_->state.particles;
+    // Relative to the first particle, so that nothing is lost far from the origin.
+    const Point origin = p.position[body.firstParticle];
+    Point sum(0, 0);
+    double mass = 0;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        sum += static_cast<double>(p.mass[i]) * (p.position[i] - origin);
+        mass += static_cast<double>(p.mass[i]);
+    }
+    return origin + sum / mass;
+}
+
+Vec2 World::meanVelocity(BodyId id) const {
+    const BodyRecord& body = record(impl_->state, id);
+    const auto& p = impl_->state.particles;
+    Point sum(0, 0);
+    double mass = 0;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        sum += static_cast<double>(p.mass[i]) * p.velocity[i].cast<double>();
+        mass += static_cast<double>(p.mass[i]);
+    }
+    return (sum / mass).cast<Real>();
+}
+
+Real World::mass(BodyId id) const {
+    const BodyRecord& body = record(impl_->state, id);
+    double sum = 0;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k)
+        sum += static_cast<double>(impl_->state.particles.mass[body.firstParticle + k]);
+    return static_cast<Real>(sum);
+}
+
+ParticleInfo World::info(ParticleId id) const {
+    const State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    const auto& p = state.particles;
+    return {state.bodies[p.body[i]].id,
+            p.position[i],
+            p.velocity[i],
+            p.mass[i],
+            p.radius[i],
+            p.pinned[i] != 0};
+}
+
+JointInfo World::info(JointId id) const {
+    const State& state = impl_->state;
+    const auto i = indexOf(state, id);
+    const auto& j = state.joints;
+    return {j.body[i] == none ? BodyId{} : state.bodies[j.body[i]].id,
+            state.particles.id[j.a[i]],
+            state.particles.id[j.b[i]],
+            j.restLength[i],
+            j.stiffness[i],
+            j.damping[i],
+            j.radius[i],
+            j.strength[i],
+            j.force[i]};
+}
+
+Point World::position(ParticleId id) const {
+    return impl_->state.particles.position[indexOf(impl_->state, id)];
+}
+
+Point World::interpolated(ParticleId id, double alpha) const {
+    const auto& p = impl_->state.particles;
+    const auto i = indexOf(impl_->state, id);
+    return p.position[i] - (1 - alpha) * p.displacement[i].cast<double>();
+}
+
+Vec2 World::velocity(ParticleId id) const {
+    return impl_->state.particles.velocity[indexOf(impl_->state, id)];
+}
+
+std::vector<ContactInfo> World::contacts() const {
+    const State& state = impl_->state;
+    std::vector<ContactInfo> found;
+    for (const auto& c : state.contacts) {
+        if (c.normalLambda <= 0) continue;
+        const Real reach = state.particles.reach[c.particle];
+        const Point point =
+            state.particles.position[c.particle] - (reach * c.normal).cast<double>();
+        found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id, point, c.normal,
+                         c.normalLambda / state.h});
+    }
+    return found;
+}
+
+double World::energy() const {
+    const State& state = impl_->state;
+    const auto& p = state.particles;
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (state.bodies[p.body[i]].kind != BodyKind::dynamic || p.pinned[i]) continue;
+        const auto v = p.velocity[i].cast<double>();
+        sum += static_cast<double>(p.mass[i]) *
+               (v.squaredNorm() / 2 - state.settings.gravity.cast<double>().dot(p.position[i]));
+    }
+    const auto& j = state.joints;
+    for (std::size_t i = 0; i < j.size(); ++i) {
+        if (j.stiffness[i] == infinite) continue;
+        const double stretch =
+            (p.position[j.b[i]] - p.position[j.a[i]]).norm() - static_cast<double>(j.restLength[i]);
+        sum += static_cast<double>(j.stiffness[i]) * stretch * stretch / 2;
+    }
+    return sum;
+}
+
+}  // namespace sulfur
