@@ -1,5 +1,7 @@
-# Shell functions that ./play and ./test share: Debian packages and building.
-# Sourced by bash; expects `root` to be the checkout.
+# shellcheck shell=bash
+# What ./play and ./test share: Debian packages and building. Sourced by bash.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*"; }
 die() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 1; }
@@ -46,7 +48,7 @@ apt_install() {
 # Installs what is missing of the given sections.
 install_packages() {
     local line missing=() reasons=()
-    command -v dpkg-query > /dev/null && command -v apt-get > /dev/null ||
+    command -v apt-get > /dev/null ||
         die "this machine has no apt: install what cmake/packages.txt lists by other means," \
             "then start again with --no-install"
     while IFS= read -r line; do
