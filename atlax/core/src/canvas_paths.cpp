@@ -47,7 +47,8 @@ StrokeEnd strokeEnd(Vec2 at, Vec2 outward, float reach, const Vec2* beyond, floa
     const float neighbour = length(*beyond - at);
     const Vec2 after = (*beyond - at) / neighbour;
     const float cosine = dot(outward, after);
-    if (cosine < -0.5f) return capped;
+    constexpr float sharpest = -0.85f;  // a turn of about 150 degrees
+    if (cosine < sharpest) return capped;
     const Vec2 m = miter(outward, after, 4) * reach;
     const float along = std::abs(dot(m, outward));
     if (along > std::min(sideLength, neighbour)) return capped;

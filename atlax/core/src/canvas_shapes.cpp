@@ -78,7 +78,8 @@ void Canvas::dashedLine(Vec2 from, Vec2 to, float width, float dash, float gap, 
     const float total = length(to - from);
     const float step = dash + gap;
     constexpr float mostDashes = 10'000;
-    if (!(dash > 0) || !(gap >= 0) || !(total > 0) || !(total / step < mostDashes)) return;
+    if (!(dash > 0) || !(gap >= 0) || !(total > 0) || !std::isfinite(step)) return;
+    if (!(total / step < mostDashes)) return;
     const Vec2 direction = (to - from) / total;
     // Round ends make a dash longer by the width; take it from the dash, not from the gap.
     const float inset = std::min(width / 2, dash / 2);

@@ -127,7 +127,7 @@ public:
     /// Line with round ends; thinner than a pixel it fades instead of breaking up.
     void line(Vec2 from, Vec2 to, float width, Color color);
     /// Connected lines with round joins; a transparent colour shows no overlap at the joins
-    /// unless they are sharper than about 60 degrees.
+    /// unless they are sharper than about 30 degrees.
     void polyline(std::span<const Vec2> points, float width, Color color, bool closed = false);
     void dashedLine(Vec2 from, Vec2 to, float width, float dash, float gap, Color color);
     void capsule(Vec2 from, Vec2 to, float radius, Color color);

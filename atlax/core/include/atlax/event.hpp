@@ -42,7 +42,7 @@ inline constexpr int maxPads = 4;
 
 /// The drawable area changed: its size in pixels and pixels per logical unit (HiDPI).
 struct WindowResized {
-    PixelSize size;
+    PixelSize size{};
     float scaleFactor = 1;
 };
 
@@ -62,32 +62,32 @@ struct KeyEvent {
 
 /// Text that was typed, UTF-8, after layout, dead keys and input method.
 struct TextEvent {
-    std::string utf8;
+    std::string utf8{};
 };
 
 /// Position in pixels of the drawable area, y down.
 struct MouseMoved {
-    Vec2 position;
+    Vec2 position{};
 };
 
 struct MouseButtonEvent {
     MouseButton button = MouseButton::Left;
     bool down = false;
-    Vec2 position;
+    Vec2 position{};
     int clicks = 1;  ///< 2 for the second press of a double click
     Modifiers modifiers = Modifiers::None;
 };
 
 /// Notches of the wheel: y positive away from the user (up), x positive to the right.
 struct WheelEvent {
-    Vec2 notches;
-    Vec2 position;
+    Vec2 notches{};
+    Vec2 position{};
     Modifiers modifiers = Modifiers::None;
 };
 
 struct PadConnected {
     int pad = 0;
-    std::string name;
+    std::string name{};
 };
 struct PadDisconnected {
     int pad = 0;
@@ -105,7 +105,7 @@ struct PadAxisEvent {
 
 /// A file was dropped on the window.
 struct FileDropped {
-    std::filesystem::path file;
+    std::filesystem::path file{};
 };
 
 /// Everything that a backend may tell an application. Plain values, free to copy and store.

@@ -1,0 +1,119 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atlax/error.hpp>
+#include <atlax/files.hpp>
+#include <cstdlib>
+
+#include "temporary_folder.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace atlax;
+
+std::size_t filesIn(const fs::path& folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Files, writeAndReadBack) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "deep/er/text";
+    writeFileAtomic(file, "hello\n");
+    EXPECT_EQ(readFile(file, 100), "hello\n");
+    EXPECT_EQ(filesIn(file.parent_path()), 1u) << "nothing temporary stays";
+    writeFileAtomic(file, "");
+    EXPECT_EQ(readFile(file, 100), "");
+}
+
+TEST(Files, oneBackupIsKept) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "settings";
+    writeFileAtomic(file, "one", Backup::KeepOne);
+    EXPECT_FALSE(fs::exists(folder / "settings.bak"));
+    writeFileAtomic(file, "two", Backup::KeepOne);
+    writeFileAtomic(file, "three", Backup::KeepOne);
+    EXPECT_EQ(readFile(file, 100), "three");
+    EXPECT_EQ(readFile(folder / "settings.bak", 100), "two");
+    EXPECT_EQ(filesIn(folder.path()), 2u);
+}
+
+TEST(Files, readingIsBounded) {
+    const TemporaryFolder folder;
+    writeFileAtomic(folder / "ten", "0123456789");
+    EXPECT_EQ(readFile(folder / "ten", 10).size(), 10u);
+    EXPECT_THROW(readFile(folder / "ten", 9), Error);
+    EXPECT_EQ(readBytes(folder / "ten", 10).size(), 10u);
+}
+
+TEST(Files, onlyRegularFilesAreRead) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(readFile(folder / "missing", 10), Error);
+    EXPECT_THROW(readFile(folder.path(), 10), Error);
+    EXPECT_THROW(readFile("/dev/zero", 10), Error);
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    EXPECT_THROW(readFile(folder / "pipe", 10), Error) << "and it must not hang";
+}
+
+TEST(Files, aFailedWriteLeavesEverythingAsItWas) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "target");
+    EXPECT_THROW(writeFileAtomic(folder / "target", "x"), Error);
+    writeFileAtomic(folder / "file", "old");
+    EXPECT_THROW(writeFileAtomic(folder / "file/below", "x"), Error);
+    EXPECT_EQ(readFile(folder / "file", 10), "old");
+    EXPECT_EQ(filesIn(folder.path()), 2u);
+    EXPECT_THROW(writeFileAtomic("/dev/full/x", "x"), Error);
+}
+
+TEST(Files, messagesNameTheFile) {
+    try {
+        readFile("/no/such/file", 1);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("/no/such/file"), std::string::npos);
+    }
+}
+
+TEST(Files, xdgFolders) {
+    ::setenv("XDG_CONFIG_HOME", "/tmp/config", 1);
+    EXPECT_EQ(configFolder("quaoar"), "/tmp/config/quaoar");
+    ::setenv("XDG_CONFIG_HOME", "relative/is/ignored", 1);
+    ::setenv("HOME", "/home/someone", 1);
+    EXPECT_EQ(configFolder("quaoar"), "/home/someone/.config/quaoar");
+    ::unsetenv("XDG_DATA_HOME");
+    EXPECT_EQ(dataFolder("quaoar"), "/home/someone/.local/share/quaoar");
+}
+
+TEST(Assets, areFoundInTheOrderOfFolders) {
+    const TemporaryFolder first;
+    const TemporaryFolder second;
+    writeFileAtomic(first / "art/hero.svg", "first");
+    writeFileAtomic(second / "art/hero.svg", "second");
+    writeFileAtomic(second / "only", "second");
+    ::setenv("ATLAX_TEST_ASSETS", first.path().c_str(), 1);
+    const Assets assets({.application = "atlax-test",
+                         .environmentVariable = "ATLAX_TEST_ASSETS",
+                         .sourceFolder = second.path()});
+    EXPECT_EQ(readFile(assets.find("art/hero.svg"), 10), "first");
+    EXPECT_EQ(readFile(assets.find("only"), 10), "second");
+    EXPECT_FALSE(assets.exists("nothing"));
+    EXPECT_THROW(assets.find("nothing"), Error);
+    ::unsetenv("ATLAX_TEST_ASSETS");
+}
+
+TEST(Assets, namesMayNotClimbOut) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "inside");
+    writeFileAtomic(folder / "secret", "x");
+    const Assets assets(
+        {.application = "", .environmentVariable = "", .sourceFolder = folder / "inside"});
+    EXPECT_THROW(assets.find("../secret"), Error);
+    EXPECT_THROW(assets.find((folder / "secret").string()), Error);
+    EXPECT_THROW(assets.find(""), Error);
+    EXPECT_FALSE(assets.exists("../secret"));
+}
+
+}  // namespace

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <atlax/input.hpp>
+
+namespace {
+
+using namespace atlax;
+
+TEST(Input, edgesAreSeenByOneTickAndHoldingByAll) {
+    InputSampler sampler;
+    sampler.feed(KeyEvent{.key = Key::W, .down = true});
+    EXPECT_TRUE(sampler.sample().wasPressed(Key::W));
+    EXPECT_TRUE(sampler.current().isDown(Key::W));
+    EXPECT_FALSE(sampler.sample().wasPressed(Key::W));
+    EXPECT_TRUE(sampler.current().isDown(Key::W));
+    sampler.feed(KeyEvent{.key = Key::W, .down = false});
+    EXPECT_TRUE(sampler.sample().wasReleased(Key::W));
+    EXPECT_FALSE(sampler.current().isDown(Key::W));
+}
+
+TEST(Input, aTapBetweenTwoTicksIsNotMissed) {
+    InputSampler sampler;
+    sampler.feed(MouseButtonEvent{.down = true, .position = {3, 4}});
+    sampler.feed(MouseButtonEvent{.down = false, .position = {3, 4}});
+    const InputState& state = sampler.sample();
+    EXPECT_TRUE(state.wasPressed(MouseButton::Left));
+    EXPECT_TRUE(state.wasReleased(MouseButton::Left));
+    EXPECT_FALSE(state.isDown(MouseButton::Left));
+    EXPECT_EQ(state.mouse, Vec2(3, 4));
+}
+
+TEST(Input, autoRepeatIsNotAPress) {
+    InputSampler sampler;
+    sampler.feed(KeyEvent{.key = Key::A, .down = true});
+    sampler.sample();
+    sampler.feed(KeyEvent{.key = Key::A, .down = true, .repeat = true});
+    EXPECT_FALSE(sampler.sample().wasPressed(Key::A));
+}
+
+TEST(Input, wheelAndMovementAddUpPerTick) {
+    InputSampler sampler;
+    sampler.feed(WheelEvent{.notches = {0, 1}});
+    sampler.feed(WheelEvent{.notches = {0, 2}});
+    sampler.feed(MouseMoved{{10, 0}});
+    sampler.feed(MouseMoved{{15, 5}});
+    EXPECT_EQ(sampler.sample().wheel, Vec2(0, 3));
+    EXPECT_EQ(sampler.current().mouseDelta, Vec2(15, 5));
+    EXPECT_EQ(sampler.sample().wheel, Vec2(0, 0));
+    EXPECT_EQ(sampler.current().mouse, Vec2(15, 5));
+}
+
+TEST(Input, lostFocusLetsGoOfEverything) {
+    InputSampler sampler;
+    sampler.feed(PadConnected{1, "pad"});
+    sampler.feed(KeyEvent{.key = Key::D, .down = true});
+    sampler.feed(PadButtonEvent{1, PadButton::South, true});
+    sampler.feed(PadAxisEvent{1, PadAxis::LeftX, 1});
+    sampler.sample();
+    sampler.feed(FocusChanged{false});
+    const InputState& state = sampler.sample();
+    EXPECT_TRUE(state.wasReleased(Key::D));
+    EXPECT_FALSE(state.isDown(Key::D));
+    EXPECT_TRUE(state.pads[1].wasReleased(PadButton::South));
+    EXPECT_EQ(state.pads[1].axis(PadAxis::LeftX), 0);
+    EXPECT_FALSE(state.focused);
+}
+
+TEST(Input, sticksHaveARoundDeadZone) {
+    PadState pad;
+    pad.axes = {0.1f, 0.1f, 0, 1, 0, 0};
+    EXPECT_EQ(pad.leftStick(0.2f), Vec2(0, 0));
+    EXPECT_NEAR(pad.rightStick(0.2f).y, 1, 1e-6f);
+    pad.axes = {1, 1, 0.6f, 0, 0, 0};
+    EXPECT_NEAR(length(pad.leftStick()), 1, 1e-6f);
+    EXPECT_NEAR(pad.rightStick(0.2f).x, 0.5f, 1e-6f);
+}
+
+TEST(Input, padsOutOfRangeAreIgnored) {
+    InputSampler sampler;
+    sampler.feed(PadConnected{-1, "x"});
+    sampler.feed(PadButtonEvent{maxPads, PadButton::South, true});
+    sampler.feed(PadAxisEvent{99, PadAxis::LeftX, 1});
+    for (const PadState& pad : sampler.sample().pads) EXPECT_FALSE(pad.connected);
+}
+
+TEST(Keys, namesGoThereAndBack) {
+    for (int i = 1; i < keyCount; ++i) {
+        const auto key = static_cast<Key>(i);
+        EXPECT_EQ(keyFromName(keyName(key)), key) << keyName(key);
+    }
+    EXPECT_EQ(keyName(Key::W), "W");
+    EXPECT_EQ(keyName(Key::Left), "Left");
+    EXPECT_EQ(keyName(Key::PadEnter), "PadEnter");
+    EXPECT_EQ(keyFromName("no such key"), Key::Unknown);
+}
+
+}  // namespace
