@@ -1,0 +1,75 @@
+# What `cmake --install` puts where. The library needs neither SDL nor wxWidgets: the headless
+# preset installs it alone; other builds also install the programs that they built.
+#
+#   include/, lib/               headers and libraries
+#   lib/cmake/sulfur/            for find_package(sulfur)
+#   lib/pkgconfig/               sulfur.pc, sulfur-scene.pc
+#   bin/, share/sulfur/          programs, their assets and levels
+#   share/doc/sulfur/            licence and changelog
+#
+# sulfur/scene installs itself into the export set sulfurTargets.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS sulfur EXPORT sulfurTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+set_target_properties(sulfur_scene PROPERTIES INSTALL_RPATH "$ORIGIN")
+install(DIRECTORY sulfur/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# --- find_package(sulfur) ---------------------------------------------------------------------
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sulfur)
+install(EXPORT sulfurTargets NAMESPACE sulfur:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/sulfurConfig.cmake.in sulfurConfig.cmake
+  INSTALL_DESTINATION ${package_dir}
+  NO_SET_AND_CHECK_MACRO)
+# Before 1.0 a new minor version may change the interface.
+write_basic_package_version_file(sulfurConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/sulfurConfig.cmake
+  ${PROJECT_BINARY_DIR}/sulfurConfigVersion.cmake
+  DESTINATION ${package_dir})
+
+# --- pkg-config -------------------------------------------------------------------------------
+# Paths are relative to the .pc files, so that an installed tree may be moved.
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
+  set(SULFUR_PC_PREFIX ${CMAKE_INSTALL_PREFIX})
+else()
+  file(RELATIVE_PATH to_prefix /${pkgconfig_dir} /)
+  string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
+  set(SULFUR_PC_PREFIX "\${pcfiledir}/${to_prefix}")
+endif()
+cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_INCLUDEDIR BASE_DIRECTORY "\${prefix}"
+  OUTPUT_VARIABLE SULFUR_PC_INCLUDEDIR)
+cmake_path(ABSOLUTE_PATH CMAKE_INSTALL_LIBDIR BASE_DIRECTORY "\${prefix}"
+  OUTPUT_VARIABLE SULFUR_PC_LIBDIR)
+# Whoever uses the library must be compiled with the same options of these two.
+set(SULFUR_PC_FLAGS "")
+set(SULFUR_PC_CFLAGS "")
+if(SULFUR_SANITIZE)
+  set(SULFUR_PC_FLAGS " -fsanitize=address,undefined")
+endif()
+if(SULFUR_REAL_DOUBLE)
+  set(SULFUR_PC_CFLAGS " -DSULFUR_REAL_DOUBLE")
+endif()
+foreach(module sulfur sulfur-scene)
+  configure_file(cmake/${module}.pc.in ${module}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${module}.pc DESTINATION ${pkgconfig_dir})
+endforeach()
+
+# --- programs, where they are built -----------------------------------------------------------
+set(SULFUR_PROGRAMS)
+foreach(program quaoar quaoar_solve sulfurchamber sulfur_lab)
+  if(TARGET ${program})
+    list(APPEND SULFUR_PROGRAMS ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    # Finds shared libraries of the project beside it, wherever the tree is moved.
+    set_target_properties(${program} PROPERTIES
+      INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  endif()
+endforeach()
+if(SULFUR_BUILD_APPS)
+  install(DIRECTORY levels DESTINATION ${CMAKE_INSTALL_DATADIR}/sulfur)
+  install(DIRECTORY quaoar/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/sulfur/quaoar)
+endif()
