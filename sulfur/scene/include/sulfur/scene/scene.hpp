@@ -18,7 +18,8 @@ struct Limits {
     static constexpr std::size_t joints = 60'000;     ///< the same, connections included
     static constexpr std::size_t bodies = 20'000;
     static constexpr double coordinate = 1'000;        ///< metres, either way
-    static constexpr double speed = 10'000;            ///< m/s
+    static constexpr double speed = 2'000;             ///< m/s
+    static constexpr double smallestMass = 1e-9;       ///< kg, of a particle
     static constexpr double mass = 1e9;                ///< kg
     static constexpr double stiffness = 1e18;          ///< N/m, beside "rigid"
     static constexpr double damping = 1e12;            ///< N s/m

@@ -1,0 +1,189 @@
+// A running world as a scene.
+#include <algorithm>
+#include <sulfur/scene/instance.hpp>
+
+#include "placing.hpp"
+
+namespace sulfur::scene {
+
+namespace {
+
+class Capture {
+public:
+    Capture(const World& world, const Scene& base, const Instance& instance)
+        : world_(world), base_(base), instance_(instance) {
+        for (const auto& [id, body] : instance.bodies) oldIds_.emplace(body, id);
+        for (std::size_t i = 0; i < base.connections.size() && i < instance.connections.size(); ++i)
+            oldConnections_.emplace(instance.connections[i], &base.connections[i]);
+    }
+
+    Scene run() {
+        scene_ = base_;
+        scene_.settings = world_.settings();
+        scene_.settings.gravity = world_.gravity();
+        scene_.settings.airFriction = world_.airFriction();
+        scene_.bodies.clear();
+        scene_.connections.clear();
+        scene_.attachments.clear();
+        // Bodies of the scene first, so that newer ones cannot take their ids.
+        for (const bool old : {true, false}) {
+            for (const BodyId body : world_.bodies())
+                if (oldIds_.contains(body) == old) addBody(body);
+        }
+        for (const JointId joint : world_.connections()) addConnection(joint);
+        addAttachments();
+        return std::move(scene_);
+    }
+
+private:
+    void addBody(BodyId body) {
+        Placement placement;
+        const auto old = oldIds_.find(body);
+        const Placement* before = old == oldIds_.end() ? nullptr : base_.body(old->second);
+        if (before != nullptr) placement = *before;
+        if (before == nullptr || !describes(blueprintOf(base_, *before), body)) {
+            const Blueprint* rest = nullptr;
+            Blueprint known;
+            if (before != nullptr) {
+                known = blueprintOf(base_, *before);
+                if (known.particles.size() == world_.particles(body).size()) rest = &known;
+            }
+            makePlacement(placement, body, rest);
+        }
+        addState(placement, body);
+        remember(body, placement.id);
+        scene_.bodies.push_back(std::move(placement));
+    }
+
+    void remember(BodyId body, const std::string& id) {
+        const auto particles = world_.particles(body);
+        for (std::uint32_t i = 0; i < particles.size(); ++i)
+            refs_.emplace(particles[i], ParticleRef{id, i});
+    }
+
+    /// Gives the body an explicit blueprint of its own. Its frame is the old blueprint's where the
+    /// particles are still the same, and otherwise the centre of mass of what is there now.
+    void makePlacement(Placement& placement, BodyId body, const Blueprint* rest) {
+        const std::string name = world_.name(body).empty() ? "body" : world_.name(body);
+        if (placement.id.empty()) placement.id = freeIdInBoth(name);
+        placement.kind.reset();
+        placement.material.reset();
+        placement.filter.reset();
+        if (rest == nullptr) placement.pose = {world_.centreOfMass(body), 0};
+        Prefab prefab;
+        prefab.blueprint = blueprintNow(body, rest, placement.pose.position);
+        prefab.blueprint.name = scene_.freeName(placement.id);
+        placement.blueprint = prefab.blueprint.name;
+        scene_.blueprints.push_back(std::move(prefab));
+    }
+
+    std::string freeIdInBoth(const std::string& base) const {
+        for (int n = 1;; ++n) {
+            const std::string id = n == 1 ? base : base + std::to_string(n);
+            if (scene_.body(id) == nullptr && !instance_.bodies.contains(id)) return id;
+        }
+    }
+
+    Blueprint blueprintNow(BodyId body, const Blueprint* rest, const Point& origin) const {
+        Blueprint plan;
+        plan.kind = world_.kind(body);
+        plan.material = world_.material(body);
+        plan.filter = world_.filter(body);
+        plan.skin = world_.skin(body);
+        std::map<ParticleId, std::uint32_t> places;
+        for (const ParticleId id : world_.particles(body)) {
+            const ParticleInfo info = world_.info(id);
+            const auto place = static_cast<std::uint32_t>(plan.particles.size());
+            places.emplace(id, place);
+            const Vec2 position = rest != nullptr ? rest->particles[place].position
+                                                  : Vec2((info.position - origin).cast<Real>());
+            plan.particles.push_back({position, info.mass, info.radius, info.pinned});
+        }
+        for (const JointId id : world_.joints(body)) {
+            const JointInfo info = world_.info(id);
+            plan.joints.push_back({places.at(info.a), places.at(info.b), info.stiffness,
+                                   info.damping, info.restLength, info.radius, info.strength});
+        }
+        if (plan.skin && plan.skin->uv.size() != plan.particles.size()) plan.skin.reset();
+        return plan;
+    }
+
+    /// Whether adding `plan` would make a body like this one, wherever its particles are.
+    bool describes(const Blueprint& plan, BodyId body) const {
+        const Blueprint now = plan.particles.size() == world_.particles(body).size()
+                                  ? blueprintNow(body, &plan, Point(0, 0))
+                                  : Blueprint{};
+        if (plan.kind != now.kind || !(plan.material == now.material) ||
+            !(plan.filter == now.filter) || plan.joints.size() != now.joints.size())
+            return false;
+        const auto sameParticle = [](const ParticleSpec& a, const ParticleSpec& b) {
+            return a.mass == b.mass && a.radius == b.radius && a.pinned == b.pinned;
+        };
+        const auto sameJoint = [&](const JointSpec& a, const JointSpec& b) {
+            const Vec2 apart = plan.particles[a.b].position - plan.particles[a.a].position;
+            return a.a == b.a && a.b == b.b && a.stiffness == b.stiffness &&
+                   a.damping == b.damping && a.radius == b.radius && a.strength == b.strength &&
+                   a.restLength.value_or(apart.norm()) == b.restLength;
+        };
+        return std::equal(plan.particles.begin(), plan.particles.end(), now.particles.begin(),
+                          now.particles.end(), sameParticle) &&
+               std::equal(plan.joints.begin(), plan.joints.end(), now.joints.begin(), sameJoint);
+    }
+
+    /// Bodies that rest exactly where their pose puts them need no state.
+    void addState(Placement& placement, BodyId body) {
+        placement.state.reset();
+        placement.velocity = Vec2(0, 0);
+        const Blueprint& plan = scene_.prefab(placement.blueprint)->blueprint;
+        const auto planned = placed(plan, placement.pose);
+        BodyState state;
+        bool moved = false;
+        for (const ParticleId id : world_.particles(body)) {
+            const ParticleInfo info = world_.info(id);
+            const Point& before = planned[state.positions.size()];
+            moved = moved || (info.position - before).norm() > 1e-9 || info.velocity != Vec2(0, 0);
+            state.positions.push_back(info.position);
+            state.velocities.push_back(info.velocity);
+        }
+        if (moved) placement.state = std::move(state);
+    }
+
+    void addConnection(JointId joint) {
+        const JointInfo info = world_.info(joint);
+        Connection connection;
+        if (const auto old = oldConnections_.find(joint); old != oldConnections_.end())
+            connection.extra = old->second->extra;
+        connection.a = refs_.at(info.a);
+        connection.b = refs_.at(info.b);
+        connection.options = {info.stiffness, info.damping, info.restLength, info.radius,
+                              info.strength};
+        scene_.connections.push_back(std::move(connection));
+    }
+
+    void addAttachments() {
+        for (std::size_t i = 0; i < base_.attachments.size(); ++i) {
+            if (i >= instance_.attachments.size() || !world_.contains(instance_.attachments[i]))
+                continue;
+            const Attachment& attachment = base_.attachments[i];
+            if (scene_.body(attachment.particle.body) != nullptr &&
+                scene_.body(attachment.body) != nullptr)
+                scene_.attachments.push_back(attachment);
+        }
+    }
+
+    const World& world_;
+    const Scene& base_;
+    const Instance& instance_;
+    Scene scene_;
+    std::map<BodyId, std::string> oldIds_;
+    std::map<JointId, const Connection*> oldConnections_;
+    std::map<ParticleId, ParticleRef> refs_;
+};
+
+}  // namespace
+
+Scene capture(const World& world, const Scene& base, const Instance& instance) {
+    return Capture(world, base, instance).run();
+}
+
+}  // namespace sulfur::scene

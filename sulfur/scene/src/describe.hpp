@@ -1,0 +1,164 @@
+// The members of the simple objects of a file, each told once: the reader, the writer and the list
+// of keys are three visitors of these descriptions, so they cannot disagree.
+//
+// describe(visitor, object) calls one function of the visitor per member, with the member's key, a
+// reference to it, the value that it has when the file says nothing, and its bounds.
+#pragma once
+
+#include <concepts>
+#include <sulfur/scene/scene.hpp>
+#include <type_traits>
+
+namespace sulfur::scene {
+
+/// `Object` is `Plain` or const `Plain`.
+template <class Object, class Plain>
+concept Is = std::same_as<std::remove_const_t<Object>, Plain>;
+
+inline constexpr double largestSize = 2 * Limits::coordinate;  ///< metres
+inline constexpr double largestRadius = 100;                   ///< metres
+
+template <class Visitor, Is<WorldSettings> Object>
+void describe(Visitor& v, Object& o) {
+    const WorldSettings d;
+    v.vec("gravity", o.gravity, d.gravity, Limits::gravity);
+    v.number("airFriction", o.airFriction, d.airFriction, 0, 10000);
+    v.integer("tickRate", o.tickRate, d.tickRate, 60, 10000);
+    v.flag("sleeping", o.sleeping, d.sleeping);
+    v.integer("sweeps", o.sweeps, d.sweeps, 1, 100);
+}
+
+template <class Visitor, Is<Material> Object>
+void describe(Visitor& v, Object& o) {
+    const Material d;
+    v.number("staticFriction", o.staticFriction, d.staticFriction, 0, Limits::friction);
+    v.number("kineticFriction", o.kineticFriction, d.kineticFriction, 0, Limits::friction);
+    v.number("restitution", o.restitution, d.restitution, 0, 1);
+}
+
+template <class Visitor, Is<Filter> Object>
+void describe(Visitor& v, Object& o) {
+    const Filter d;
+    v.integer("category", o.category, d.category, 0, 0xffffffff);
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+    v.integer("group", o.group, d.group, -2147483648LL, 2147483647);
+}
+
+template <class Visitor, Is<ParticleSpec> Object>
+void describe(Visitor& v, Object& o) {
+    const ParticleSpec d;
+    v.vec("position", o.position, d.position, Limits::coordinate);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.number("radius", o.radius, d.radius, 0, largestRadius);
+    v.flag("pinned", o.pinned, d.pinned);
+}
+
+/// What joints inside a body and joints between bodies have in common.
+template <class Visitor, class Object>
+void describeJoint(Visitor& v, Object& o) {
+    const ConnectOptions d;
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.optionalNumber("restLength", o.restLength, 0, 2 * largestSize);
+    v.number("radius", o.radius, d.radius, 0, largestRadius);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+}
+
+template <class Visitor, Is<JointSpec> Object>
+void describe(Visitor& v, Object& o) {
+    v.index("a", o.a);
+    v.index("b", o.b);
+    describeJoint(v, o);
+}
+
+template <class Visitor, Is<FloorOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const FloorOptions d;
+    v.vec("from", o.from, d.from, Limits::coordinate);
+    v.vec("to", o.to, d.to, Limits::coordinate);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::GroundOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::GroundOptions d;
+    v.points("points", o.points, 2, Limits::particles, Limits::coordinate);
+    v.flag("closed", o.closed, d.closed);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::BoxOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::BoxOptions d;
+    v.size("size", o.size, d.size, largestSize);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.flag("solidInertia", o.solidInertia, d.solidInertia);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::BallOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::BallOptions d;
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::RopeOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::RopeOptions d;
+    v.vec("from", o.from, d.from, Limits::coordinate);
+    v.vec("to", o.to, d.to, Limits::coordinate);
+    v.integer("links", o.links, d.links, 0, Limits::particles - 1);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.number("radius", o.radius, d.radius, 0, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.flag("pinFirst", o.pinFirst, d.pinFirst);
+    v.flag("pinLast", o.pinLast, d.pinLast);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::JellyOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::JellyOptions d;
+    v.size("size", o.size, d.size, largestSize);
+    v.integer("columns", o.columns, d.columns, 2, 1000);
+    v.integer("rows", o.rows, d.rows, 2, 1000);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::BlobOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::BlobOptions d;
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.integer("segments", o.segments, d.segments, 3, 1000);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("skinRadius", o.skinRadius, d.skinRadius, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<std::monostate> Object>
+void describe(Visitor&, Object&) {}
+
+/// How generators are called in files, in the order of the alternatives of Generator.
+inline constexpr const char* generatorNames[] = {"",     "floor", "ground", "box",
+                                                 "ball", "rope",  "jelly",  "blob"};
+static_assert(std::size(generatorNames) == std::variant_size_v<Generator>);
+inline constexpr const char* kindNames[] = {"dynamic", "kinematic", "fixed"};
+
+}  // namespace sulfur::scene

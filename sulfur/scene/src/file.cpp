@@ -1,0 +1,118 @@
+// Writing so that a crash or a full disk leaves either the old file or the new one, whole.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <sulfur/scene/file.hpp>
+#include <system_error>
+
+namespace sulfur::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const char* what, int reason) {
+    throw WriteError(file.string() + ": " + what + ": " + std::strerror(reason) +
+                     "; nothing was changed, choose another place or make room");
+}
+
+/// A new file that vanishes unless it is kept.
+class NewFile {
+public:
+    /// Beside `target`, because only there it can be renamed to it.
+    explicit NewFile(const fs::path& target) : target_(target), path_(target.string() + ".XXXXXX") {
+        descriptor_ = ::mkstemp(path_.data());
+        if (descriptor_ < 0) refuse(target_, "cannot be written", errno);
+        struct stat before {};
+        const bool there = ::stat(target_.c_str(), &before) == 0;
+        const auto mask = ::umask(0);
+        ::umask(mask);
+        ::fchmod(descriptor_, there ? before.st_mode & 07777 : 0666 & ~mask);
+    }
+    ~NewFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (!path_.empty()) ::unlink(path_.c_str());
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    void write(const std::string& text) {
+        std::size_t done = 0;
+        while (done < text.size()) {
+            const auto count = ::write(descriptor_, text.data() + done, text.size() - done);
+            if (count < 0 && errno == EINTR) continue;
+            if (count < 0) refuse(target_, "cannot be written", errno);
+            done += static_cast<std::size_t>(count);
+        }
+        if (::fsync(descriptor_) != 0) refuse(target_, "cannot be brought to the disk", errno);
+        const int result = ::close(descriptor_);
+        descriptor_ = -1;
+        if (result != 0) refuse(target_, "cannot be brought to the disk", errno);
+    }
+
+    void keepAs(const fs::path& name) {
+        if (::rename(path_.c_str(), name.c_str()) != 0)
+            refuse(target_, "cannot be replaced", errno);
+        path_.clear();
+    }
+
+private:
+    fs::path target_;
+    std::string path_;
+    int descriptor_ = -1;
+};
+
+/// A rename is on the disk only when its folder is.
+void syncFolder(const fs::path& file) {
+    const auto folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+void keepBackup(const fs::path& file) {
+    if (!fs::is_regular_file(file)) return;
+    const fs::path backup = file.string() + ".bak";
+    const fs::path half = file.string() + ".bak.new";
+    std::error_code problem;
+    fs::copy_file(file, half, fs::copy_options::overwrite_existing, problem);
+    if (!problem) fs::rename(half, backup, problem);
+    if (!problem) return;
+    std::error_code ignored;
+    fs::remove(half, ignored);
+    throw WriteError(file.string() + ": no backup can be made: " + problem.message() +
+                     "; nothing was changed, choose another place or make room");
+}
+
+}  // namespace
+
+void writeFile(const std::string& text, const fs::path& file) {
+    std::error_code problem;
+    if (fs::is_directory(file, problem))
+        throw WriteError(file.string() + ": is a folder; needed is the name of a file");
+    // Through a link, the file that it points to is the one to replace.
+    const fs::path target = fs::is_symlink(file, problem) ? fs::weakly_canonical(file) : file;
+    NewFile fresh(target);
+    fresh.write(text);
+    keepBackup(target);
+    fresh.keepAs(target);
+    syncFolder(target);
+}
+
+void write(const Scene& scene, const fs::path& file) {
+    const std::string text = format(scene);
+    parse(text, file.string());
+    writeFile(text, file);
+}
+
+void writeBlueprint(const Prefab& prefab, const fs::path& file) {
+    const std::string text = format(prefab);
+    parseBlueprint(text, file.string());
+    writeFile(text, file);
+}
+
+}  // namespace sulfur::scene

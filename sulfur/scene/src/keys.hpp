@@ -1,0 +1,20 @@
+// Which members each kind of object may have.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sulfur::scene {
+
+using KeyList = std::vector<std::string_view>;
+
+/// The keys that the reader knows in an object: "scene", "blueprintFile", "world", "particle",
+/// "joint", "material", "filter", "skin", "body", "state", "connection", "attachment", "explicit"
+/// (a blueprint without a shape), or the name of a shape. The published schema must list the same.
+const KeyList& keysOf(std::string_view part);
+
+/// All parts.
+const std::vector<std::string_view>& parts();
+
+}  // namespace sulfur::scene

@@ -1,0 +1,67 @@
+// Skins for shapes whose layout of particles is known.
+#include <algorithm>
+#include <sulfur/scene/prefab.hpp>
+
+namespace sulfur::scene {
+
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Triangles from a middle particle to a closed ring of `count` particles before it.
+Triangles fan(std::uint32_t count) {
+    Triangles result;
+    for (std::uint32_t i = 0; i < count; ++i) result.push_back({count, i, (i + 1) % count});
+    return result;
+}
+
+Triangles lattice(std::uint32_t columns, std::uint32_t rows) {
+    Triangles result;
+    for (std::uint32_t row = 0; row + 1 < rows; ++row) {
+        for (std::uint32_t column = 0; column + 1 < columns; ++column) {
+            const auto corner = row * columns + column;
+            result.push_back({corner, corner + 1, corner + columns + 1});
+            result.push_back({corner, corner + columns + 1, corner + columns});
+        }
+    }
+    return result;
+}
+
+Triangles trianglesOf(const Generator& generator, const Blueprint& blueprint) {
+    if (const auto* jelly = std::get_if<shapes::JellyOptions>(&generator))
+        return lattice(static_cast<std::uint32_t>(jelly->columns),
+                       static_cast<std::uint32_t>(jelly->rows));
+    if (const auto* blob = std::get_if<shapes::BlobOptions>(&generator))
+        return fan(static_cast<std::uint32_t>(blob->segments));
+    if (std::holds_alternative<shapes::BoxOptions>(generator)) {
+        // Four corners, and a particle in the middle unless the corners carry all of the mass.
+        if (blueprint.particles.size() == 5) return fan(4);
+        return {{0, 1, 2}, {0, 2, 3}};
+    }
+    return {};
+}
+
+}  // namespace
+
+Skin fitSkin(const Generator& generator, const Blueprint& blueprint, std::string texture) {
+    Skin skin;
+    skin.texture = std::move(texture);
+    skin.triangles = trianglesOf(generator, blueprint);
+    if (blueprint.particles.empty()) return skin;
+    Vec2 low = blueprint.particles.front().position;
+    Vec2 high = low;
+    for (const auto& particle : blueprint.particles) {
+        low = low.cwiseMin(particle.position);
+        high = high.cwiseMax(particle.position);
+    }
+    const Vec2 size = high - low;
+    for (const auto& particle : blueprint.particles) {
+        // Where there is no extent, the middle of the picture; v points down.
+        const Real u = size.x() > 0 ? (particle.position.x() - low.x()) / size.x() : Real(0.5);
+        const Real v = size.y() > 0 ? (high.y() - particle.position.y()) / size.y() : Real(0.5);
+        skin.uv.push_back({u, v});
+    }
+    return skin;
+}
+
+}  // namespace sulfur::scene
