@@ -348,6 +348,15 @@ TEST(Canvas, texturesMayOutliveTheirCanvas) {
     EXPECT_EQ(target.size(), (PixelSize{4, 4}));
 }
 
+TEST(Canvas, aPictureOfAnotherCanvasIsNoPicture) {
+    OffscreenCanvas other({8, 8});
+    Image red({1, 1});
+    red.setPixel(0, 0, {255, 0, 0, 255});
+    const Texture texture = other.canvas().createTexture(red);
+    const Image image = drawn([&](Canvas& c) { c.sprite(texture, {32, 32}, {8, 8}); });
+    EXPECT_EQ(image.pixel(32, 32), white);
+}
+
 TEST(Canvas, badSizesAreRefused) {
     EXPECT_THROW(OffscreenCanvas({0, 10}), Error);
     EXPECT_THROW(OffscreenCanvas({10, 1'000'000}), Error);

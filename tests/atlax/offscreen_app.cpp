@@ -102,6 +102,26 @@ TEST(OffscreenApp, pauseStopsTicksButNotDrawing) {
     EXPECT_EQ(app.ticks, 2);
 }
 
+TEST(OffscreenApp, pressesInAPauseDoNotReachLaterTicks) {
+    ScriptedApp app;
+    bool seenInPause = false;
+    bool seenByTick = false;
+    app.onTick = [&] {
+        seenByTick = seenByTick || app.platform->input().wasPressed(MouseButton::Left);
+        if (app.ticks == 1) app.platform->clock().setPaused(true);
+        if (app.ticks == 100) app.platform->quit();
+    };
+    app.onDraw = [&](Canvas&) {
+        seenInPause = seenInPause || app.platform->input().wasPressed(MouseButton::Left);
+        if (app.draws == 10) app.platform->post(MouseButtonEvent{.down = true});
+        if (app.draws == 20) app.platform->clock().setPaused(false);
+    };
+    EXPECT_EQ(runOffscreen(app, small()), 0);
+    EXPECT_TRUE(seenInPause);
+    EXPECT_FALSE(seenByTick);
+    EXPECT_TRUE(app.platform != nullptr);
+}
+
 TEST(OffscreenApp, errorsBecomeOneSentenceAndAnExitCode) {
     ScriptedApp app;
     app.onTick = [] { throw Error("the level is broken"); };

@@ -100,6 +100,8 @@ void BackendPlatform::runTicks() {
         ++statistics_.ticksLastFrame;
         if (now_() > deadline) clock_.giveUp();
     }
+    // A click on "continue" must not also be seen by the first tick after the pause.
+    if (clock_.paused() && statistics_.ticksLastFrame == 0) input_.sample();
 }
 
 void BackendPlatform::beginCanvasFrame(Canvas& canvas) {

@@ -28,13 +28,9 @@ Rect intersection(Rect a, Rect b) {
 Canvas::Canvas() {
     requireOpenGl();
     implementation_ = std::make_unique<Implementation>();
-    Image onePixel({1, 1});
-    onePixel.setPixel(0, 0, {255, 255, 255, 255});
-    implementation_->white = createTexture(onePixel, {.mipmaps = false}).object_;
 }
 
 Canvas::~Canvas() {
-    implementation_->white.reset();
     implementation_->glyphs.clear();
     implementation_->frame = {};
     implementation_->saved.clear();
@@ -169,7 +165,7 @@ CanvasStatistics Canvas::statistics() const {
 detail::PackedColor Canvas::Implementation::pack(Color color) const {
     const auto part = [](float v) {
         const float clamped = v > 0 ? std::min(v, 1.0f) : 0.0f;  // NaN becomes 0
-        return static_cast<std::uint16_t>(clamped * 65535.0f + 0.5f);
+        return static_cast<std::uint16_t>(std::lround(clamped * 65535.0f));
     };
     const float alpha = std::clamp(color.a, 0.0f, 1.0f) * opacity;
     return {part(color.r * alpha), part(color.g * alpha), part(color.b * alpha),

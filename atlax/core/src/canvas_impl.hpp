@@ -47,7 +47,6 @@ public:
     std::shared_ptr<detail::Graveyard> graveyard = std::make_shared<detail::Graveyard>();
     detail::Batch batch;
     detail::GlyphAtlas glyphs{graveyard};
-    std::shared_ptr<detail::TextureObject> white;
     Frame frame;
     std::vector<Frame> saved;
     float scaleFactor = 1;
@@ -56,6 +55,9 @@ public:
 
     /// Premultiplied, with opacity and blend mode in it.
     detail::PackedColor pack(Color color) const;
+
+    /// Chooses a texture for what follows and says which mode draws it: plain when there is none.
+    std::array<float, 4> useTexture(const std::shared_ptr<detail::TextureObject>& texture);
 
     /// Puts the frame's framebuffer and clip into force.
     void bindFrame();

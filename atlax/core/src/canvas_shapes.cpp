@@ -83,9 +83,11 @@ void Canvas::dashedLine(Vec2 from, Vec2 to, float width, float dash, float gap, 
     const Vec2 direction = (to - from) / total;
     // Round ends make a dash longer by the width; take it from the dash, not from the gap.
     const float inset = std::min(width / 2, dash / 2);
-    for (float at = 0; at < total; at += step) {
+    const int dashes = static_cast<int>(std::ceil(total / step));
+    for (int i = 0; i < dashes; ++i) {
+        const float at = static_cast<float>(i) * step;
         const float end = std::min(at + dash, total);
-        if (end - at < 2 * inset * 0.5f) continue;
+        if (end - at < inset) continue;
         line(from + direction * (at + inset), from + direction * std::max(end - inset, at + inset),
              width, color);
     }
@@ -168,16 +170,23 @@ void Canvas::gradientRect(Rect rect, Color top, Color bottom) {
          Vertex{p.max(), {}, below, shape}, Vertex{{p.min.x, p.max().y}, {}, below, shape}});
 }
 
+std::array<float, 4> Canvas::Implementation::useTexture(
+    const std::shared_ptr<detail::TextureObject>& texture) {
+    // A picture of another canvas would be some other picture's name here.
+    if (texture == nullptr || texture->graveyard != graveyard) return shapeOf(Mode::Flat);
+    batch.useTexture(texture);
+    return shapeOf(Mode::Textured);
+}
+
 void Canvas::mesh(const Texture& texture, std::span<const MeshVertex> vertices,
                   std::span<const std::uint32_t> indices) {
     auto& self = *implementation_;
     if (vertices.empty() || indices.size() < 3) return;
-    self.batch.useTexture(texture.valid() ? texture.object_ : self.white);
+    const auto shape = self.useTexture(texture.object_);
     self.batch.reserve(vertices.size());
     const std::uint32_t first = self.batch.nextVertex();
     for (const MeshVertex& v : vertices)
-        self.batch.add({self.frame.space.toPixels(v.position), v.uv, self.pack(v.tint),
-                        shapeOf(Mode::Textured)});
+        self.batch.add({self.frame.space.toPixels(v.position), v.uv, self.pack(v.tint), shape});
     const auto drawable = [&](std::uint32_t i) {
         return i < vertices.size() && finite(vertices[i].position);
     };
@@ -189,7 +198,7 @@ void Canvas::mesh(const Texture& texture, std::span<const MeshVertex> vertices,
 void Canvas::sprite(const Texture& texture, Vec2 centre, Vec2 size, const SpriteStyle& style) {
     auto& self = *implementation_;
     if (!finite(centre) || !finite(size) || !std::isfinite(style.angle)) return;
-    self.batch.useTexture(texture.valid() ? texture.object_ : self.white);
+    const auto shape = self.useTexture(texture.object_);
     const PackedColor packed = self.pack(style.tint);
     const Vec2 axis{std::cos(style.angle), std::sin(style.angle)};
     const float upright = self.frame.space.world() ? 1.0f : -1.0f;
@@ -199,7 +208,7 @@ void Canvas::sprite(const Texture& texture, Vec2 centre, Vec2 size, const Sprite
         return Vertex{self.frame.space.toPixels(place),
                       {style.uv.min.x + u * style.uv.size.x, style.uv.min.y + v * style.uv.size.y},
                       packed,
-                      shapeOf(Mode::Textured)};
+                      shape};
     };
     self.batch.quad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
 }

@@ -186,7 +186,7 @@ fs::path programFolder() {
     return failed ? fs::path() : program.parent_path();
 }
 
-Assets::Assets(Options options) {
+Assets::Assets(const Options& options) {
     if (!options.environmentVariable.empty()) {
         const char* folder = std::getenv(options.environmentVariable.c_str());
         if (folder != nullptr && *folder != '\0') folders_.emplace_back(folder);

@@ -117,7 +117,7 @@ public:
         GlyphBitmap out;
         if (FT_Load_Glyph(face_, glyph, loadFlags) != 0) return out;
         if (face_->glyph->format == FT_GLYPH_FORMAT_OUTLINE)
-            FT_Outline_Translate(&face_->glyph->outline, std::clamp(phase, 0, 3) * 16, 0);
+            FT_Outline_Translate(&face_->glyph->outline, FT_Pos{std::clamp(phase, 0, 3)} * 16, 0);
         if (FT_Render_Glyph(face_->glyph, FT_RENDER_MODE_NORMAL) != 0) return out;
         const FT_Bitmap& bitmap = face_->glyph->bitmap;
         if (bitmap.pixel_mode != FT_PIXEL_MODE_GRAY) return out;
@@ -205,8 +205,10 @@ Font Font::find(std::initializer_list<std::string_view> faces) {
         for (const fs::path& file : files)
             if (file.stem() == face) return load(file);
     std::string names;
-    for (const std::string_view face : faces)
-        names += (names.empty() ? "" : ", ") + std::string(face);
+    for (const std::string_view face : faces) {
+        if (!names.empty()) names += ", ";
+        names += face;
+    }
     throw Error("none of these fonts is installed: " + names +
                 " (Debian has them in fonts-jura and fonts-dejavu-core)");
 }
@@ -242,7 +244,9 @@ std::string Font::wrap(std::string_view utf8, float size, float width) const {
     while (at <= utf8.size()) {
         const std::size_t end = std::min(utf8.find_first_of(" \n", at), utf8.size());
         const std::string word(utf8.substr(at, end - at));
-        const std::string longer = line.empty() ? word : line + ' ' + word;
+        std::string longer = line;
+        if (!longer.empty()) longer += ' ';
+        longer += word;
         if (!line.empty() && shape(longer, size).width > width) {
             out += line + '\n';
             line = word;

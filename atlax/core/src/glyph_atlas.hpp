@@ -1,10 +1,10 @@
 #pragma once
 
 #include <atlax/font.hpp>
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "gl_objects.hpp"
@@ -31,13 +31,8 @@ public:
     void clear();
 
 private:
-    struct Key {
-        std::uint64_t font;
-        std::uint32_t glyph;
-        int size64;
-        int phase;
-        auto operator<=>(const Key&) const = default;
-    };
+    /// Font, glyph, size in 64ths of a pixel, phase.
+    using Key = std::tuple<std::uint64_t, std::uint32_t, int, int>;
     struct Page {
         std::shared_ptr<TextureObject> texture;
         int shelfTop = 0;

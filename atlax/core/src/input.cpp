@@ -9,6 +9,8 @@ template <class... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 Vec2 withDeadZone(Vec2 stick, float deadZone) {
     const float reach = length(stick);

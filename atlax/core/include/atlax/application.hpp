@@ -34,7 +34,8 @@ public:
     virtual void event(const Event&) {}
     /// One tick of fixed length, 1 / clock().rateHz() seconds.
     virtual void tick() = 0;
-    /// One frame, in screen space at first. `alpha` (0 <= alpha < 1) says how far the time is
+    /// One frame, in screen space at first. Nothing is cleared: begin with clear() or a sky that
+    /// covers everything. `alpha` (0 <= alpha < 1) says how far the time is
     /// between the last tick and the next one.
     virtual void draw(Canvas& canvas, double alpha) = 0;
     /// Whether the window may close now; called for every CloseRequested.

@@ -47,7 +47,7 @@ public:
         std::filesystem::path sourceFolder;  ///< in the source tree; empty for none
     };
 
-    explicit Assets(Options options);
+    explicit Assets(const Options& options);
 
     /// Asked before all others that were added earlier.
     void addFolder(const std::filesystem::path& folder);

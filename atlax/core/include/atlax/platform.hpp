@@ -29,7 +29,8 @@ public:
     // -- drawing, sound, input --
     virtual Canvas& canvas() = 0;
     virtual Audio& audio() = 0;
-    /// The input of the current tick; between ticks, that of the last one.
+    /// The input of the current tick; between ticks, that of the last one. While the clock is
+    /// paused it is that of the current frame, so that presses in a pause never reach a later tick.
     virtual const InputState& input() const = 0;
     /// Handles an event as if it came from the user, before the next tick: for scripts and tests.
     virtual void post(const Event& event) = 0;

@@ -21,7 +21,7 @@ struct TextureOptions {
 
 /// A picture on the graphics card, made by Canvas::createTexture. A cheap handle: copies share the
 /// picture, which lives as long as a handle or an unfinished frame needs it. It may outlive the
-/// canvas (it is then empty memory that draws nothing). Thread of its canvas only.
+/// canvas; to another canvas it is no picture. Thread of its canvas only.
 class Texture {
 public:
     /// No picture: what is drawn with it is plain white times the tint.
