@@ -55,7 +55,7 @@ install_packages() {
         is_installed "${line%% *}" && continue
         missing+=("${line%% *}")
         reasons+=("  $line")
-    done < <(packages_of "$@")
+    done <<< "$(packages_of "$@")"
     [[ ${#missing[@]} -gt 0 ]] || return 0
 
     say "These Debian packages are missing and will be installed with apt-get:"
