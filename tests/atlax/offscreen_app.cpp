@@ -91,6 +91,18 @@ TEST(OffscreenApp, resizingChangesTheCanvas) {
     ASSERT_TRUE(app.last<WindowResized>().has_value());
 }
 
+TEST(OffscreenApp, onePixelAndBackAndNoAreaAtAll) {
+    ScriptedApp app;
+    app.onTick = [&] {
+        if (app.ticks == 50) app.platform->setWindowSize({1, 1});
+        if (app.ticks == 100) app.platform->post(WindowResized{{0, 0}, 1});
+        if (app.ticks == 150) app.platform->setWindowSize({640, 480});
+        if (app.ticks == 200) app.platform->quit();
+    };
+    EXPECT_EQ(runOffscreen(app, small()), 0);
+    EXPECT_LT(app.draws, 24) << "nothing is drawn where there is no area";
+}
+
 TEST(OffscreenApp, pauseStopsTicksButNotDrawing) {
     ScriptedApp app;
     app.onTick = [&] { app.platform->clock().setPaused(true); };

@@ -123,6 +123,28 @@ TEST(SdlApp, resizingChangesTheCanvas) {
     EXPECT_EQ(app.last<WindowResized>().value().size, (PixelSize{400, 200}));
 }
 
+TEST(SdlApp, textAndClipboardAreUtf8) {
+    ScriptedApp app;
+    std::string typed;
+    std::string pasted;
+    app.onTick = [&] {
+        typed += app.platform->input().text;
+        if (app.ticks == 5) {
+            app.platform->setTextInput(true);
+            SDL_Event event{};
+            event.type = SDL_TEXTINPUT;
+            SDL_strlcpy(event.text.text, "grün", sizeof(event.text.text));
+            SDL_PushEvent(&event);
+            app.platform->setClipboard("Wäldchen");
+            pasted = app.platform->clipboard();
+        }
+        if (app.ticks == 60) app.platform->quit();
+    };
+    EXPECT_EQ(run(app, small()), 0);
+    EXPECT_EQ(typed, "grün");
+    EXPECT_EQ(pasted, "Wäldchen");
+}
+
 TEST(SdlApp, slowTicksSlowTimeDownAndSaySo) {
     ScriptedApp app;
     double overload = 0;
@@ -155,6 +177,18 @@ TEST(SdlApp, offscreenNeedsNoWindow) {
     options.offscreen = true;
     EXPECT_EQ(run(app, options), 0);
     EXPECT_EQ(app.ticks, 250);
+}
+
+TEST(SdlApp, resizingToTheSmallestAndBackDoesNoHarm) {
+    ScriptedApp app;
+    app.onTick = [&] {
+        if (app.ticks % 20 == 10)
+            app.platform->setWindowSize(app.ticks % 40 == 10 ? PixelSize{1, 1}
+                                                             : PixelSize{500, 300});
+        if (app.ticks == 200) app.platform->quit();
+    };
+    EXPECT_EQ(run(app, small()), 0);
+    EXPECT_EQ(app.ticks, 200);
 }
 
 // Run apart, with a display that does not exist.

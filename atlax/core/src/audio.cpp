@@ -1,5 +1,6 @@
 #include <al.h>
 #include <alc.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
@@ -7,6 +8,7 @@
 #include <atlax/error.hpp>
 #include <atlax/log.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,20 @@ float safePitch(float pitch) {
     return within(pitch, 0.05f, 8, 1);
 }
 
+void ignoreAlsaMessage(const char*, int, const char*, int, const char*, ...) {}
+
+/// A missing device is reported by the log in one line; the libraries below would write ten more to
+/// standard error. ALSA is asked through the loader, since only OpenAL needs it.
+void quietLibraries() {
+    ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+    void* alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
+    if (alsa == nullptr) return;
+    using Handler = void (*)(const char*, int, const char*, int, const char*, ...);
+    using SetHandler = int (*)(Handler);
+    auto* set = reinterpret_cast<SetHandler>(::dlsym(alsa, "snd_lib_error_set_handler"));  // NOLINT
+    if (set != nullptr) set(ignoreAlsaMessage);
+}
+
 /// A place on the half circle in front of the listener, at distance 1, so that the loudness stays.
 void placeSource(ALuint source, float pan) {
     const float x = within(pan, -1, 1, 0);
@@ -52,6 +68,7 @@ struct AudioDevice {
     ALCcontext* context = nullptr;
 
     AudioDevice() {
+        quietLibraries();
         device = alcOpenDevice(nullptr);
         if (device == nullptr) return;
         context = alcCreateContext(device, nullptr);
