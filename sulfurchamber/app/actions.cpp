@@ -1,0 +1,235 @@
+// Everything that one can do, in one table.
+#include <wx/clipbrd.h>
+
+#include "main_frame.hpp"
+
+namespace sulfurchamber {
+
+Action& MainFrame::add(Action action) {
+    action.id = wxWindow::NewControlId();
+    actions_.push_back(std::move(action));
+    return actions_.back();
+}
+
+void MainFrame::makeActions() {
+    addFileActions();
+    addEditActions();
+    addToolActions();
+    addViewActions();
+    addSimulationActions();
+    addHelpActions();
+}
+
+void MainFrame::addFileActions() {
+    const auto m = MenuId::file;
+    add({"new", m, "&New\tCtrl+N", 0, "Start over with an empty floor", "new",
+         [this] { newFile(); }});
+    add({"open", m, wxString::FromUTF8("&Open\xE2\x80\xA6\tCtrl+O"), 0, "Open a scene or a level",
+         "open", [this] { openDialog(); }});
+    add({"save", m, "&Save\tCtrl+S", 0, "Save the state of this moment", "save",
+         [this] { save(); }});
+    add({"save-as", m, wxString::FromUTF8("Save &as\xE2\x80\xA6\tCtrl+Shift+S"), 0,
+         "Save the state of this moment in another file", "", [this] { saveDialog(); }});
+    add({"quit", m, "&Quit\tCtrl+Q", 0, "Leave SulfurChamber", "", [this] { Close(); }})
+        .separatorBefore = true;
+}
+
+void MainFrame::addEditActions() {
+    const auto m = MenuId::edit;
+    const auto any = [this] { return !bench_.selection().empty(); };
+    add({"undo", m, "&Undo\tCtrl+Z", 0, "Back to the moment before the last change", "undo",
+         [this] {
+             bench_.cancel();
+             bench_.document().undo();
+             bench_.documentChanged();
+         },
+         [this] { return bench_.document().canUndo(); }});
+    add({"redo", m, "&Redo\tCtrl+Shift+Z", 0, "Do the undone change again", "redo",
+         [this] {
+             bench_.cancel();
+             bench_.document().redo();
+             bench_.documentChanged();
+         },
+         [this] { return bench_.document().canRedo(); }});
+    const auto copy = [this] {
+        const wxClipboardLocker locked(wxTheClipboard);
+        if (!locked) return;
+        wxTheClipboard->SetData(new wxTextDataObject(wxString::FromUTF8(bench_.copy())));
+    };
+    add({"cut", m, "Cu&t\tCtrl+X", 0, "Put the selection into the clipboard and remove it", "",
+         [this, copy] {
+             copy();
+             bench_.deleteSelection();
+         },
+         any})
+        .separatorBefore = true;
+    add({"copy", m, "&Copy\tCtrl+C", 0, "Put the selection into the clipboard", "", copy, any});
+    add({"paste", m, "&Paste\tCtrl+V", 0, "Add what is in the clipboard, also from another window",
+         "", [this] {
+             wxTextDataObject text;
+             {
+                 const wxClipboardLocker locked(wxTheClipboard);
+                 if (!locked || !wxTheClipboard->GetData(text)) return;
+             }
+             bench_.paste(text.GetText().utf8_string(), {sulfur::Real(0.5), sulfur::Real(0.5)});
+         }});
+    add({"duplicate", m, "&Duplicate\tCtrl+D", 0, "Add a copy of the selection beside it", "",
+         [this] { bench_.duplicate(); }, any});
+    add({"delete", m, "De&lete", WXK_DELETE, "Remove the selection", "",
+         [this] { bench_.deleteSelection(); }, any});
+    add({"select-all", m, "Select &all\tCtrl+A", 0, "Select all bodies", "",
+         [this] { bench_.selectAll(); }})
+        .separatorBefore = true;
+    add({"cancel", m, "Select &nothing", WXK_ESCAPE,
+         "Drop what the tool is doing and the selection", "", [this] {
+             bench_.cancel();
+             bench_.select({});
+         }});
+}
+
+void MainFrame::addToolActions() {
+    struct Entry {
+        ToolKind kind;
+        const char* label;
+        int key;
+        const char* help;
+    };
+    static constexpr Entry entries[] = {
+        {ToolKind::select, "&Select and drag", 'V',
+         "Select and move; while playing: pull with a spring"},
+        {ToolKind::box, "&Box", 'B', "Rigid boxes"},
+        {ToolKind::ball, "Ba&ll", 'O', "Balls"},
+        {ToolKind::jelly, "&Jelly", 'J', "Soft boxes"},
+        {ToolKind::rope, "&Rope", 'R', "Ropes between two points"},
+        {ToolKind::ground, "&Ground", 'G', "Fixed lines to stand on"},
+        {ToolKind::pin, "&Pin", 'P', "Hold a particle where it is, or let it go"},
+        {ToolKind::cut, "&Cut", 'X', "Cut through joints"},
+        {ToolKind::erase, "&Erase", 'E', "Remove bodies"},
+    };
+    for (const Entry& entry : entries) {
+        const std::string name(toolName(entry.kind));
+        add({"tool-" + name,
+             MenuId::tools,
+             entry.label,
+             entry.key,
+             entry.help,
+             name,
+             [this, kind = entry.kind] { bench_.setTool(kind); },
+             {},
+             [this, kind = entry.kind] { return bench_.tool() == kind; }})
+            .separatorBefore = entry.kind == ToolKind::box || entry.kind == ToolKind::pin;
+    }
+}
+
+void MainFrame::addViewActions() {
+    const auto m = MenuId::view;
+    ViewOptions& o = view_.options();
+    const auto toggle = [&](const char* name, const wxString& label, int key, const char* help,
+                            const char* picture, bool& flag) -> Action& {
+        return add({name,
+                    m,
+                    label,
+                    key,
+                    help,
+                    picture,
+                    [&flag] { flag = !flag; },
+                    {},
+                    [&flag] { return flag; }});
+    };
+    add({"fit", m, "Zoom to &fit", 'F', "Show everything", "fit", [this] { view_.zoomToFit(); }});
+    add({"zoom-in", m, "Zoom &in", '+', "Larger; the mouse wheel zooms to the pointer", "",
+         [this] { view_.zoom(1.25f); }});
+    add({"zoom-out", m, "Zoom &out", '-', "Smaller", "", [this] { view_.zoom(0.8f); }});
+    toggle("grid", "&Grid", '#', "Lines at round metres", "grid", o.grid).separatorBefore = true;
+    toggle("rulers", "R&ulers", 0, "Metres at the edges", "", o.rulers);
+    add({"snap",
+         m,
+         "&Snap to grid",
+         'S',
+         "New things begin and end on the fine grid",
+         "",
+         [this] { view_.setSnapping(!view_.snapping()); },
+         {},
+         [this] { return view_.snapping(); }});
+    toggle("velocities", "&Velocity arrows", 'A', "Arrows as long as the way of 0.12 s", "arrows",
+           o.velocities)
+        .separatorBefore = true;
+    toggle("strain", "Joints coloured by st&rain", 'T',
+           "Amber and red: stretched by up to 8 %; cyan: pressed", "strain", o.strain);
+    toggle("contacts", "&Contacts", 'C', "Where bodies touch, and in which direction", "",
+           o.contacts);
+    toggle("joints", "Inner &joints", 'I', "Joints inside of bodies", "", o.joints);
+    add({"fullscreen",
+         m,
+         "F&ullscreen\tF11",
+         0,
+         "Use the whole screen",
+         "",
+         [this] {
+             ShowFullScreen(!IsFullScreen(), wxFULLSCREEN_NOBORDER | wxFULLSCREEN_NOCAPTION);
+         },
+         {},
+         [this] { return IsFullScreen(); }})
+        .separatorBefore = true;
+}
+
+void MainFrame::addSimulationActions() {
+    const auto m = MenuId::simulation;
+    add({"reset", m, "&Reset\tCtrl+R", 0, "Back to the state before play", "reset",
+         [this] {
+             bench_.cancel();
+             bench_.document().reset();
+             bench_.documentChanged();
+         },
+         [this] { return bench_.document().canReset(); }});
+    add({"play", m, "&Play or pause", WXK_SPACE, "Let time run, or stop it", "play", [this] {
+             bench_.cancel();
+             if (bench_.document().playing())
+                 bench_.document().pause();
+             else
+                 bench_.document().play();
+         }});
+    add({"tick", m, "Single &tick", '.', "Pause and advance by one tick", "tick",
+         [this] { view_.singleTick(); }});
+    struct Speed {
+        const char* name;
+        const char* label;
+        int permille;
+    };
+    static constexpr Speed speeds[] = {{"speed-normal", "&Normal speed", 1000},
+                                       {"speed-half", "&Half speed", 500},
+                                       {"speed-tenth", "A &tenth of the speed", 100},
+                                       {"speed-hundredth", "A h&undredth of the speed", 10}};
+    for (const Speed& speed : speeds)
+        add({speed.name,
+             m,
+             speed.label,
+             0,
+             "Slow motion changes no result",
+             "",
+             [this, speed] { view_.setSpeedPermille(speed.permille); },
+             {},
+             [this, speed] { return view_.speedPermille() == speed.permille; }})
+            .separatorBefore = speed.permille == 1000;
+    add({"slow",
+         m,
+         "&Slow motion",
+         'M',
+         "A quarter of the speed, and back",
+         "slow",
+         [this] { view_.setSpeedPermille(view_.speedPermille() == 250 ? 1000 : 250); },
+         {},
+         [this] { return view_.speedPermille() == 250; }});
+    add({"drop", m, "&Drop ten boxes", 'D', "Ten boxes fall into the scene", "",
+         [this] { bench_.dropBoxes(10); }})
+        .separatorBefore = true;
+}
+
+void MainFrame::addHelpActions() {
+    add({"gallery", MenuId::help, wxString::FromUTF8("&Example scenes\xE2\x80\xA6\tF1"), 0,
+         "A gallery of things to play with", "", [this] { showGallery(); }});
+    add({"about", MenuId::help, "&About SulfurChamber", 0, "Version and licence", "",
+         [this] { about(); }});
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,63 @@
+#include "chamber_app.hpp"
+
+#include <wx/image.h>
+#include <wx/log.h>
+
+#include <atlax/log.hpp>
+
+#include "main_frame.hpp"
+#include "script.hpp"
+
+namespace sulfurchamber {
+
+ChamberApp::ChamberApp(Workbench& bench, const Options& options)
+    : bench_(bench), options_(options) {}
+ChamberApp::~ChamberApp() = default;
+
+ChamberApp& chamberApp() {
+    return static_cast<ChamberApp&>(*wxTheApp);
+}
+
+bool ChamberApp::OnInit() {
+    SetAppName("sulfurchamber");
+    SetAppDisplayName("SulfurChamber");
+    wxInitAllImageHandlers();
+    delete wxLog::SetActiveTarget(new wxLogStderr);
+    try {
+        auto* frame = new MainFrame(bench_, options_);
+        if (options_.unattended()) script_ = std::make_unique<Script>(*frame, options_);
+        frame->Show();
+        frame->canvas().SetFocus();
+        if (options_.play) frame->perform("play");
+    } catch (const std::exception& error) {
+        atlax::log(atlax::LogLevel::Error, error.what());
+        return false;
+    }
+    return true;
+}
+
+int ChamberApp::OnRun() {
+    const int code = wxApp::OnRun();
+    return exitCode_ != 0 ? exitCode_ : code;
+}
+
+bool ChamberApp::OnExceptionInMainLoop() {
+    try {
+        throw;
+    } catch (const std::exception& error) {
+        atlax::log(atlax::LogLevel::Error, error.what());
+    } catch (...) {
+        atlax::log(atlax::LogLevel::Error, "an unknown error ended the program");
+    }
+    exitCode_ = 1;
+    return false;
+}
+
+void ChamberApp::OnAssertFailure(const wxChar* file, int line, const wxChar* function,
+                                 const wxChar* condition, const wxChar* message) {
+    const wxString text = wxString::Format("wxWidgets: %s (%s, %s:%d) %s", condition, function,
+                                           file, line, message == nullptr ? wxS("") : message);
+    atlax::log(atlax::LogLevel::Warning, text.utf8_string());
+}
+
+}  // namespace sulfurchamber

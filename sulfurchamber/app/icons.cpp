@@ -1,0 +1,94 @@
+#include "icons.hpp"
+
+#include <wx/settings.h>
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace sulfurchamber {
+namespace {
+
+using Icon = std::pair<std::string_view, std::string_view>;
+
+// Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
+constexpr std::array<Icon, 24> icons{{
+    {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
+    {"open",
+     R"(<path d="M3 19V5h6l2 3h8v3"/><path d="M3 19l3-8h16l-3 8z" fill="ACCENT" fill-opacity="0.25"/>)"},
+    {"save",
+     R"(<path d="M4 4h13l3 3v13H4z"/><path d="M8 4v5h7V4"/><path d="M7 20v-7h10v7" fill="ACCENT" fill-opacity="0.3"/>)"},
+    {"undo", R"(<path d="M9 5L4 10l5 5"/><path d="M4 10h10a6 5 0 0 1 0 10h-3"/>)"},
+    {"redo", R"(<path d="M15 5l5 5-5 5"/><path d="M20 10H10a6 5 0 0 0 0 10h3"/>)"},
+    {"play", R"(<path d="M7 4l13 8-13 8z" fill="ACCENT" stroke="ACCENT"/>)"},
+    {"pause", R"(<path d="M8 5v14M16 5v14" stroke="ACCENT" stroke-width="4"/>)"},
+    {"tick",
+     R"(<path d="M5 5l9 7-9 7z" fill="ACCENT" fill-opacity="0.35"/><path d="M18 5v14" stroke-width="2.6"/>)"},
+    {"reset",
+     R"(<path d="M5 5v14" stroke-width="2.6"/><path d="M19 5l-10 7 10 7z" fill="ACCENT" fill-opacity="0.35"/>)"},
+    {"fit",
+     R"(<path d="M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5"/><rect x="9" y="9" width="6" height="6" fill="ACCENT" stroke="none"/>)"},
+    {"grid", R"(<path d="M4 4h16v16H4zM4 12h16M12 4v16"/>)"},
+    {"arrows",
+     R"(<circle cx="6" cy="18" r="2.6" fill="INK"/><path d="M8 16L20 4M13 4h7v7" stroke="ACCENT"/>)"},
+    {"strain", R"(<path d="M3 12h3l2-5 4 10 4-10 2 5h3" stroke="ACCENT"/>)"},
+    {"slow",
+     R"(<circle cx="12" cy="13" r="8"/><path d="M12 8v5l4 2" stroke="ACCENT"/><path d="M9 2h6"/>)"},
+    {"select",
+     R"(<path d="M6 3l13 9-6 1.4L17 20l-2.6 1.4L11 15l-5 4z" fill="INK" fill-opacity="0.2"/>)"},
+    {"box",
+     R"(<rect x="5" y="5" width="14" height="14" rx="1" fill="ACCENT" fill-opacity="0.3"/><path d="M5 5l14 14M19 5L5 19" stroke-opacity="0.5" stroke-width="1"/>)"},
+    {"ball",
+     R"(<circle cx="12" cy="12" r="8" fill="ACCENT" fill-opacity="0.3"/><circle cx="9.5" cy="9.5" r="1.6" fill="INK" stroke="none"/>)"},
+    {"jelly",
+     R"(<path d="M5 20C3 14 4 7 8 6c3-1 6 1 9 0 3 2 4 9 2 14-5 1-9 1-14 0z" fill="#FFB347" fill-opacity="0.4" stroke="#FFB347"/><circle cx="9" cy="13" r="1.2" fill="INK" stroke="none"/><circle cx="15" cy="13" r="1.2" fill="INK" stroke="none"/>)"},
+    {"rope",
+     R"(<path d="M4 4c6 1 1 8 7 9s2 7 9 7"/><circle cx="4" cy="4" r="2" fill="ACCENT" stroke="none"/>)"},
+    {"ground",
+     R"(<path d="M2 12h20" stroke-width="2.8"/><path d="M5 13l-3 5M11 13l-3 5M17 13l-3 5M22 14l-2 4" stroke-opacity="0.6"/>)"},
+    {"pin",
+     R"(<circle cx="12" cy="8" r="5" fill="#FFB347" fill-opacity="0.5"/><path d="M12 13v8"/>)"},
+    {"cut",
+     R"(<circle cx="6" cy="18" r="2.7"/><circle cx="18" cy="18" r="2.7"/><path d="M8 16L17 3M16 16L7 3"/>)"},
+    {"erase",
+     R"(<path d="M4 15L14 5l6 6-9 9H8z" fill="ACCENT" fill-opacity="0.25"/><path d="M9 10l6 6M7 20h13"/>)"},
+    {"revert", R"(<path d="M6 4v6h6"/><path d="M6.5 10A7 7 0 1 1 6 15"/>)"},
+}};
+
+constexpr std::string_view programSvg =
+    R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 64 64">)"
+    R"(<rect x="2" y="2" width="60" height="60" rx="14" fill="#0B1026"/>)"
+    R"(<path d="M14 44L32 14l18 30z" fill="#1F3A5F" stroke="#6FA8DC" stroke-width="3"/>)"
+    R"(<path d="M32 14v18M14 44l18-12 18 12" stroke="#6FA8DC" stroke-width="2" fill="none"/>)"
+    R"(<circle cx="32" cy="14" r="6" fill="#FFB347"/><circle cx="14" cy="44" r="6" fill="#E8F4FF"/>)"
+    R"(<circle cx="50" cy="44" r="6" fill="#E8F4FF"/><circle cx="32" cy="32" r="5" fill="#FFB347"/></svg>)";
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+        text.replace(at, what.size(), with);
+    return text;
+}
+
+}  // namespace
+
+wxBitmapBundle icon(std::string_view name) {
+    const bool dark = wxSystemSettings::GetAppearance().IsUsingDarkBackground();
+    for (const auto& [key, shapes] : icons) {
+        if (key != name) continue;
+        std::string svg =
+            R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><g fill="none" stroke="INK" )"
+            R"(stroke-width="1.7" stroke-linecap="round" stroke-linejoin="round">)";
+        svg += shapes;
+        svg += "</g></svg>";
+        svg = replaced(svg, "INK", dark ? "#E8F4FF" : "#1F3A5F");
+        svg = replaced(svg, "ACCENT", dark ? "#6FA8DC" : "#2F6FB0");
+        return wxBitmapBundle::FromSVG(svg.c_str(), wxSize(24, 24));
+    }
+    return {};
+}
+
+wxBitmapBundle programIcon() {
+    return wxBitmapBundle::FromSVG(std::string(programSvg).c_str(), wxSize(64, 64));
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,17 @@
+// The pictures on buttons and on the window, drawn here as SVG.
+#pragma once
+
+#include <wx/bmpbndl.h>
+
+#include <string_view>
+
+namespace sulfurchamber {
+
+/// A picture of 24 by 24 logical pixels that fits the theme (light strokes on dark panels or the
+/// other way round). An unknown name gives an empty bundle.
+wxBitmapBundle icon(std::string_view name);
+
+/// The program's own picture.
+wxBitmapBundle programIcon();
+
+}  // namespace sulfurchamber

@@ -1,0 +1,55 @@
+// SulfurChamber's start: what can be refused is refused before a window opens.
+#include <atlax/log.hpp>
+#include <atlax/wx/view.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "chamber_app.hpp"
+#include "options.hpp"
+#include "picture.hpp"
+#include "script.hpp"
+
+namespace {
+
+using sulfurchamber::Options;
+using sulfurchamber::Workbench;
+
+int runWindow(Workbench& bench, const Options& options, char* program) {
+    atlax::wx::prepareDisplay();
+    if (options.theme != "system")
+        setenv("GTK_THEME", options.theme == "dark" ? "Adwaita:dark" : "Adwaita", 0);
+    wxApp::SetInstance(new sulfurchamber::ChamberApp(bench, options));
+    int argc = 1;
+    char* argv[] = {program, nullptr};
+    if (!wxEntryStart(argc, argv)) {
+        std::cerr << "sulfurchamber: no window can be opened: there is no display (DISPLAY or "
+                     "WAYLAND_DISPLAY is not set, or refuses); --picture works without one\n";
+        return 1;
+    }
+    const int code = wxTheApp->CallOnInit() ? wxTheApp->OnRun() : 1;
+    wxEntryCleanup();
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto parsed = sulfurchamber::parseCommandLine(argc, argv);
+    if (parsed.exitCode == -1) {
+        std::cout << sulfurchamber::scriptHelp();
+        return 0;
+    }
+    if (parsed.exitCode) return *parsed.exitCode;
+    const Options& options = parsed.options;
+    try {
+        Workbench bench;
+        if (!options.file.empty()) bench.document().open(options.file);
+        bench.dropBoxes(options.drop);
+        bench.setRain(options.rain);
+        if (!options.picture.empty()) return sulfurchamber::writePicture(bench, options);
+        return runWindow(bench, options, argv[0]);
+    } catch (const std::exception& error) {
+        std::cerr << "sulfurchamber: " << error.what() << "\n";
+        return 1;
+    }
+}

@@ -1,0 +1,130 @@
+// The window: menus, bars, panels, and the drawing area in the middle.
+#pragma once
+
+#include <wx/aui/auibar.h>
+#include <wx/aui/framemanager.h>
+#include <wx/filehistory.h>
+#include <wx/frame.h>
+#include <wx/infobar.h>
+
+#include <atlax/wx/view.hpp>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../view/scene_view.hpp"
+#include "constants_panel.hpp"
+#include "options.hpp"
+
+class wxConfigBase;
+
+namespace sulfurchamber {
+
+enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, help };
+
+/// Something that one can do from a menu, with a key, on a bar, or from a script.
+struct Action {
+    std::string name;  ///< for scripts: "play", "tool-box"
+    MenuId menu = MenuId::file;
+    wxString label;    ///< with '&', and '\t' before an accelerator with modifiers
+    int plainKey = 0;  ///< a key without modifiers, handled only outside of text fields
+    std::string help;  ///< one line for the tooltip
+    std::string icon;  ///< on a bar when not empty
+    std::function<void()> run;
+    std::function<bool()> enabled = {};  ///< empty: always
+    std::function<bool()> checked = {};  ///< not empty: has a check mark
+    bool separatorBefore = false;
+    int id = 0;
+};
+
+class MainFrame final : public wxFrame {
+public:
+    /// `bench` must outlive the frame.
+    MainFrame(Workbench& bench, const Options& options);
+    ~MainFrame() override;
+
+    Workbench& bench() { return bench_; }
+    SceneView& sceneView() { return view_; }
+    atlax::wx::View& canvas() { return *canvas_; }
+
+    /// Runs the action of this name; false when there is none or it is not available now.
+    bool perform(const std::string& name);
+    /// Opens a file without asking about unsaved changes. A file that cannot be read changes
+    /// nothing; the reason is shown.
+    bool openFile(const std::filesystem::path& file);
+    /// Saves; the reason of a failure is shown.
+    bool saveFile(const std::filesystem::path& file);
+    /// Writes what the window looks like on the screen as PNG. Throws std::runtime_error.
+    void screenshot(const std::filesystem::path& file);
+    /// What was last told to be wrong; empty at the start.
+    const std::string& lastProblem() const { return lastProblem_; }
+    /// After each frame, for scripts.
+    void setOnFrame(std::function<void()> function) { onFrame_ = std::move(function); }
+    /// Closes without questions; `exitCode` becomes the program's.
+    void finish(int exitCode);
+
+private:
+    // actions.cpp
+    void makeActions();
+    void addFileActions();
+    void addEditActions();
+    void addToolActions();
+    void addViewActions();
+    void addSimulationActions();
+    void addHelpActions();
+    Action& add(Action action);
+
+    // layout.cpp
+    void makeMenus();
+    void makeBars();
+    void makePanels();
+    void makeStatusBar();
+    wxString tooltip(const Action& action) const;
+
+    // main_frame_files.cpp
+    void newFile();
+    void openDialog();
+    bool save();
+    bool saveDialog();
+    bool mayDiscard();
+    void openRecent(int index);
+    void showGallery();
+    void adoptDocument();
+    void loadSettings();
+    void noteRecent(const std::filesystem::path& file);
+
+    // main_frame.cpp
+    void onClose(wxCloseEvent& event);
+    void onKey(wxKeyEvent& event);
+    void onFrame();
+    void runAction(const Action& action);
+    void refresh();
+    void refreshActions();
+    void refreshStatus();
+    void tell(const std::string& problem);
+    void tellInDialog(const std::string& problem, const wxString& title);
+    void about();
+
+    Workbench& bench_;
+    const Options& options_;
+    SceneView view_;
+    std::vector<Action> actions_;
+    wxAuiManager manager_;
+    atlax::wx::View* canvas_ = nullptr;
+    wxPanel* centre_ = nullptr;
+    wxInfoBar* infoBar_ = nullptr;
+    ConstantsPanel* constants_ = nullptr;
+    wxAuiToolBar* toolBar_ = nullptr;
+    wxAuiToolBar* palette_ = nullptr;
+    wxFileHistory recent_;
+    wxMenu* recentMenu_ = nullptr;
+    std::unique_ptr<wxConfigBase> settings_;
+    std::function<void()> onFrame_;
+    std::string lastProblem_;
+    std::int64_t nextRefreshNs_ = 0;
+    bool shownPlaying_ = false;
+};
+
+}  // namespace sulfurchamber

@@ -1,0 +1,44 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace sulfurchamber {
+
+Parsed parseCommandLine(int argc, char** argv) {
+    Parsed parsed;
+    Options& options = parsed.options;
+    CLI::App app{"SulfurChamber: build things out of particles and joints, and play with them.",
+                 "sulfurchamber"};
+    app.set_version_flag("--version", std::string("sulfurchamber ") + SULFURCHAMBER_VERSION);
+    app.add_option("FILE", options.file, "Scene or level to open");
+    app.add_flag("--play", options.play, "Start playing at once");
+    app.add_option("--drop", options.drop, "Let this many boxes fall into the scene")
+        ->check(CLI::Range(0, 4000));
+    app.add_option("--rain", options.rain, "Let this many boxes per second fall")
+        ->check(CLI::Range(0.0, 100.0));
+    app.add_option("--screenshot", options.screenshot,
+                   "Write a picture of the window (PNG) at the time --at, then quit");
+    app.add_option("--picture", options.picture,
+                   "Write a picture of the drawing area (PNG) at the time --at; needs no display");
+    app.add_option("--at", options.at, "Seconds of simulated time for the pictures")
+        ->check(CLI::Range(0.0, 3600.0));
+    app.add_option("--script", options.script, "Run a script of commands (see --script-help)");
+    app.add_option("--theme", options.theme,
+                   "Panels: dark (default), light, or as the system has them")
+        ->check(CLI::IsMember({"dark", "light", "system"}));
+    app.add_option("--width", options.width, "Width of the window in pixels")
+        ->check(CLI::Range(320, 8192));
+    app.add_option("--height", options.height, "Height of the window in pixels")
+        ->check(CLI::Range(240, 8192));
+    bool scriptHelp = false;
+    app.add_flag("--script-help", scriptHelp, "List the commands of scripts");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        parsed.exitCode = app.exit(error);
+    }
+    if (scriptHelp && !parsed.exitCode) parsed.exitCode = -1;
+    return parsed;
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,35 @@
+// The command line.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace sulfurchamber {
+
+struct Options {
+    std::filesystem::path file;  ///< empty: a new scene
+    int drop = 0;                ///< boxes that fall at the start
+    double rain = 0;             ///< boxes per second
+    bool play = false;
+    double at = 0;                     ///< seconds of simulated time before a picture
+    std::filesystem::path picture;     ///< drawing area, without a window
+    std::filesystem::path screenshot;  ///< the whole window
+    std::filesystem::path script;
+    std::string theme = "dark";  ///< dark, light or system
+    int width = 1280;
+    int height = 800;
+
+    /// Driven by a script or for a picture: no questions, no settings read or written.
+    bool unattended() const { return !screenshot.empty() || !script.empty(); }
+};
+
+/// The options, or the exit code with which to end at once (after --help, --version and
+/// mistakes, which were told).
+struct Parsed {
+    Options options;
+    std::optional<int> exitCode;
+};
+Parsed parseCommandLine(int argc, char** argv);
+
+}  // namespace sulfurchamber

@@ -1,0 +1,64 @@
+#include "picture.hpp"
+
+#include <atlax/backend.hpp>
+
+#include "../view/scene_view.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+// The view, ended when the time has come.
+class PictureApp final : public atlax::Application {
+public:
+    PictureApp(Workbench& bench, const Options& options)
+        : bench_(bench), options_(options), view_(bench) {}
+
+    void start(atlax::Platform& platform) override {
+        platform_ = &platform;
+        view_.start(platform);
+    }
+    void event(const atlax::Event& event) override { view_.event(event); }
+    void tick() override {
+        if (bench_.document().world().time() < options_.at)
+            view_.tick();
+        else
+            bench_.document().pause();
+    }
+    void draw(atlax::Canvas& canvas, double alpha) override {
+        const bool due = bench_.document().world().time() >= options_.at;
+        if (due) {
+            bench_.document().pause();
+            if (asked_)
+                platform_->quit();
+            else
+                platform_->requestScreenshot(options_.picture);
+            asked_ = true;
+        }
+        view_.draw(canvas, alpha);
+    }
+    void stop() override { view_.stop(); }
+
+private:
+    Workbench& bench_;
+    const Options& options_;
+    SceneView view_;
+    atlax::Platform* platform_ = nullptr;
+    bool asked_ = false;
+};
+
+}  // namespace
+
+int writePicture(Workbench& bench, const Options& options) {
+    if (options.at > 0) bench.document().play();
+    PictureApp app(bench, options);
+    atlax::WindowOptions window;
+    window.size = {options.width, options.height};
+    window.tickRateHz = bench.document().world().settings().tickRate;
+    std::error_code ignored;
+    std::filesystem::remove(options.picture, ignored);
+    const int code = atlax::runOffscreen(app, window);
+    if (code == 0 && !std::filesystem::exists(options.picture)) return 1;  // the log says why
+    return code;
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,316 @@
+#include "script.hpp"
+
+#include <atlax/files.hpp>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "chamber_app.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+// Frames after which an event that has not arrived never will.
+constexpr std::uint64_t patience = 3000;
+
+}  // namespace
+
+std::string scriptHelp() {
+    return "A script has one command a line; # begins a comment. Places are in metres.\n"
+           "  tool NAME               select box ball jelly rope ground pin cut erase\n"
+           "  click X Y               press and release the left button\n"
+           "  drag X Y X2 Y2          press, move, release\n"
+           "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"
+           "  wheel X Y NOTCHES       turn the wheel, positive away from you\n"
+           "  key NAME                a letter, Space, Period, Escape or Delete\n"
+           "  do ACTION               anything of the menus, such as play, undo, strain\n"
+           "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
+           "  run SECONDS             play for simulated seconds, then pause\n"
+           "  open FILE, save FILE    without questions\n"
+           "  screenshot FILE         the window as PNG\n"
+           "  expect QUANTITY OP N    fails unless it holds; OP is = != < or >; quantities:\n"
+           "                          bodies particles joints contacts time selected modified\n"
+           "                          playing problem newest.x newest.y gravity elasticity rain\n"
+           "  quit                    also what follows the last line\n";
+}
+
+Script::Script(MainFrame& frame, const Options& options) : frame_(frame) {
+    std::string text;
+    if (options.script.empty()) {
+        name_ = "--screenshot";
+        lines_.push_back({1, {"run", std::to_string(options.at)}});
+        lines_.push_back({2, {"screenshot", options.screenshot.string()}});
+    } else {
+        name_ = options.script.string();
+        text = atlax::readFile(options.script, 1 << 20);
+    }
+    std::istringstream stream(text);
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        std::istringstream words(line.substr(0, line.find('#')));
+        Words found;
+        for (std::string word; words >> word;) found.push_back(word);
+        if (!found.empty()) lines_.push_back({number, found});
+    }
+    frame_.setOnFrame([this] { step(); });
+}
+
+void Script::fail(const std::string& why) {
+    throw std::runtime_error(why);
+}
+
+double Script::number(const std::string& word) {
+    std::size_t used = 0;
+    double value = 0;
+    try {
+        value = std::stod(word, &used);
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    if (used != word.size() || !std::isfinite(value)) fail("\"" + word + "\" is no number");
+    return value;
+}
+
+void Script::step() {
+    const std::size_t line = next_ == 0 ? 0 : next_ - 1;
+    std::size_t current = line;
+    try {
+        if (waiting_) {
+            if (++waitedFrames_ > patience) fail("nothing happened within 3000 frames");
+            if (!waiting_()) return;
+            waiting_ = nullptr;
+            return;
+        }
+        if (next_ == lines_.size()) {
+            frame_.finish(0);
+            return;
+        }
+        current = next_++;
+        start(lines_[current].words);
+    } catch (const std::exception& error) {
+        std::cerr << name_ << ":" << lines_[current].number << ": " << error.what() << "\n";
+        frame_.finish(1);
+    }
+}
+
+void Script::waitFor(std::function<bool()> done) {
+    waiting_ = std::move(done);
+    waitedFrames_ = 0;
+}
+
+void Script::start(const Words& words) {
+    if (words[0] == "quit") {
+        next_ = lines_.size();
+    } else if (words[0] == "expect" && words.size() == 4) {
+        expect(words);
+    } else if (words[0] == "do" && words.size() == 2) {
+        if (!frame_.perform(words[1]))
+            fail("the action " + words[1] + " is not there or not available");
+    } else if (!startPointer(words) && !startWorld(words) && !startFile(words)) {
+        fail("\"" + words[0] + "\" with " + std::to_string(words.size() - 1) +
+             " words is no command; see --script-help");
+    }
+}
+
+// --- pointer and keys ------------------------------------------------------------------------
+
+void Script::waitForFrames(int frames, std::function<void()> then) {
+    waitFor([frames, then = std::move(then)]() mutable {
+        if (--frames > 0) return false;
+        if (then) then();
+        return true;
+    });
+}
+
+void Script::moveMouse(const sulfur::Point& at, std::function<void()> then) {
+    const auto& view = frame_.sceneView();
+    const atlax::Vec2 pixels = view.toPixels(at);
+    const double scale = frame_.canvas().GetContentScaleFactor();
+    const wxPoint target(static_cast<int>(std::lround(static_cast<double>(pixels.x) / scale)),
+                         static_cast<int>(std::lround(static_cast<double>(pixels.y) / scale)));
+    if (!frame_.canvas().GetClientRect().Contains(target))
+        fail("the place " + std::to_string(at.x()) + " " + std::to_string(at.y()) +
+             " is not in view");
+    const wxPoint screen = frame_.canvas().ClientToScreen(target);
+    // The pointer may be there already, then no event comes: it goes beside first.
+    simulator_.MouseMove(screen.x + 1, screen.y);
+    simulator_.MouseMove(screen.x, screen.y);
+    waitFor([this, target, scale, then = std::move(then)] {
+        const auto seen = frame_.sceneView().mousePixels();
+        if (!seen || std::lround(static_cast<double>(seen->x) / scale) != target.x ||
+            std::lround(static_cast<double>(seen->y) / scale) != target.y)
+            return false;
+        // What follows may begin another wait; this one is over then.
+        frame_.CallAfter(then);
+        return true;
+    });
+}
+
+void Script::press(const sulfur::Point& at, std::function<void()> then) {
+    moveMouse(at, [this, then = std::move(then)] {
+        const std::uint64_t before = frame_.sceneView().buttonEvents();
+        simulator_.MouseDown();
+        waitFor([this, before, then] {
+            if (frame_.sceneView().buttonEvents() == before) return false;
+            frame_.CallAfter(then);
+            return true;
+        });
+    });
+}
+
+bool Script::startPointer(const Words& words) {
+    const auto releaseNow = [this] {
+        const std::uint64_t before = frame_.sceneView().buttonEvents();
+        simulator_.MouseUp();
+        waitFor([this, before] { return frame_.sceneView().buttonEvents() != before; });
+    };
+    const auto point = [&](std::size_t first) {
+        return sulfur::Point(number(words[first]), number(words[first + 1]));
+    };
+    if (words[0] == "tool" && words.size() == 2) {
+        if (!frame_.perform("tool-" + words[1])) fail("there is no tool " + words[1]);
+    } else if (words[0] == "click" && words.size() == 3) {
+        press(point(1), releaseNow);
+    } else if (words[0] == "drag" && words.size() == 5) {
+        press(point(1), [this, to = point(3), releaseNow] { moveMouse(to, releaseNow); });
+    } else if (words[0] == "hold" && words.size() == 6) {
+        const double seconds = number(words[5]);
+        press(point(1), [this, to = point(3), seconds, releaseNow] {
+            moveMouse(to, [this, seconds, releaseNow] {
+                const auto& world = frame_.bench().document().world();
+                waitFor([this, &world, until = world.time() + seconds, releaseNow] {
+                    if (world.time() < until) return false;
+                    frame_.CallAfter(releaseNow);
+                    return true;
+                });
+            });
+        });
+    } else if (words[0] == "wheel" && words.size() == 4) {
+        // wxUIActionSimulator turns no wheels: the event begins where atlax has it.
+        const atlax::Vec2 at = frame_.sceneView().toPixels(point(1));
+        frame_.canvas().send(atlax::WheelEvent{{0, static_cast<float>(number(words[3]))}, at, {}});
+    } else if (words[0] == "key" && words.size() == 2) {
+        const std::string& name = words[1];
+        const int code = name == "Space"    ? WXK_SPACE
+                         : name == "Period" ? '.'
+                         : name == "Escape" ? WXK_ESCAPE
+                         : name == "Delete" ? WXK_DELETE
+                         : name.size() == 1 ? name[0]
+                                            : 0;
+        if (code == 0) fail("there is no key " + name);
+        frame_.canvas().SetFocus();
+        simulator_.Char(code);
+        waitForFrames(30, {});
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// --- world and files -------------------------------------------------------------------------
+
+bool Script::startWorld(const Words& words) {
+    Document& document = frame_.bench().document();
+    if (words[0] == "run" && words.size() == 2) {
+        const double seconds = number(words[1]);
+        if (!(seconds > 0)) return true;
+        document.play();
+        const double until = document.world().time() + seconds;
+        // Playing is slow only where the machine is: the patience is for what does not move.
+        double last = -1;
+        waitFor([this, until, last]() mutable {
+            Document& playing = frame_.bench().document();
+            if (playing.world().time() != last) waitedFrames_ = 0;
+            last = playing.world().time();
+            if (last < until) return false;
+            playing.pause();
+            return true;
+        });
+    } else if (words[0] == "set" && words.size() == 3) {
+        Constants constants = document.constants();
+        const double value = number(words[2]);
+        if (words[1] == "gravity")
+            constants.gravity = value;
+        else if (words[1] == "elasticity")
+            constants.elasticity = value;
+        else if (words[1] == "friction")
+            constants.friction = value;
+        else if (words[1] == "air-friction")
+            constants.airFriction = value;
+        else if (words[1] == "rain")
+            frame_.bench().setRain(value);
+        else
+            fail("there is no constant " + words[1]);
+        if (words[1] != "rain") document.setConstants(constants);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool Script::startFile(const Words& words) {
+    if (words.size() != 2) return false;
+    if (words[0] == "open") {
+        // A file that cannot be read is not the script's failure: it may expect a problem.
+        frame_.openFile(words[1]);
+        waitForFrames(2, {});
+    } else if (words[0] == "save") {
+        if (!frame_.saveFile(words[1])) fail(frame_.lastProblem());
+    } else if (words[0] == "screenshot") {
+        waitForFrames(8, [this, file = words[1]] { frame_.screenshot(file); });
+    } else {
+        return false;
+    }
+    return true;
+}
+
+double Script::quantity(const std::string& name) const {
+    Workbench& bench = frame_.bench();
+    const Document& document = bench.document();
+    const sulfur::World& world = document.world();
+    const auto bodies = world.bodies();
+    if (name == "bodies") return static_cast<double>(bodies.size());
+    if (name == "particles") {
+        std::size_t count = 0;
+        for (const auto body : bodies) count += world.particles(body).size();
+        return static_cast<double>(count);
+    }
+    if (name == "joints") {
+        std::size_t count = world.connections().size();
+        for (const auto body : bodies) count += world.joints(body).size();
+        return static_cast<double>(count);
+    }
+    if (name == "contacts") return static_cast<double>(world.contacts().size());
+    if (name == "time") return world.time();
+    if (name == "selected") return static_cast<double>(bench.selection().size());
+    if (name == "modified") return document.modified() ? 1 : 0;
+    if (name == "playing") return document.playing() ? 1 : 0;
+    if (name == "problem") return frame_.lastProblem().empty() ? 0 : 1;
+    if (name == "gravity") return document.constants().gravity;
+    if (name == "elasticity") return document.constants().elasticity;
+    if (name == "rain") return bench.rain();
+    if (name == "newest.x" || name == "newest.y") {
+        if (bodies.empty()) fail("there is no body");
+        const sulfur::Point centre = world.centreOfMass(bodies.back());
+        return name == "newest.x" ? centre.x() : centre.y();
+    }
+    fail("there is no quantity " + name);
+}
+
+void Script::expect(const Words& words) {
+    const double is = quantity(words[1]);
+    const double wanted = number(words[3]);
+    const std::string& op = words[2];
+    const bool holds = op == "="    ? is == wanted
+                       : op == "!=" ? is != wanted
+                       : op == "<"  ? is < wanted
+                       : op == ">"  ? is > wanted
+                                    : (fail("\"" + op + "\" is not one of = != < >"), false);
+    if (holds) return;
+    std::ostringstream text;
+    text << words[1] << " is " << is << ", expected " << op << " " << wanted;
+    fail(text.str());
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,59 @@
+// Drives the window as a person would: for tests and for pictures.
+#pragma once
+
+#include <wx/uiaction.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "main_frame.hpp"
+
+namespace sulfurchamber {
+
+/// What --script-help prints.
+std::string scriptHelp();
+
+/// Runs one command after the other between the frames. Clicks and keys are real events of the
+/// window system; a command waits until its events have arrived, however long that takes,
+/// so that nothing depends on the speed of the machine. The first command that fails ends the
+/// program with code 1 and a sentence on standard error.
+class Script {
+public:
+    /// Reads options.script, or makes the commands that --screenshot needs. Throws
+    /// std::runtime_error when the file cannot be read.
+    Script(MainFrame& frame, const Options& options);
+
+private:
+    using Words = std::vector<std::string>;
+    struct Line {
+        int number = 0;
+        Words words;
+    };
+
+    void step();
+    void start(const Words& words);
+    bool startPointer(const Words& words);
+    bool startWorld(const Words& words);
+    bool startFile(const Words& words);
+    void expect(const Words& words);
+    double quantity(const std::string& name) const;
+    void waitFor(std::function<bool()> done);
+    void press(const sulfur::Point& at, std::function<void()> then);
+    void moveMouse(const sulfur::Point& at, std::function<void()> then);
+    void waitForFrames(int frames, std::function<void()> then);
+    [[noreturn]] static void fail(const std::string& why);
+    static double number(const std::string& word);
+
+    MainFrame& frame_;
+    std::string name_;
+    std::vector<Line> lines_;
+    std::size_t next_ = 0;
+    std::function<bool()> waiting_;
+    std::uint64_t waitedFrames_ = 0;
+    wxUIActionSimulator simulator_;
+};
+
+}  // namespace sulfurchamber

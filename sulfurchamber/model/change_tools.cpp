@@ -1,0 +1,104 @@
+// Tools that change what is there: pin, cut, erase.
+#include "geometry.hpp"
+#include "tool.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+using sulfur::Point;
+
+class PinTool final : public Tool {
+public:
+    using Tool::Tool;
+    void press(const Pointer& pointer) override {
+        const auto pick = particleAt(world(), pointer.position, pointer.reach);
+        if (!pick || world().kind(pick->body) == sulfur::BodyKind::fixed) return;
+        const bool pinned = world().info(pick->particle).pinned;
+        document().edit(pinned ? "Unpin" : "Pin",
+                        [&](sulfur::World& w) { w.setPinned(pick->particle, !pinned); });
+    }
+    std::string hint() const override {
+        return "Click a particle to pin it where it is, or to let it go";
+    }
+};
+
+class CutTool final : public Tool {
+public:
+    using Tool::Tool;
+    void press(const Pointer& pointer) override {
+        cutting_ = true;
+        from_ = to_ = pointer.position;
+    }
+    void move(const Pointer& pointer) override { to_ = pointer.position; }
+    void release(const Pointer& pointer) override {
+        if (!cutting_) return;
+        move(pointer);
+        cutting_ = false;
+        const auto joints = jointsCrossing(world(), from_, to_);
+        if (joints.empty()) return;
+        document().edit("Cut", [&](sulfur::World& w) {
+            for (const sulfur::JointId joint : joints)
+                if (w.contains(joint)) w.remove(joint);
+        });
+    }
+    void cancel() override { cutting_ = false; }
+    Preview preview() const override {
+        if (!cutting_) return {};
+        return {Preview::Kind::stroke, from_, to_, 0};
+    }
+    std::string hint() const override { return "Drag across joints to cut them"; }
+
+private:
+    bool cutting_ = false;
+    Point from_{0, 0};
+    Point to_{0, 0};
+};
+
+class EraseTool final : public Tool {
+public:
+    using Tool::Tool;
+    void press(const Pointer& pointer) override {
+        erasing_ = true;
+        erase(pointer);
+    }
+    void move(const Pointer& pointer) override {
+        if (erasing_) erase(pointer);
+    }
+    void release(const Pointer&) override {
+        if (changed_) document().commit();
+        erasing_ = changed_ = false;
+    }
+    void cancel() override {
+        if (changed_) document().rollback();
+        erasing_ = changed_ = false;
+    }
+    std::string hint() const override { return "Click a body to erase it, or drag over several"; }
+
+private:
+    void erase(const Pointer& pointer) {
+        const sulfur::BodyId body = bodyAt(world(), pointer.position, pointer.reach);
+        if (!body) return;
+        if (!changed_) document().begin("Erase");
+        changed_ = true;
+        world().remove(body);
+        bench().documentChanged();
+    }
+
+    bool erasing_ = false;
+    bool changed_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind) {
+    switch (kind) {
+        case ToolKind::cut:
+            return std::make_unique<CutTool>(bench);
+        case ToolKind::erase:
+            return std::make_unique<EraseTool>(bench);
+        default:
+            return std::make_unique<PinTool>(bench);
+    }
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,215 @@
+#include "geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace sulfurchamber {
+namespace {
+
+using sulfur::BodyId;
+using sulfur::JointId;
+using sulfur::ParticleId;
+using sulfur::Point;
+using sulfur::World;
+
+// Calls visit(joint, its info) for every joint, the bodies' first.
+template <class Visit>
+void forEachJoint(const World& world, const Visit& visit) {
+    for (const BodyId body : world.bodies())
+        for (const JointId joint : world.joints(body)) visit(joint, world.info(joint));
+    for (const JointId joint : world.connections()) visit(joint, world.info(joint));
+}
+
+double alongSegment(const Point& a, const Point& b, const Point& point) {
+    const Point edge = b - a;
+    const double lengthSquared = edge.squaredNorm();
+    if (lengthSquared <= 0) return 0;
+    return std::clamp((point - a).dot(edge) / lengthSquared, 0.0, 1.0);
+}
+
+bool crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const double sideC = sulfur::cross(b - a, c - a);
+    const double sideD = sulfur::cross(b - a, d - a);
+    const double sideA = sulfur::cross(d - c, a - c);
+    const double sideB = sulfur::cross(d - c, b - c);
+    return sideC * sideD < 0 && sideA * sideB < 0;
+}
+
+// Follows one closed line of neighbours; empty when it ends or branches.
+std::vector<std::uint32_t> walkLoop(const std::map<std::uint32_t, std::vector<std::uint32_t>>& next,
+                                    std::uint32_t start, std::vector<bool>& seen) {
+    std::vector<std::uint32_t> loop;
+    std::uint32_t before = start;
+    std::uint32_t at = start;
+    bool closed = true;
+    do {
+        seen[at] = true;
+        loop.push_back(at);
+        const auto& neighbours = next.at(at);
+        if (neighbours.size() != 2) closed = false;
+        std::uint32_t to = at;
+        for (const std::uint32_t candidate : neighbours)
+            if (candidate != before && (candidate == start ? loop.size() > 2 : !seen[candidate])) {
+                to = candidate;
+                break;
+            }
+        if (to == at) return {};
+        before = at;
+        at = to;
+    } while (at != start);
+    return closed ? loop : std::vector<std::uint32_t>{};
+}
+
+void includeGround(const World& world, Bounds& bounds) {
+    const Point size = bounds.size();
+    const Bounds moving = bounds;
+    const double below = moving.low.y() - std::max(6.0, size.y());
+    const double above = moving.high.y() + std::max(2.0, size.y());
+    for (const BodyId body : world.bodies()) {
+        if (world.kind(body) != sulfur::BodyKind::fixed) continue;
+        for (const JointId joint : world.joints(body)) {
+            const auto info = world.info(joint);
+            const Point a = world.position(info.a);
+            const Point b = world.position(info.b);
+            if (std::max(a.x(), b.x()) < moving.low.x() || std::min(a.x(), b.x()) > moving.high.x())
+                continue;
+            const Point middle = a + alongSegment(a, b, moving.centre()) * (b - a);
+            if (middle.y() > below && middle.y() < above)
+                bounds.include(
+                    {std::clamp(middle.x(), moving.low.x(), moving.high.x()), middle.y()});
+        }
+    }
+}
+
+}  // namespace
+
+void Bounds::include(const Point& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+}
+
+std::optional<ParticlePick> particleAt(const World& world, const Point& point, double reach) {
+    std::optional<ParticlePick> best;
+    for (const BodyId body : world.bodies())
+        for (const ParticleId particle : world.particles(body)) {
+            const auto info = world.info(particle);
+            const double distance = (info.position - point).norm();
+            if (distance > std::max(reach, static_cast<double>(info.radius))) continue;
+            if (!best || distance < best->distance) best = ParticlePick{particle, body, distance};
+        }
+    return best;
+}
+
+std::optional<JointPick> jointAt(const World& world, const Point& point, double reach) {
+    std::optional<JointPick> best;
+    forEachJoint(world, [&](JointId joint, const sulfur::JointInfo& info) {
+        const Point a = world.position(info.a);
+        const Point b = world.position(info.b);
+        const double along = alongSegment(a, b, point);
+        const double distance =
+            std::max(0.0, (a + along * (b - a) - point).norm() - static_cast<double>(info.radius));
+        if (distance > reach || (best && distance >= best->distance)) return;
+        best = JointPick{joint, info.body, along, distance};
+    });
+    return best;
+}
+
+BodyId bodyAt(const World& world, const Point& point, double reach) {
+    if (const auto joint = jointAt(world, point, reach); joint && joint->body) return joint->body;
+    if (const auto particle = particleAt(world, point, reach)) return particle->body;
+    const auto bodies = world.bodies();
+    for (auto body = bodies.rbegin(); body != bodies.rend(); ++body) {
+        if (world.kind(*body) == sulfur::BodyKind::fixed) continue;
+        const auto particles = world.particles(*body);
+        for (const auto& loop : outlines(world, *body)) {
+            std::vector<Point> polygon;
+            for (const std::uint32_t index : loop)
+                polygon.push_back(world.position(particles[index]));
+            if (inside(polygon, point)) return *body;
+        }
+    }
+    return {};
+}
+
+std::vector<BodyId> bodiesIn(const World& world, const Point& a, const Point& b) {
+    const Point low = a.cwiseMin(b);
+    const Point high = a.cwiseMax(b);
+    std::vector<BodyId> found;
+    for (const BodyId body : world.bodies()) {
+        const auto particles = world.particles(body);
+        const bool all = std::all_of(particles.begin(), particles.end(), [&](ParticleId particle) {
+            const Point p = world.position(particle);
+            return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
+        });
+        if (all && !particles.empty()) found.push_back(body);
+    }
+    return found;
+}
+
+std::vector<JointId> jointsCrossing(const World& world, const Point& a, const Point& b) {
+    std::vector<JointId> found;
+    forEachJoint(world, [&](JointId joint, const sulfur::JointInfo& info) {
+        if (info.body && world.kind(info.body) == sulfur::BodyKind::fixed) return;
+        if (crossing(a, b, world.position(info.a), world.position(info.b))) found.push_back(joint);
+    });
+    return found;
+}
+
+std::vector<std::vector<std::uint32_t>> outlines(const World& world, BodyId body) {
+    const auto particles = world.particles(body);
+    std::map<ParticleId, std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < particles.size(); ++i) indices.emplace(particles[i], i);
+    std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
+    for (const JointId joint : world.joints(body)) {
+        const auto info = world.info(joint);
+        if (!(info.radius > 0)) continue;
+        const auto a = indices.find(info.a);
+        const auto b = indices.find(info.b);
+        if (a == indices.end() || b == indices.end()) continue;
+        neighbours[a->second].push_back(b->second);
+        neighbours[b->second].push_back(a->second);
+    }
+    std::vector<std::vector<std::uint32_t>> loops;
+    std::vector<bool> seen(particles.size(), false);
+    for (const auto& [start, around] : neighbours) {
+        if (seen[start] || around.size() != 2) continue;
+        if (auto loop = walkLoop(neighbours, start, seen); loop.size() > 2)
+            loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
+bool inside(const std::vector<Point>& polygon, const Point& point) {
+    bool in = false;
+    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+        const Point& a = polygon[i];
+        const Point& b = polygon[j];
+        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+        if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) in = !in;
+    }
+    return in;
+}
+
+std::optional<Bounds> interestingBounds(const World& world) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    Bounds moving{{inf, inf}, {-inf, -inf}};
+    Bounds standing = moving;
+    for (const BodyId body : world.bodies())
+        for (const ParticleId particle : world.particles(body)) {
+            const auto info = world.info(particle);
+            const Point radius(static_cast<double>(info.radius), static_cast<double>(info.radius));
+            Bounds& bounds = world.kind(body) == sulfur::BodyKind::fixed ? standing : moving;
+            bounds.include(info.position - radius);
+            bounds.include(info.position + radius);
+        }
+    if (moving.low.x() > moving.high.x()) {
+        if (standing.low.x() > standing.high.x()) return std::nullopt;
+        return standing;
+    }
+    includeGround(world, moving);
+    return moving;
+}
+
+}  // namespace sulfurchamber

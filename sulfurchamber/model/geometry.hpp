@@ -1,0 +1,62 @@
+// Looking at a world as a person does: what is under the pointer, what lies in a rectangle, what
+// does a body look like from outside.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <sulfur/world.hpp>
+#include <vector>
+
+namespace sulfurchamber {
+
+/// An axis-aligned rectangle in metres.
+struct Bounds {
+    sulfur::Point low{0, 0};
+    sulfur::Point high{0, 0};
+
+    void include(const sulfur::Point& point);
+    sulfur::Point centre() const { return (low + high) / 2; }
+    sulfur::Point size() const { return high - low; }
+};
+
+struct ParticlePick {
+    sulfur::ParticleId particle;
+    sulfur::BodyId body;
+    double distance = 0;  ///< from the particle's centre, metres
+};
+
+struct JointPick {
+    sulfur::JointId joint;
+    sulfur::BodyId body;  ///< null for a joint between bodies
+    double along = 0;     ///< 0 at the joint's a, 1 at its b
+    double distance = 0;  ///< from the joint's surface (its axis when it has no radius), metres
+};
+
+/// The particle nearest to `point` whose disc, or centre, is within `reach`.
+std::optional<ParticlePick> particleAt(const sulfur::World& world, const sulfur::Point& point,
+                                       double reach);
+/// The joint nearest to `point` within `reach`.
+std::optional<JointPick> jointAt(const sulfur::World& world, const sulfur::Point& point,
+                                 double reach);
+/// The body whose surface is within `reach` of `point`, or else inside of which the point lies; the
+/// newer one where several do. The inside of a fixed body does not count: it may be the cave in
+/// which everything happens. Null when there is none.
+sulfur::BodyId bodyAt(const sulfur::World& world, const sulfur::Point& point, double reach);
+/// Bodies that lie wholly in a rectangle given by two corners.
+std::vector<sulfur::BodyId> bodiesIn(const sulfur::World& world, const sulfur::Point& a,
+                                     const sulfur::Point& b);
+/// Joints that the line from `a` to `b` crosses, except for those of fixed bodies.
+std::vector<sulfur::JointId> jointsCrossing(const sulfur::World& world, const sulfur::Point& a,
+                                            const sulfur::Point& b);
+
+/// Closed outlines of a body, made of the capsules that collide, as indices of its particles.
+/// Complexity: linear in the joints.
+std::vector<std::vector<std::uint32_t>> outlines(const sulfur::World& world, sulfur::BodyId body);
+/// Whether a point lies inside a closed polygon.
+bool inside(const std::vector<sulfur::Point>& polygon, const sulfur::Point& point);
+
+/// All that one wants to see: everything that moves, and the ground below and near it. Nothing
+/// for an empty world.
+std::optional<Bounds> interestingBounds(const sulfur::World& world);
+
+}  // namespace sulfurchamber

@@ -1,0 +1,43 @@
+// One tool of the palette. Tools live as long as they are chosen.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "workbench.hpp"
+
+namespace sulfurchamber {
+
+class Tool {
+public:
+    explicit Tool(Workbench& bench) : bench_(bench) {}
+    virtual ~Tool() = default;
+    Tool(const Tool&) = delete;
+    Tool& operator=(const Tool&) = delete;
+
+    virtual void press(const Pointer& pointer) = 0;
+    virtual void move(const Pointer&) {}
+    virtual void release(const Pointer&) {}
+    /// Back to idle, undoing what is half done.
+    virtual void cancel() {}
+    /// Before each tick.
+    virtual void tick() {}
+    virtual Preview preview() const { return {}; }
+    virtual std::string hint() const = 0;
+
+protected:
+    Workbench& bench() const { return bench_; }
+    Document& document() const { return bench_.document(); }
+    sulfur::World& world() const { return bench_.document().world(); }
+
+private:
+    Workbench& bench_;
+};
+
+std::unique_ptr<Tool> makeSelectTool(Workbench& bench);
+/// Box, ball, jelly, rope and ground.
+std::unique_ptr<Tool> makeCreateTool(Workbench& bench, ToolKind kind);
+/// Pin, cut and erase.
+std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind);
+
+}  // namespace sulfurchamber

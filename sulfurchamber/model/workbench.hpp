@@ -1,0 +1,116 @@
+// What a person does to a document: tools, selection, clipboard, falling boxes. Knows nothing of
+// windows: a view tells it where the pointer is, in metres.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "document.hpp"
+#include "grip.hpp"
+
+namespace sulfurchamber {
+
+enum class ToolKind : std::uint8_t { select, box, ball, jelly, rope, ground, pin, cut, erase };
+inline constexpr std::array<ToolKind, 9> allTools{
+    ToolKind::select, ToolKind::box, ToolKind::ball, ToolKind::jelly, ToolKind::rope,
+    ToolKind::ground, ToolKind::pin, ToolKind::cut,  ToolKind::erase};
+
+/// "select", "box", ...: for scripts and settings.
+std::string_view toolName(ToolKind tool);
+/// Nothing when there is no tool of this name.
+std::optional<ToolKind> toolFromName(std::string_view name);
+
+/// The pointer, seen from the world.
+struct Pointer {
+    sulfur::Point position{0, 0};  ///< metres
+    double reach = 0.1;            ///< metres within which something counts as hit
+    bool shift = false;
+    bool control = false;
+};
+
+/// What a tool shows while it is at work.
+struct Preview {
+    enum class Kind : std::uint8_t { none, rectangle, circle, line, band, stroke, spring };
+    Kind kind = Kind::none;
+    sulfur::Point from{0, 0};
+    sulfur::Point to{0, 0};
+    double size = 0;  ///< radius of the circle, or the length in metres that is shown
+};
+
+class Tool;
+
+class Workbench {
+public:
+    Workbench();
+    ~Workbench();
+
+    Document& document() { return document_; }
+    const Document& document() const { return document_; }
+
+    // -- the pointer --
+
+    ToolKind tool() const { return toolKind_; }
+    /// Changes the tool; what the old one was doing is dropped.
+    void setTool(ToolKind tool);
+    /// Distance to which creating tools round their points, metres; 0: not at all.
+    void setSnap(double metres) { snap_ = metres; }
+    void press(const Pointer& pointer);
+    void move(const Pointer& pointer);
+    void release(const Pointer& pointer);
+    /// Drops what the tool is doing (Escape, lost focus).
+    void cancel();
+    Preview preview() const;
+    /// One sentence: what the mouse does now.
+    std::string hint() const;
+
+    // -- time --
+
+    /// One tick: the grip's force, falling boxes, the world.
+    void tick();
+    /// Boxes per second of simulated time that fall into the scene; 0 stops.
+    void setRain(double boxesPerSecond);
+    double rain() const { return rain_; }
+    /// Lets this many boxes fall from above the scene, one edit.
+    void dropBoxes(int count);
+
+    // -- selection --
+
+    const std::vector<sulfur::BodyId>& selection() const { return selection_; }
+    bool selected(sulfur::BodyId body) const;
+    void select(std::vector<sulfur::BodyId> bodies);
+    void toggle(sulfur::BodyId body);
+    void selectAll();
+    void deleteSelection();
+    /// The selected bodies as the text of a scene; empty when nothing is selected.
+    std::string copy() const;
+    /// Adds the bodies of such a text and selects them, moved by `offset`. Throws
+    /// sulfur::scene::ReadError, naming the clipboard, when it is something else.
+    void paste(const std::string& text, const sulfur::Vec2& offset);
+    void duplicate();
+
+    // -- for tools --
+
+    sulfur::Point snapped(const sulfur::Point& point) const;
+    /// Everything else that opens, undoes or resets documents calls this first.
+    void documentChanged();
+
+private:
+    void addRainBox();
+    void dropBox(sulfur::World& world, double x);
+    void forgetRemoved();
+
+    Document document_;
+    std::unique_ptr<Tool> tool_;
+    ToolKind toolKind_ = ToolKind::select;
+    std::vector<sulfur::BodyId> selection_;  // sorted
+    double snap_ = 0;
+    double rain_ = 0;
+    double rainDue_ = 0;
+    std::uint64_t dropped_ = 0;
+};
+
+}  // namespace sulfurchamber

@@ -1,0 +1,302 @@
+#include "scene_painter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../model/geometry.hpp"
+#include "palette.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+using atlax::Color;
+using atlax::Vec2;
+using sulfur::BodyId;
+using sulfur::JointId;
+using sulfur::ParticleId;
+using sulfur::World;
+
+constexpr float fullStrain = 0.08f;    // at which the colour is strongest
+constexpr float arrowSeconds = 0.12f;  // an arrow is the way of this time
+constexpr float innerJointPixels = 9;  // shorter inner joints would only be noise
+constexpr float smallestDotPixels = 2.6f;
+
+float toFloat(sulfur::Real value) {
+    return static_cast<float>(value);
+}
+
+// Neighbours of one kind differ a little, so that a heap of boxes is not one blot.
+float shade(BodyId body) {
+    const std::uint32_t mixed = (body.index * 2654435761u) >> 16;
+    return static_cast<float>(mixed % 64u) / 64.0f;
+}
+
+Color strainColor(float strain) {
+    const float t = std::clamp(strain / fullStrain, -1.0f, 1.0f);
+    if (t < 0) return atlax::mix(palette::sky.withAlpha(0.45f), palette::cold, -t);
+    return t < 0.5f ? atlax::mix(palette::sky.withAlpha(0.45f), palette::amber, t * 2)
+                    : atlax::mix(palette::amber, palette::hot, t * 2 - 1);
+}
+
+// Whether another body lies inside: then the outline is a cave and not a rock.
+bool holdsOthers(const World& world, const std::vector<std::vector<std::uint32_t>>& loops,
+                 BodyId body) {
+    const auto particles = world.particles(body);
+    for (const auto& loop : loops) {
+        std::vector<sulfur::Point> polygon;
+        for (const std::uint32_t index : loop) polygon.push_back(world.position(particles[index]));
+        for (const BodyId other : world.bodies())
+            if (other != body && inside(polygon, world.centreOfMass(other))) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+const ScenePainter::Look& ScenePainter::lookOf(const World& world, BodyId body) {
+    const auto joints = world.joints(body);
+    const auto found = looks_.find(body);
+    if (found != looks_.end() && found->second.jointCount == joints.size()) return found->second;
+    Look look;
+    look.jointCount = joints.size();
+    look.outlines = outlines(world, body);
+    look.filled =
+        world.kind(body) != sulfur::BodyKind::fixed || !holdsOthers(world, look.outlines, body);
+    std::vector<ParticleId> tied;
+    for (const JointId joint : joints) {
+        const auto info = world.info(joint);
+        if (std::isfinite(info.stiffness)) look.soft = true;
+        tied.push_back(info.a);
+        tied.push_back(info.b);
+    }
+    std::sort(tied.begin(), tied.end());
+    const auto particles = world.particles(body);
+    for (std::uint32_t i = 0; i < particles.size(); ++i)
+        if (!std::binary_search(tied.begin(), tied.end(), particles[i])) look.lone.push_back(i);
+    return looks_.insert_or_assign(body, std::move(look)).first->second;
+}
+
+ScenePainter::Posed ScenePainter::pose(const World& world, BodyId body) {
+    Posed posed;
+    posed.id = body;
+    posed.look = &lookOf(world, body);
+    posed.kind = world.kind(body);
+    for (const ParticleId particle : world.particles(body)) posed.points.push_back(place(particle));
+    const float light = shade(body);
+    if (posed.kind == sulfur::BodyKind::fixed) {
+        posed.fill = palette::steel;
+        posed.rim = atlax::mix(palette::steel, palette::sky, 0.45f);
+    } else if (posed.look->soft) {
+        posed.fill = atlax::mix(palette::deep, palette::amber, 0.42f + 0.16f * light);
+        posed.rim = palette::amber;
+    } else if (posed.kind == sulfur::BodyKind::kinematic) {
+        posed.fill = atlax::mix(palette::steel, palette::cold, 0.25f);
+        posed.rim = palette::cold;
+    } else {
+        posed.fill = atlax::mix(palette::steel, palette::sky, 0.12f + 0.38f * light);
+        posed.rim = atlax::mix(palette::sky, palette::ice, 0.25f);
+    }
+    return posed;
+}
+
+Vec2 ScenePainter::place(ParticleId particle) const {
+    return world_->interpolated(particle, alpha_);
+}
+
+void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const ViewOptions& options,
+                         double alpha) {
+    const Document& document = bench.document();
+    canvas_ = &canvas;
+    world_ = &document.world();
+    options_ = &options;
+    alpha_ = alpha;
+    pixel_ = canvas.pixel() * canvas.scaleFactor();
+    if (revision_ != document.revision()) looks_.clear();
+    revision_ = document.revision();
+
+    std::vector<Posed> bodies;
+    for (const BodyId body : world_->bodies()) bodies.push_back(pose(*world_, body));
+    for (const bool fixed : {true, false})
+        for (const Posed& body : bodies)
+            if ((body.kind == sulfur::BodyKind::fixed) == fixed)
+                paintBody(body, bench.selected(body.id));
+    paintConnections();
+    if (options.strain) paintStrain();
+    paintPins();
+    if (options.contacts) paintContacts();
+    if (options.velocities) paintVelocities();
+    paintPreview(bench.preview());
+}
+
+void ScenePainter::paintBody(const Posed& body, bool selected) {
+    const auto particles = world_->particles(body.id);
+    // The rim is the collision surface: capsules as thick as they are, the fill above them.
+    const auto capsules = [&](float grow, const Color& color) {
+        for (const JointId joint : world_->joints(body.id)) {
+            const auto info = world_->info(joint);
+            const bool thin = !(info.radius > 0);
+            if (thin && !body.look->outlines.empty()) continue;
+            const float radius = std::max(toFloat(info.radius), (thin ? 0.8f : 1.1f) * pixel_);
+            canvas_->capsule(place(info.a), place(info.b), radius + grow, color);
+        }
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            if (const float radius = toFloat(world_->info(particles[i]).radius); radius > 0)
+                canvas_->circle(body.points[i], radius + grow, color);
+    };
+    if (selected) capsules(3 * pixel_, palette::ice.withAlpha(0.9f));
+    capsules(0, body.rim);
+    std::vector<Vec2> polygon;
+    for (const auto& loop : body.look->outlines) {
+        if (!body.look->filled) break;
+        polygon.clear();
+        for (const std::uint32_t index : loop) polygon.push_back(body.points[index]);
+        canvas_->polygon(polygon, body.fill);
+    }
+    if (options_->joints && !body.look->outlines.empty()) paintJoints(body);
+    paintDiscs(body);
+}
+
+void ScenePainter::paintJoints(const Posed& body) {
+    for (const JointId joint : world_->joints(body.id)) {
+        const auto info = world_->info(joint);
+        if (info.radius > 0) continue;
+        const Vec2 a = place(info.a);
+        const Vec2 b = place(info.b);
+        if (atlax::length(b - a) < innerJointPixels * pixel_) continue;
+        canvas_->line(a, b, pixel_, body.rim.withAlpha(0.28f));
+    }
+}
+
+void ScenePainter::paintDiscs(const Posed& body) {
+    const auto particles = world_->particles(body.id);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const float radius = toFloat(world_->info(particles[i]).radius);
+        if (!(radius > 0)) continue;
+        const Vec2 at = body.points[i];
+        canvas_->circle(at, std::max(radius - 2 * pixel_, radius * 0.5f), body.fill);
+        canvas_->circle(at + Vec2{-0.3f, 0.34f} * radius, radius * 0.22f, body.rim.withAlpha(0.4f));
+    }
+    for (const std::uint32_t index : body.look->lone)
+        if (!(world_->info(particles[index]).radius > 0))
+            canvas_->circle(body.points[index], smallestDotPixels * pixel_, body.rim);
+}
+
+void ScenePainter::paintConnections() {
+    for (const JointId joint : world_->connections()) {
+        const auto info = world_->info(joint);
+        const Color color = std::isfinite(info.stiffness) ? palette::amber : palette::ice;
+        canvas_->capsule(place(info.a), place(info.b),
+                         std::max(toFloat(info.radius), 1.2f * pixel_), color);
+    }
+}
+
+void ScenePainter::paintPins() {
+    for (const BodyId body : world_->bodies()) {
+        if (world_->kind(body) != sulfur::BodyKind::dynamic) continue;
+        for (const ParticleId particle : world_->particles(body)) {
+            if (!world_->info(particle).pinned) continue;
+            const Vec2 at = place(particle);
+            canvas_->circle(at, 5 * pixel_, palette::deep);
+            canvas_->circleOutline(at, 5 * pixel_, 1.6f * pixel_, palette::ice);
+            canvas_->circle(at, 1.8f * pixel_, palette::amber);
+        }
+    }
+}
+
+void ScenePainter::paintStrain() {
+    const auto paintOne = [&](JointId joint) {
+        const auto info = world_->info(joint);
+        const Vec2 a = place(info.a);
+        const Vec2 b = place(info.b);
+        const float rest = std::max(1e-4f, toFloat(info.restLength));
+        canvas_->line(a, b, 2.4f * pixel_, strainColor(atlax::length(b - a) / rest - 1));
+    };
+    for (const BodyId body : world_->bodies()) {
+        if (world_->kind(body) == sulfur::BodyKind::fixed) continue;
+        for (const JointId joint : world_->joints(body)) paintOne(joint);
+    }
+    for (const JointId joint : world_->connections()) paintOne(joint);
+}
+
+void ScenePainter::arrow(Vec2 from, Vec2 to, Color color) {
+    const float length = atlax::length(to - from);
+    if (length < 5 * pixel_) return;
+    const Vec2 along = (to - from) / length;
+    const float head = std::min(9 * pixel_, length * 0.6f);
+    const Vec2 neck = to - along * head;
+    const Vec2 side = atlax::perpendicular(along) * (head * 0.45f);
+    canvas_->line(from, neck, 2 * pixel_, color);
+    canvas_->triangle(to, neck + side, neck - side, color);
+}
+
+void ScenePainter::paintVelocities() {
+    for (const BodyId body : world_->bodies()) {
+        if (world_->kind(body) == sulfur::BodyKind::fixed) continue;
+        const auto particles = world_->particles(body);
+        // A rope swings in itself: its particles tell more than their mean.
+        const bool each = lookOf(*world_, body).outlines.empty() && particles.size() > 2;
+        if (!each) {
+            Vec2 middle;
+            for (const ParticleId particle : particles) middle += place(particle);
+            middle = middle / static_cast<float>(std::max<std::size_t>(1, particles.size()));
+            arrow(middle, middle + Vec2(world_->meanVelocity(body)) * arrowSeconds, palette::cold);
+            continue;
+        }
+        const std::size_t stride = std::max<std::size_t>(1, particles.size() / 8);
+        for (std::size_t i = 0; i < particles.size(); i += stride) {
+            const Vec2 at = place(particles[i]);
+            arrow(at, at + Vec2(world_->velocity(particles[i])) * arrowSeconds, palette::cold);
+        }
+    }
+}
+
+void ScenePainter::paintContacts() {
+    for (const auto& contact : world_->contacts()) {
+        const Vec2 at = contact.point;
+        canvas_->line(at, at + Vec2(contact.normal) * (10 * pixel_), 1.5f * pixel_, palette::hot);
+        canvas_->circle(at, 2.4f * pixel_, palette::hot);
+    }
+}
+
+void ScenePainter::paintPreview(const Preview& preview) {
+    const Vec2 from = preview.from;
+    const Vec2 to = preview.to;
+    const Vec2 low{std::min(from.x, to.x), std::min(from.y, to.y)};
+    const atlax::Rect rect{low, {std::abs(to.x - from.x), std::abs(to.y - from.y)}};
+    const float width = 1.6f * pixel_;
+    const std::array<Vec2, 4> corners{low, Vec2{rect.max().x, low.y}, rect.max(),
+                                      Vec2{low.x, rect.max().y}};
+    switch (preview.kind) {
+        case Preview::Kind::none:
+            break;
+        case Preview::Kind::rectangle:
+            canvas_->polygon(corners, palette::amber.withAlpha(0.14f));
+            canvas_->polygonOutline(corners, width, palette::amber);
+            break;
+        case Preview::Kind::band:
+            canvas_->polygon(corners, palette::sky.withAlpha(0.12f));
+            canvas_->polygonOutline(corners, width, palette::sky);
+            break;
+        case Preview::Kind::circle:
+            canvas_->circle(from, static_cast<float>(preview.size),
+                            palette::amber.withAlpha(0.14f));
+            canvas_->circleOutline(from, static_cast<float>(preview.size), width, palette::amber);
+            break;
+        case Preview::Kind::line:
+            canvas_->line(from, to, 2 * width, palette::amber.withAlpha(0.8f));
+            canvas_->circle(from, 4 * pixel_, palette::amber);
+            canvas_->circle(to, 4 * pixel_, palette::amber);
+            break;
+        case Preview::Kind::stroke:
+            canvas_->dashedLine(from, to, 2 * pixel_, 8 * pixel_, 5 * pixel_, palette::hot);
+            break;
+        case Preview::Kind::spring:
+            canvas_->dashedLine(from, to, 2 * pixel_, 6 * pixel_, 4 * pixel_, palette::ice);
+            canvas_->circle(from, 4 * pixel_, palette::ice);
+            canvas_->circleOutline(to, 7 * pixel_, 2 * pixel_, palette::ice);
+            break;
+    }
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,73 @@
+// Draws a world: bodies softly filled, joints, pins, arrows, and what the tools show.
+#pragma once
+
+#include <atlax/canvas.hpp>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "../model/workbench.hpp"
+
+namespace sulfurchamber {
+
+/// What is drawn beside the bodies.
+struct ViewOptions {
+    bool grid = true;
+    bool rulers = true;
+    bool joints = true;  ///< inner joints of bodies, where they are large enough
+    bool velocities = false;
+    bool strain = false;  ///< joints coloured by how far they are stretched
+    bool contacts = false;
+};
+
+/// Keeps what it finds out about bodies between frames.
+class ScenePainter {
+public:
+    /// The canvas must be in world space; `alpha` as Application::draw has it.
+    void paint(atlax::Canvas& canvas, const Workbench& bench, const ViewOptions& options,
+               double alpha);
+
+private:
+    // How a body looks, found out once.
+    struct Look {
+        std::size_t jointCount = 0;
+        bool soft = false;
+        bool filled = true;
+        std::vector<std::vector<std::uint32_t>> outlines;
+        std::vector<std::uint32_t> lone;  // particles without joints
+    };
+    // A body with the places of its particles in this frame.
+    struct Posed {
+        sulfur::BodyId id;
+        const Look* look = nullptr;
+        sulfur::BodyKind kind = sulfur::BodyKind::dynamic;
+        std::vector<atlax::Vec2> points;
+        atlax::Color fill;
+        atlax::Color rim;
+    };
+
+    const Look& lookOf(const sulfur::World& world, sulfur::BodyId body);
+    Posed pose(const sulfur::World& world, sulfur::BodyId body);
+    void paintBody(const Posed& body, bool selected);
+    void paintJoints(const Posed& body);
+    void paintDiscs(const Posed& body);
+    void paintConnections();
+    void paintPins();
+    void paintStrain();
+    void paintVelocities();
+    void paintContacts();
+    void paintPreview(const Preview& preview);
+    void arrow(atlax::Vec2 from, atlax::Vec2 to, atlax::Color color);
+    atlax::Vec2 place(sulfur::ParticleId particle) const;
+
+    std::map<sulfur::BodyId, Look> looks_;
+    std::uint64_t revision_ = 0;
+    // Of the frame that is being painted.
+    atlax::Canvas* canvas_ = nullptr;
+    const sulfur::World* world_ = nullptr;
+    const ViewOptions* options_ = nullptr;
+    double alpha_ = 0;
+    float pixel_ = 0.01f;  // one logical pixel in metres
+};
+
+}  // namespace sulfurchamber

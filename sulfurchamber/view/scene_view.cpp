@@ -1,0 +1,213 @@
+#include "scene_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atlax/log.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "../model/geometry.hpp"
+#include "grid_painter.hpp"
+#include "palette.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+constexpr float minZoom = 0.5f;  // pixels per metre
+constexpr float maxZoom = 20000;
+constexpr float zoomPerNotch = 1.18f;
+constexpr float reachPixels = 9;    // logical pixels within which the pointer hits
+constexpr float rulersTake = 44;    // logical pixels at the left and at the bottom
+constexpr float fitMargin = 1.25f;  // of what is shown around what is interesting
+constexpr double fitSmallest = 4;   // metres that are shown at least
+
+}  // namespace
+
+void SceneView::start(atlax::Platform& platform) {
+    platform_ = &platform;
+    font_ = atlax::Font::standard();
+    applyTime();
+}
+
+// The document decides about time; the clock follows.
+void SceneView::applyTime() {
+    if (platform_ == nullptr) return;
+    atlax::FixedTimestep& clock = platform_->clock();
+    const int rate = bench_.document().world().settings().tickRate;
+    if (clock.rateHz() != rate) clock.setRateHz(rate);
+    clock.setPaused(!bench_.document().playing());
+    clock.setSpeedPermille(speedPermille_);
+}
+
+void SceneView::setSpeedPermille(int permille) {
+    speedPermille_ = std::clamp(permille, 1, 10000);
+    applyTime();
+}
+
+void SceneView::singleTick() {
+    bench_.document().pause();
+    applyTime();
+    if (platform_ != nullptr) platform_->clock().singleTick();
+}
+
+double SceneView::realTimeShare() const {
+    if (platform_ == nullptr || !bench_.document().playing()) return 1;
+    return 1 - platform_->clock().overload();
+}
+
+double SceneView::physicsLoad() const {
+    if (platform_ == nullptr || !bench_.document().playing()) return 0;
+    return platform_->statistics().tickMilliseconds / 1000 * platform_->clock().rateHz() *
+           speedPermille_ / 1000.0;
+}
+
+double SceneView::framesPerSecond() const {
+    return platform_ == nullptr ? 0 : platform_->statistics().framesPerSecond;
+}
+
+void SceneView::guarded(const std::function<void()>& body) {
+    try {
+        body();
+    } catch (const std::exception& error) {
+        bench_.cancel();
+        if (onProblem)
+            onProblem(error.what());
+        else
+            atlax::log(atlax::LogLevel::Warning, error.what());
+    }
+}
+
+// --- events ----------------------------------------------------------------------------------
+
+void SceneView::event(const atlax::Event& event) {
+    if (const auto* moved = std::get_if<atlax::MouseMoved>(&event)) mouseMoved(moved->position);
+    if (const auto* button = std::get_if<atlax::MouseButtonEvent>(&event)) mouseButton(*button);
+    if (const auto* turned = std::get_if<atlax::WheelEvent>(&event)) wheel(*turned);
+    if (const auto* focus = std::get_if<atlax::FocusChanged>(&event); focus && !focus->focused) {
+        guarded([&] { bench_.cancel(); });
+        panFrom_.reset();
+    }
+    if (const auto* dropped = std::get_if<atlax::FileDropped>(&event); dropped && onFile)
+        onFile(dropped->file);
+}
+
+Pointer SceneView::pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const {
+    const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
+    Pointer pointer;
+    pointer.position = toWorld(position);
+    pointer.reach = static_cast<double>(reachPixels * scale / camera_.pixelsPerMetre);
+    pointer.shift = has(modifiers, atlax::Modifiers::Shift);
+    pointer.control = has(modifiers, atlax::Modifiers::Control);
+    return pointer;
+}
+
+void SceneView::mouseButton(const atlax::MouseButtonEvent& event) {
+    mouse_ = event.position;
+    ++buttonEvents_;
+    if (event.button == atlax::MouseButton::Middle || event.button == atlax::MouseButton::Right) {
+        panFrom_ = event.down ? std::optional(event.position) : std::nullopt;
+        return;
+    }
+    if (event.button != atlax::MouseButton::Left) return;
+    const Pointer pointer = pointerAt(event.position, event.modifiers);
+    const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
+    bench_.setSnap(snapping_ ? gridSteps(camera_.pixelsPerMetre, scale).fine : 0);
+    guarded([&] { event.down ? bench_.press(pointer) : bench_.release(pointer); });
+}
+
+void SceneView::mouseMoved(atlax::Vec2 position) {
+    mouse_ = position;
+    if (panFrom_) {
+        const atlax::Vec2 by = (position - *panFrom_) / camera_.pixelsPerMetre;
+        camera_.centre += {-by.x, by.y};
+        panFrom_ = position;
+    }
+    guarded([&] { bench_.move(pointerAt(position, atlax::Modifiers::None)); });
+}
+
+void SceneView::wheel(const atlax::WheelEvent& event) {
+    mouse_ = event.position;
+    zoom(std::pow(zoomPerNotch, event.notches.y));
+}
+
+// The point under the pointer stays under the pointer.
+void SceneView::zoom(float factor) {
+    if (platform_ == nullptr) return;
+    const atlax::PixelSize size = platform_->size();
+    const atlax::Vec2 fixed = mouse_.value_or(size.toVec() * 0.5f);
+    const atlax::Vec2 before = camera_.toWorld(fixed, size);
+    camera_.pixelsPerMetre = std::clamp(camera_.pixelsPerMetre * factor, minZoom, maxZoom);
+    camera_.centre += before - camera_.toWorld(fixed, size);
+}
+
+atlax::Vec2 SceneView::toPixels(const sulfur::Point& point) const {
+    return camera_.toScreen(point, platform_ == nullptr ? atlax::PixelSize{} : platform_->size());
+}
+
+sulfur::Point SceneView::toWorld(atlax::Vec2 pixels) const {
+    const auto world =
+        camera_.toWorld(pixels, platform_ == nullptr ? atlax::PixelSize{} : platform_->size());
+    return {static_cast<double>(world.x), static_cast<double>(world.y)};
+}
+
+std::optional<sulfur::Point> SceneView::pointer() const {
+    if (!mouse_) return std::nullopt;
+    return toWorld(*mouse_);
+}
+
+void SceneView::fit(atlax::PixelSize size) {
+    const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
+    const float rulers = options_.rulers ? rulersTake * scale : 0;
+    const float width = std::max(64.0f, static_cast<float>(size.width) - rulers);
+    const float height = std::max(64.0f, static_cast<float>(size.height) - rulers / 2);
+    const auto bounds =
+        interestingBounds(bench_.document().world()).value_or(Bounds{{-2, 0}, {2, 4}});
+    const auto extent = [](double length) {
+        return static_cast<float>(std::max(fitSmallest, length)) * fitMargin;
+    };
+    camera_.pixelsPerMetre =
+        std::clamp(std::min(width / extent(bounds.size().x()), height / extent(bounds.size().y())),
+                   minZoom, maxZoom);
+    camera_.centre = atlax::Vec2(bounds.centre()) +
+                     atlax::Vec2{-rulers / 2, -rulers / 4} / camera_.pixelsPerMetre;
+}
+
+// --- time and drawing ------------------------------------------------------------------------
+
+void SceneView::tick() {
+    guarded([&] { bench_.tick(); });
+}
+
+void SceneView::draw(atlax::Canvas& canvas, double alpha) {
+    if (fitPending_) fit(canvas.size());
+    fitPending_ = false;
+    const atlax::Vec2 size = canvas.size().toVec();
+    canvas.gradientRect({{0, 0}, size}, palette::above, palette::deep);
+    canvas.setCamera(camera_);
+    if (options_.grid) paintGrid(canvas, camera_);
+    // Paused, the state itself is shown: a single tick is seen at once.
+    painter_.paint(canvas, bench_, options_, bench_.document().playing() ? alpha : 1.0);
+    if (options_.rulers) paintRulers(canvas, camera_, *font_);
+    paintClock(canvas);
+    if (onFrame) onFrame();
+    applyTime();
+}
+
+void SceneView::paintClock(atlax::Canvas& canvas) {
+    const float scale = canvas.scaleFactor();
+    canvas.setScreenSpace(scale);
+    const float right = canvas.size().toVec().x / scale - 14;
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.2f s", bench_.document().world().time());
+    const bool playing = bench_.document().playing();
+    canvas.text(*font_, text.data(), {right, 28},
+                {20, playing ? palette::ice : palette::sky, atlax::AlignX::Right});
+    std::string state = playing ? "" : "paused";
+    if (playing && speedPermille_ != 1000) {
+        std::snprintf(text.data(), text.size(), "slow motion \xC3\x97%g", speedPermille_ / 1000.0);
+        state = text.data();
+    }
+    canvas.text(*font_, state, {right, 46}, {13, palette::amber, atlax::AlignX::Right});
+}
+
+}  // namespace sulfurchamber

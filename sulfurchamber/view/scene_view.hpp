@@ -1,0 +1,88 @@
+// The drawing area as an atlax application: camera, pointer, time. The same with a window and
+// without one.
+#pragma once
+
+#include <atlax/application.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "../model/workbench.hpp"
+#include "scene_painter.hpp"
+
+namespace sulfurchamber {
+
+class SceneView final : public atlax::Application {
+public:
+    /// `bench` must outlive the view.
+    explicit SceneView(Workbench& bench) : bench_(bench) {}
+
+    // -- atlax --
+    void start(atlax::Platform& platform) override;
+    void event(const atlax::Event& event) override;
+    void tick() override;
+    void draw(atlax::Canvas& canvas, double alpha) override;
+    void stop() override { platform_ = nullptr; }
+
+    // -- looking --
+    ViewOptions& options() { return options_; }
+    const ViewOptions& options() const { return options_; }
+    bool snapping() const { return snapping_; }
+    void setSnapping(bool on) { snapping_ = on; }
+    /// Shows all that is interesting, with the next frame.
+    void zoomToFit() { fitPending_ = true; }
+    void zoom(float factor);
+    /// Pixels of the drawing area for a place in the world, and back.
+    atlax::Vec2 toPixels(const sulfur::Point& point) const;
+    sulfur::Point toWorld(atlax::Vec2 pixels) const;
+    /// Where the pointer is, metres; nothing until it was seen.
+    std::optional<sulfur::Point> pointer() const;
+
+    /// Buttons of the mouse that went down or up so far; for scripts that wait for their clicks.
+    std::uint64_t buttonEvents() const { return buttonEvents_; }
+    std::optional<atlax::Vec2> mousePixels() const { return mouse_; }
+
+    // -- time --
+    void setSpeedPermille(int permille);
+    int speedPermille() const { return speedPermille_; }
+    /// One tick with the next frame, pausing before it.
+    void singleTick();
+    /// Share of real time that the simulation reaches while it plays: 1 keeps up.
+    double realTimeShare() const;
+    /// Share of one core that the ticks take.
+    double physicsLoad() const;
+    double framesPerSecond() const;
+
+    // -- telling --
+    /// A file was dropped on the drawing area.
+    std::function<void(const std::filesystem::path&)> onFile;
+    /// Something did not work: one sentence. Without it the sentence goes to the log.
+    std::function<void(const std::string&)> onProblem;
+    /// After each frame.
+    std::function<void()> onFrame;
+
+private:
+    void applyTime();
+    void fit(atlax::PixelSize size);
+    void mouseButton(const atlax::MouseButtonEvent& event);
+    void mouseMoved(atlax::Vec2 position);
+    void wheel(const atlax::WheelEvent& event);
+    Pointer pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const;
+    void guarded(const std::function<void()>& body);
+    void paintClock(atlax::Canvas& canvas);
+
+    Workbench& bench_;
+    atlax::Platform* platform_ = nullptr;
+    std::optional<atlax::Font> font_;
+    ScenePainter painter_;
+    ViewOptions options_;
+    atlax::Camera camera_{{0, 2}, 90};
+    std::optional<atlax::Vec2> mouse_;
+    std::optional<atlax::Vec2> panFrom_;
+    bool fitPending_ = true;
+    bool snapping_ = false;
+    int speedPermille_ = 1000;
+    std::uint64_t buttonEvents_ = 0;
+};
+
+}  // namespace sulfurchamber
