@@ -1,0 +1,40 @@
+#include "rope_tables.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace sulfur::lab {
+
+RopeTableResult measure(const PaperTable& table, const RopeConstants& rope,
+                        const SearchOptions& search) {
+    const auto& entries = integrators();
+    const std::size_t columns = table.columns.size();
+    RopeTableResult result{&table, rope, search, {}};
+    result.rows.assign(entries.size(), std::vector<Cell>(columns));
+    // The slow ones, which come last, are begun first.
+    std::atomic<std::size_t> next = entries.size() * columns;
+    const auto work = [&] {
+        for (std::size_t n = next.fetch_sub(1); n >= 1 && n <= entries.size() * columns;
+             n = next.fetch_sub(1)) {
+            const auto row = (n - 1) / columns, column = (n - 1) % columns;
+            const auto& entry = entries[row];
+            const auto [rate, damping] = table.columns[column];
+            RopeConstants constants = rope;
+            constants.damping = damping;
+            Cell& cell = result.rows[row][column];
+            cell.found = findLimit(constants, entry, rate, search);
+            cell.theory = linearLimit(entry, {rope.mass, damping, 1 / rate}, search.highest);
+            cell.paper = table.limit(entry.paperRow, column);
+        }
+    };
+    {
+        std::vector<std::jthread> threads;
+        for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+            threads.emplace_back(work);
+        work();
+    }
+    return result;
+}
+
+}  // namespace sulfur::lab

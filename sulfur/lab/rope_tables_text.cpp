@@ -1,0 +1,167 @@
+// How the results of the rope tables are shown as text.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "rope_tables.hpp"
+
+namespace sulfur::lab {
+
+namespace {
+
+std::string figure(double value) {
+    return value >= 1e5 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
+std::string measured(const Cell& cell, const SearchOptions& search) {
+    if (!cell.found.exploded) return ">" + figure(cell.found.stable);
+    if (cell.found.stable == 0) return "<" + figure(search.lowest);
+    return figure(cell.found.stable);
+}
+
+std::string theory(const Cell& cell, const SearchOptions& search) {
+    if (!cell.theory) return "none";
+    // A method that is never stable grows so slowly below 1 N/m that rounding hides it.
+    return *cell.theory < 1 ? "never"
+                            : (*cell.theory > search.highest ? "none" : figure(*cell.theory));
+}
+
+std::string criterion(const RopeTableResult& r) {
+    const auto& s = r.search;
+    std::string text = fmt::format(
+        "The rope: {} particles of {} kg, springs of {} m, air friction {} N s/m, gravity {} "
+        "m/s^2,\n"
+        "horizontal and at rest at the start, the first particle held; {} damper.\n"
+        "Exploded means: any number is not finite, or the kinetic energy exceeds {} times all the\n"
+        "energy that the rope can set free (from the start to hanging at rest)",
+        r.rope.particles, r.rope.mass, r.rope.length, r.rope.airFriction, r.rope.gravity,
+        r.rope.damper == Damper::full ? "the paper's full" : "axial", s.energyMargin);
+    if (s.mustRest)
+        text += fmt::format(
+            "; or the rope never comes\nto rest: more than {:g} % of that energy is still kinetic "
+            "in "
+            "the last second, where air\nfriction alone would have left {:.2g} %",
+            100 * s.restShare, 100 * std::exp(-r.rope.airFriction / r.rope.mass * s.seconds));
+    return text +
+           fmt::format(
+               ".\nThe end: {} s simulated without that is stable. The search doubles the "
+               "constant from {}\nN/m, then halves the bracket to {:g} %; it ends at {:g} N/m "
+               "(\">\": no limit found up to there,\n\"<\": none is stable).\n",
+               s.seconds, s.lowest, 100 * s.resolution, s.highest);
+}
+
+const char* const table3Notes =
+    "What differs from the paper, and why:\n"
+    "- Explicit Euler and SUVAT are the paper's rows: their laws b/h and 2b/h give 50, 100 and "
+    "100,\n"
+    "  200, 400. Ours lie 2 to 5 % above because air friction damps a little too. The paper's "
+    "1000\n"
+    "  for Euler at 1000 Hz breaks its own row's law, which gives 200; it may be a misprint.\n"
+    "- SUVAT and RK2 share a row in the paper. Its figures are SUVAT's. RK2 of the whole system "
+    "is\n"
+    "  stable further, and with its neighbours held about to twice the row.\n"
+    "- The paper's RK4 row is exactly 3b/h. RK4 of the whole system stays stable up to tens of\n"
+    "  thousands. Only an RK4 that holds the neighbours still during its stages falls that low: "
+    "it\n"
+    "  grows with b and with the rate as the row does, but as 4b/h; the rest is not explained.\n"
+    "- NSV follows m/h^2 - 2b/h: 12300 at 500 Hz, where the paper prints 8000 here and 9000 for "
+    "the\n"
+    "  same case in its Table 2. At 60, 100, 250 and 1000 Hz its figures are 2 to 11 % lower.\n"
+    "- Implicit Euler has no limit, in theory or here; the paper gives it NSV's row. Position "
+    "Verlet\n"
+    "  draws the same motion as NSV and has the same limit; the paper has no row for it.\n"
+    "- The axial damper, which brakes nothing across the springs, leaves explicit methods next to\n"
+    "  nothing (--damper axial): the paper's figures need its full damper.\n";
+
+const char* const table2Notes =
+    "What differs from the paper, and why:\n"
+    "- Explicit Euler and SUVAT grow with b as in the paper, b/h and 2b/h; for RK2 and RK4 (3b/h "
+    "in\n"
+    "  the paper) see the notes of table3. Without damping Euler, SUVAT and RK2 are never stable "
+    "in\n"
+    "  theory; only air friction allows them a little.\n"
+    "- NSV's limit falls slightly with damping, m/h^2 - 2b/h, where the paper's rises from 8500 "
+    "to\n"
+    "  11000. At b = 0 the paper prints 50, where an undamped rope is in fact stable up to m/h^2 "
+    "=\n"
+    "  12500.\n"
+    "- The paper's 9000 for NSV at b = 0.2 is 8000 in its Table 3.\n"
+    "- Implicit Euler has no limit, in theory or here; the paper gives it NSV's row.\n";
+
+}  // namespace
+
+std::string asText(const RopeTableResult& r) {
+    std::string out = r.table->title + "\n\n" + criterion(r) + '\n';
+    const auto at = std::back_inserter(out);
+    fmt::format_to(at, "{:<32}", r.table->variable);
+    for (const auto& c : r.table->columns)
+        fmt::format_to(at, "{:>10g}", r.table->byRate ? c.rate : c.damping);
+    out += '\n';
+    for (std::size_t row = 0; row < r.rows.size(); ++row) {
+        const auto& entry = integrators()[row];
+        const auto line = [&](const std::string& title, const std::string& kind, auto&& show) {
+            fmt::format_to(at, "{:<22}{:<10}", title, kind);
+            for (const Cell& cell : r.rows[row]) fmt::format_to(at, "{:>10}", show(cell));
+            out += '\n';
+        };
+        out += '\n';
+        line(entry.title, "measured", [&](const Cell& c) { return measured(c, r.search); });
+        line(entry.law.empty() ? "" : "  " + entry.law, "theory",
+             [&](const Cell& c) { return theory(c, r.search); });
+        if (!entry.paperRow.empty())
+            line("  " + entry.paperRow, "paper",
+                 [](const Cell& c) { return c.paper ? figure(*c.paper) : std::string("-"); });
+    }
+    out +=
+        "\nTheory: the largest constant at which no wave of a long chain grows, each wave stepped "
+        "with the\nintegrator itself; without air friction and sideways motion.\n\n";
+    return out + (r.table->byRate ? table3Notes : table2Notes);
+}
+
+std::string asCsv(const RopeTableResult& r) {
+    std::string out =
+        "table,integrator,rate_hz,damping_ns_per_m,damper,stable_n_per_m,exploded_n_per_m,"
+        "theory_n_per_m,paper_n_per_m\n";
+    const auto cell = [](const std::optional<double>& v) { return v ? fmt::format("{}", *v) : ""; };
+    for (std::size_t row = 0; row < r.rows.size(); ++row) {
+        for (std::size_t i = 0; i < r.rows[row].size(); ++i) {
+            const Cell& c = r.rows[row][i];
+            out +=
+                fmt::format("{},{},{},{},{},{},{},{},{}\n", r.table->name, integrators()[row].key,
+                            r.table->columns[i].rate, r.table->columns[i].damping,
+                            r.rope.damper == Damper::full ? "paper" : "axial", c.found.stable,
+                            cell(c.found.exploded), cell(c.theory), cell(c.paper));
+        }
+    }
+    return out;
+}
+
+std::string asJson(const RopeTableResult& r) {
+    const auto value = [](const std::optional<double>& v) {
+        return v ? fmt::format("{}", *v) : std::string("null");
+    };
+    const auto& s = r.search;
+    std::string out = fmt::format(
+        "{{\n  \"table\": \"{}\",\n  \"damper\": \"{}\",\n  \"seconds\": {},\n"
+        "  \"energyMargin\": {},\n  \"mustRest\": {},\n  \"restShare\": {},\n"
+        "  \"resolution\": {},\n  \"lowest\": {},\n  \"highest\": {},\n  \"cells\": [",
+        r.table->name, r.rope.damper == Damper::full ? "paper" : "axial", s.seconds, s.energyMargin,
+        s.mustRest, s.restShare, s.resolution, s.lowest, s.highest);
+    const char* separator = "\n";
+    for (std::size_t row = 0; row < r.rows.size(); ++row) {
+        for (std::size_t i = 0; i < r.rows[row].size(); ++i) {
+            const Cell& c = r.rows[row][i];
+            out += fmt::format(
+                "{}    {{\"integrator\": \"{}\", \"rate\": {}, \"damping\": {}, \"stable\": {}, "
+                "\"exploded\": {}, \"theory\": {}, \"paper\": {}}}",
+                separator, integrators()[row].key, r.table->columns[i].rate,
+                r.table->columns[i].damping, c.found.stable, value(c.found.exploded),
+                value(c.theory), value(c.paper));
+            separator = ",\n";
+        }
+    }
+    return out + "\n  ]\n}\n";
+}
+
+}  // namespace sulfur::lab
