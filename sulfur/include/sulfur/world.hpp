@@ -119,7 +119,8 @@ public:
     /// Removes one joint.
     void remove(JointId joint);
     /// Holds `particle` at a point of `body`, given in the frame of its blueprint. The point
-    /// follows the body's nearest particles, also when the body deforms.
+    /// follows the body's nearest particles, also when the body deforms; it may lie outside, by up
+    /// to some fifty times the distance of those particles.
     AttachmentId attach(ParticleId particle, BodyId body, Vec2 localPoint);
     /// Holds `particle` at the place along the axis of `joint` (0: its particle a, 1: its b).
     AttachmentId attach(ParticleId particle, JointId joint, Real along);

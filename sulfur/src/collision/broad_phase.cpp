@@ -85,22 +85,32 @@ Point inCells(const BroadPhase& broad, const Point& p) {
     return scaled.cwiseMax(-1e9).cwiseMin(1e9);
 }
 
-void rasterise(const State& state, const Collider& collider, Real skin, Grid& grid,
+/// More cells than this cost more than comparing with everything.
+constexpr double mostCellsMoving = 2000;
+constexpr double mostCellsFixed = 200000;
+
+/// Returns false, leaving the grid as it was, when the capsule would cover more than `most` cells.
+bool rasterise(const State& state, const Collider& collider, Real skin, double most, Grid& grid,
                std::uint32_t number) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
+    const Point from = inCells(broad, x[collider.a]), to = inCells(broad, x[collider.b]);
     const double radius = static_cast<double>(collider.radius + skin) / broad.cellSize;
-    rasteriseCapsule(inCells(broad, x[collider.a]), inCells(broad, x[collider.b]), radius,
-                     [&](Cell cell) { grid.insert(cell, number); });
+    if (cellsCovered(from, to, radius) > most) return false;
+    rasteriseCapsule(from, to, radius, [&](Cell cell) { grid.insert(cell, number); });
+    return true;
 }
 
 void rasteriseFixed(State& state) {
     BroadPhase& broad = state.broad;
     broad.fixedGrid.clear();
+    broad.largeFixed.clear();
     for (std::uint32_t i = 0; i < broad.fixed.size(); ++i)
-        rasterise(state, broad.fixed[i], 0, broad.fixedGrid, i);
+        if (!rasterise(state, broad.fixed[i], 0, mostCellsFixed, broad.fixedGrid, i))
+            broad.largeFixed.push_back(i);
     broad.fixedGrid.build();
     broad.fixedStale = false;
+    broad.pairsStale = true;
 }
 
 /// A skin as wide as what the fastest end covers in this tick and half of the next, at least.
@@ -113,13 +123,15 @@ void rasteriseMoving(State& state) {
     broad.reference = state.particles.position;
     broad.skin.assign(state.particles.size(), 0);
     broad.movingGrid.clear();
+    broad.largeMoving.clear();
     for (std::uint32_t i = 0; i < broad.moving.size(); ++i) {
         const Collider& c = broad.moving[i];
         const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
         // A particle may leave the narrowest skin of the capsules that it ends.
         for (const auto p : {c.a, c.b})
             broad.skin[p] = broad.skin[p] == 0 ? skin : std::min(broad.skin[p], skin);
-        rasterise(state, c, skin, broad.movingGrid, i);
+        if (!rasterise(state, c, skin, mostCellsMoving, broad.movingGrid, i))
+            broad.largeMoving.push_back(i);
     }
     broad.movingGrid.build();
 }
@@ -127,6 +139,17 @@ void rasteriseMoving(State& state) {
 bool mayTouch(const State& state, const Collider& a, const Collider& b) {
     if (a.body == b.body || (!state.movable(a.body) && !state.movable(b.body))) return false;
     return mayCollide(state.bodies[a.body].filter, state.bodies[b.body].filter);
+}
+
+/// Whether the boxes around two colliders, with room for their skins, overlap.
+bool boxesOverlap(const State& state, const Collider& a, const Collider& b) {
+    const auto& x = state.particles.position;
+    const auto& skin = state.broad.skin;
+    const double margin = static_cast<double>(a.radius + b.radius + std::max(skin[a.a], skin[a.b]) +
+                                              std::max(skin[b.a], skin[b.b]));
+    const Point lowA = x[a.a].cwiseMin(x[a.b]), highA = x[a.a].cwiseMax(x[a.b]);
+    const Point lowB = x[b.a].cwiseMin(x[b.b]), highB = x[b.a].cwiseMax(x[b.b]);
+    return ((lowA - highB).array() <= margin).all() && ((lowB - highA).array() <= margin).all();
 }
 
 void collectPairs(State& state) {
@@ -142,6 +165,13 @@ void collectPairs(State& state) {
     for (const auto& entry : broad.movingGrid.entries())
         broad.fixedGrid.forEachIn(entry.cell,
                                   [&](std::uint32_t fixed) { keep(entry.item, offset + fixed); });
+    const auto keepIfNear = [&](std::uint32_t i, std::uint32_t j) {
+        if (boxesOverlap(state, broad.collider(i), broad.collider(j))) keep(i, j);
+    };
+    for (const auto large : broad.largeMoving)
+        for (std::uint32_t i = 0; i < offset + broad.fixed.size(); ++i) keepIfNear(large, i);
+    for (const auto large : broad.largeFixed)
+        for (std::uint32_t i = 0; i < offset; ++i) keepIfNear(i, offset + large);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }

@@ -19,6 +19,8 @@ struct BroadPhase {
     std::vector<Point> reference;  // per particle: where it was when rasterised
     std::vector<Real> skin;        // m, per particle
     Real baseSkin = Real(0.1);     // m
+    /// Colliders that would cover too many cells are compared with all others instead.
+    std::vector<std::uint32_t> largeMoving, largeFixed;
     Grid movingGrid;
     Grid fixedGrid;
     double cellSize = 1;                // m

@@ -46,4 +46,12 @@ void rasteriseCapsule(Point from, Point to, double radius, Emit&& emit) {
     }
 }
 
+/// An upper bound of the number of cells that rasteriseCapsule emits; may exceed any integer.
+inline double cellsCovered(const Point& from, const Point& to, double radius) {
+    const Point along = (to - from).cwiseAbs();
+    const double columns = along.maxCoeff() + 2 * radius + 2;
+    const double rows = 1 + 2 * radius * 1.4143 + 2;
+    return columns * rows;
+}
+
 }  // namespace sulfur::detail

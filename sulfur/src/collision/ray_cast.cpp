@@ -95,6 +95,8 @@ Strike cast(State& state, const Point& from, const Point& to, const QueryFilter&
         strikeCapsule(from, to - from, x[c.a], x[c.b], static_cast<double>(c.radius), number, best);
     };
     const auto offset = static_cast<std::uint32_t>(broad.moving.size());
+    for (const auto i : broad.largeMoving) test(i);
+    for (const auto i : broad.largeFixed) test(offset + i);
     walkCells(from, to, broad.cellSize, [&](Cell cell, double leave) {
         broad.movingGrid.forEachIn(cell, test);
         broad.fixedGrid.forEachIn(cell, [&](std::uint32_t i) { test(offset + i); });

@@ -12,6 +12,9 @@ namespace {
 /// joints of k (w_i + w_j) and b (w_i + w_j). 3.2 leaves room for geometric stiffness.
 constexpr Real explicitLimit = Real(3.2);
 
+/// Beyond, rounding is larger than the stretch under any force: as good as rigid.
+constexpr Real maxStiffness = Real(1e15);
+
 }  // namespace
 
 void classifyJoints(State& state) {
@@ -20,14 +23,14 @@ void classifyJoints(State& state) {
     const Real h = state.h;
     std::vector<Real> load(state.particles.size(), 0);
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        if (joints.stiffness[j] == infinite) continue;
+        if (joints.stiffness[j] > maxStiffness) continue;
         const Real sum = w[joints.a[j]] + w[joints.b[j]];
         const Real one = (h * h * joints.stiffness[j] + 2 * h * joints.damping[j]) * sum;
         load[joints.a[j]] += one;
         load[joints.b[j]] += one;
     }
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        if (joints.stiffness[j] == infinite)
+        if (joints.stiffness[j] > maxStiffness)
             joints.kind[j] = JointKind::rigid;
         else if (load[joints.a[j]] <= explicitLimit && load[joints.b[j]] <= explicitLimit)
             joints.kind[j] = JointKind::explicitElastic;

@@ -47,6 +47,8 @@ void driveKinematicBodies(State& state) {
 /// would be wrong by g h t / 2). The other half is taken off here, before the full kick.
 void startFreshParticles(State& state) {
     Particles& particles = state.particles;
+    std::sort(state.fresh.begin(), state.fresh.end());
+    state.fresh.erase(std::unique(state.fresh.begin(), state.fresh.end()), state.fresh.end());
     for (const auto i : state.fresh) {
         const Real w = particles.inverseMass[i];
         if (w == 0) continue;
@@ -62,15 +64,16 @@ void predict(State& state) {
     startFreshParticles(state);
     Particles& particles = state.particles;
     const Real h = state.h;
-    const Vec2 kick = h * state.settings.gravity;
-    // The trapezoidal rule: v' - v = -h c (v + v') / 2.
+    // Air friction by the trapezoidal rule: v' - v = h a - h c (v + v') / 2.
     const Real half = h * state.settings.airFriction / 2;
     const Real keep = (1 - half) / (1 + half);
+    const Real push = h / (1 + half);
     for (const Range range : state.work.awake) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
             const Real w = particles.inverseMass[i];
             if (w != 0) {
-                const Vec2 v = keep * (particles.velocity[i] + kick + h * w * particles.force[i]);
+                const Vec2 acceleration = state.settings.gravity + w * particles.force[i];
+                const Vec2 v = keep * particles.velocity[i] + push * acceleration;
                 particles.velocity[i] = v.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
                 particles.displacement[i] = h * particles.velocity[i];
             } else {

@@ -1,4 +1,5 @@
 // Joints that are too stiff to be forces: compliant and rigid distance constraints.
+#include <algorithm>
 #include <cmath>
 
 #include "solver/constraint_kinds.hpp"
@@ -25,21 +26,29 @@ void solveImplicit(State& state, std::uint32_t j) {
     const Vec2 moved = particles.displacement[b] - particles.displacement[a];
     const Vec2 apart = (particles.position[b] - particles.position[a]).cast<Real>() + moved;
     const Real length = apart.norm();
-    if (length == 0 || k == 0) return;
+    if (length == 0) return;
     const Vec2 direction = apart / length;
     const Real w = particles.inverseMass[a] + particles.inverseMass[b];
-    const Real compliance = 1 / (k * h * h);
-    const Real damping = joints.damping[j] / (k * h);
+    // Numerator and denominator times k h^2, so that no stiffness divides by zero.
+    const Real hk = k * h * h, hb = joints.damping[j] * h;
     const Real error = length - joints.restLength[j];
-    const Real change = -(error + damping * direction.dot(moved) + compliance * joints.lambda[j]) /
-                        ((1 + damping) * w + compliance);
+    const Real change =
+        -(hk * error + hb * direction.dot(moved) + joints.lambda[j]) / ((hk + hb) * w + 1);
     joints.lambda[j] += change;
     push(particles, a, b, change, direction);
 }
 
-/// A rigid joint pulls along its direction at the start of the tick (SHAKE, Ryckaert et al. 1977,
-/// equation 2.7): only so does a pendulum keep its energy. When the joint has turned too far in
-/// one tick for that direction to reach, it pulls along the present one.
+/// How strongly the tension of the last tick bends a joint's ends aside within a tick, when the
+/// joint pulls along its direction at the tick's start: above about 1 that explodes.
+Real whip(const State& state, std::uint32_t j, Real w) {
+    const Joints& joints = state.joints;
+    return 2 * w * std::abs(joints.force[j]) * state.h * state.h / joints.restLength[j];
+}
+
+/// A rigid joint pulls along its direction at the start of the tick (SHAKE, Ryckaert et al. 1977):
+/// only so does a pendulum keep its energy. Light links under great tension would explode by that;
+/// they pull along the mean of the directions at the tick's start and now, which brakes rotation
+/// but is stable.
 void solveRigid(State& state, std::uint32_t j) {
     Joints& joints = state.joints;
     Particles& particles = state.particles;
@@ -48,15 +57,13 @@ void solveRigid(State& state, std::uint32_t j) {
     const Vec2 apart = before + particles.displacement[b] - particles.displacement[a];
     const Real rest = joints.restLength[j];
     const Real w = particles.inverseMass[a] + particles.inverseMass[b];
-    const Real start = before.norm();
-    Vec2 direction = start > 0 ? Vec2(before / start) : Vec2(0, 1);
-    Real reach = direction.dot(apart);
-    if (reach < rest / 2) {
-        const Real length = apart.norm();
-        if (length > 0) direction = apart / length;
-        reach = std::max(length, rest / 2);
-    }
-    const Real change = (rest * rest - apart.squaredNorm()) / (2 * w * reach);
+    const Real start = before.norm(), length = apart.norm();
+    if (start == 0 || length == 0) return;
+    const Vec2 now = apart / length;
+    Vec2 direction = before / start;
+    if (whip(state, j, w) > Real(0.2)) direction = (direction + now).normalized();
+    if (direction.dot(now) < Real(0.5)) direction = now;
+    const Real change = (rest * rest - length * length) / (2 * w * direction.dot(apart));
     joints.lambda[j] += change;
     push(particles, a, b, change, direction);
 }

@@ -124,7 +124,13 @@ Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point) {
     return held;
 }
 
+/// A point much farther away than its supports are from each other would magnify their rounding.
+constexpr double farthestSupport = 50;
+
 AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle) {
+    for (const Real weight : held.weight)
+        requireRange(static_cast<double>(weight), -farthestSupport, farthestSupport,
+                     "local point: its distance in sizes of the body");
     for (std::uint32_t k = 0; k < held.count; ++k)
         if (held.support[k] == particle)
             throw Error(ErrorCode::degenerate,

@@ -1,0 +1,172 @@
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+TEST(Contacts, BallComesToRestOnTheFloor) {
+    World world;
+    world.add(shapes::floor({-5, 0}, {5, 0}, Real(0.1)));
+    const Body ball = world.add(shapes::ball({.radius = Real(0.25)}), {.position = {0, 2}});
+    test::run(world, 3);
+    EXPECT_NEAR(world.position(ball.front())[1], 0.35, 1e-3);
+    EXPECT_NEAR(world.velocity(ball.front()).norm(), 0, 1e-3);
+}
+
+TEST(Contacts, BoxAndJellyComeToRestOnTheFloor) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-5, 0}, {5, 0}, Real(0.05)));
+    const Body box = world.add(shapes::box(), {.position = {-2, 1}, .angle = 0.3});
+    const Body jelly = world.add(shapes::jelly({.damping = 4}), {.position = {2, 2}});
+    test::run(world, 6);
+    EXPECT_NEAR(world.centreOfMass(box)[1], 0.55, 5e-3);
+    EXPECT_NEAR(world.centreOfMass(jelly)[1], 0.55, 0.03);
+    EXPECT_LT(world.meanVelocity(box).norm(), 0.01);
+    EXPECT_LT(world.meanVelocity(jelly).norm(), 0.01);
+}
+
+TEST(Contacts, ReboundFollowsRestitution) {
+    for (const Real e : {Real(0.5), Real(0.9)}) {
+        World world({.sleeping = false});
+        world.add(shapes::floor({-5, 0}, {5, 0}, Real(0.1)));
+        const Body ball =
+            world.add(shapes::ball({.radius = Real(0.1), .material = {.restitution = e}}),
+                      {.position = {0, 2.2}});
+        double highest = 0;
+        bool bounced = false;
+        for (int i = 0; i < 1000; ++i) {
+            world.step();
+            const double v = world.velocity(ball.front())[1];
+            if (bounced && v < 0) break;
+            bounced |= v > 0;
+            if (bounced) highest = std::max(highest, world.position(ball.front())[1] - 0.2);
+        }
+        const double expected = 2 * static_cast<double>(e) * static_cast<double>(e);
+        EXPECT_NEAR(highest / expected, 1, 0.03) << e;
+    }
+}
+
+TEST(Contacts, FrictionHoldsOrLetsSlide) {
+    const auto slide = [](Real friction, double slope) {
+        World world({.sleeping = false});
+        const Material surface{friction, friction, 0};
+        const Real rise = static_cast<Real>(20 * std::tan(slope));
+        world.add(shapes::ground(
+            {.points = {{-20, -rise}, {20, rise}}, .radius = Real(0.05), .material = surface}));
+        const double lift = (0.55 + 1e-4) / std::cos(slope);
+        const Body box =
+            world.add(shapes::box({.material = surface}), {.position = {0, lift}, .angle = slope});
+        test::run(world, 1);
+        return (world.centreOfMass(box) - Point(0, lift)).norm();
+    };
+    const double slope = 0.4, mu = std::tan(slope);
+    EXPECT_LT(slide(static_cast<Real>(1.1 * mu), slope), 0.01);
+    const double expected = 9.81 * (std::sin(slope) - 0.5 * mu * std::cos(slope)) / 2;
+    EXPECT_NEAR(slide(static_cast<Real>(0.5 * mu), slope), expected, 0.03 * expected);
+    EXPECT_NEAR(slide(0, slope), 9.81 * std::sin(slope) / 2, 0.03 * 9.81 * std::sin(slope) / 2);
+}
+
+TEST(Contacts, SoftPushesRigidAndRigidPushesSoft) {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    const Body box = world.add(shapes::box({.mass = 2}), {.position = {0, 0}});
+    const Body jelly = world.add(shapes::jelly({.mass = 2}), {.position = {2, 0}});
+    world.setVelocity(box, {2, 0});
+    test::run(world, 3);
+    const double a = world.meanVelocity(box)[0], b = world.meanVelocity(jelly)[0];
+    EXPECT_NEAR(2 * a + 2 * b, 4, 0.01) << "momentum";
+    EXPECT_GT(b, a);
+    EXPECT_GT(b, 0.9);
+}
+
+TEST(Contacts, FastThingsDoNotPassThinWalls) {
+    test::Random random(4);
+    for (int shot = 0; shot < 100; ++shot) {
+        World world({.gravity = {0, 0}, .sleeping = false});
+        world.add(shapes::floor({0, -50}, {0, 50}, Real(0.02)));
+        const double angle = random.uniform(0, 6);
+        const Body thing =
+            shot % 2 == 0 ? world.add(shapes::box({.size = {Real(0.3), Real(0.3)}}),
+                                      {.position = {-2, 0}, .angle = angle})
+                          : world.add(shapes::ball({.radius = Real(0.05)}), {.position = {-2, 0}});
+        const double fastest = shot % 2 == 0 ? 40 : 300;
+        world.setVelocity(thing, {static_cast<Real>(random.uniform(20, fastest)),
+                                  static_cast<Real>(random.uniform(-20, 20))});
+        test::run(world, 0.5);
+        EXPECT_LT(world.centreOfMass(thing)[0], 0) << "shot " << shot;
+        EXPECT_EQ(world.validate(), "");
+    }
+}
+
+TEST(Contacts, OverlappingBodiesPartWithoutBeingThrown) {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    std::vector<Body> balls;
+    for (int i = 0; i < 10; ++i)
+        balls.push_back(world.add(shapes::ball({.radius = Real(0.25)}),
+                                  {.position = {0.05 * i, 0.01 * (i % 3)}}));
+    double fastest = 0;
+    for (int i = 0; i < 2000; ++i) {
+        world.step();
+        for (const Body& ball : balls)
+            fastest = std::max(fastest, static_cast<double>(world.meanVelocity(ball).norm()));
+    }
+    EXPECT_LT(fastest, 1);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            EXPECT_GT((world.centreOfMass(balls[i]) - world.centreOfMass(balls[k])).norm(), 0.49);
+}
+
+TEST(Contacts, FiltersDecide) {
+    World world;
+    world.add(shapes::floor({-5, 0}, {5, 0}));
+    Blueprint ghost = shapes::box();
+    ghost.filter.mask = 0;
+    const Body body = world.add(ghost, {.position = {0, 1}});
+    test::run(world, 2);
+    EXPECT_LT(world.centreOfMass(body)[1], -5);
+    EXPECT_TRUE(mayCollide({1, 1, 5}, {2, 0, 5}));
+    EXPECT_FALSE(mayCollide({1, 0xff, -5}, {1, 0xff, -5}));
+    EXPECT_FALSE(mayCollide({1, 2, 0}, {1, 2, 0}));
+}
+
+TEST(Contacts, BeginIsToldOnce) {
+    World world;
+    const Body floor = world.add(shapes::floor({-5, 0}, {5, 0}));
+    const Body ball = world.add(shapes::ball(), {.position = {0, 1.3}});
+    int told = 0;
+    for (int i = 0; i < 1000; ++i) {
+        world.step();
+        for (const ContactBegun& event : world.events().contactsBegun) {
+            ++told;
+            EXPECT_TRUE((event.a == ball.id() && event.b == floor.id()) ||
+                        (event.b == ball.id() && event.a == floor.id()));
+            EXPECT_NEAR(event.speed, std::sqrt(2 * 9.81 * 1), 0.1);
+        }
+    }
+    EXPECT_EQ(told, 1);
+}
+
+TEST(Contacts, StackOfTenStands) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    std::vector<Body> boxes;
+    for (int i = 0; i < 10; ++i)
+        boxes.push_back(world.add(shapes::box(), {.position = {0, 0.55 + i}}));
+    test::run(world, 10);
+    for (int i = 0; i < 10; ++i) {
+        EXPECT_NEAR(world.centreOfMass(boxes[static_cast<std::size_t>(i)])[0], 0, 0.1) << i;
+        EXPECT_NEAR(world.centreOfMass(boxes[static_cast<std::size_t>(i)])[1], 0.55 + i, 0.03) << i;
+    }
+}
+
+TEST(Contacts, KinematicBodyLiftsWhatLiesOnIt) {
+    World world;
+    Blueprint plan = shapes::floor({-2, 0}, {2, 0});
+    plan.kind = BodyKind::kinematic;
+    const Body lift = world.add(plan);
+    const Body box = world.add(shapes::box(), {.position = {0, 0.55}});
+    world.setVelocity(lift, {0, 1});
+    test::run(world, 2);
+    EXPECT_NEAR(world.centreOfMass(box)[1], 2.55, 0.02);
+}
+
+}  // namespace
+}  // namespace sulfur

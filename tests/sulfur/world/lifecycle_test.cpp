@@ -1,0 +1,142 @@
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+TEST(Lifecycle, HandlesOutliveNeighboursAndDieWithTheirThing) {
+    World world;
+    const Body a = world.add(shapes::box());
+    const Body b = world.add(shapes::ball(), {.position = {3, 0}});
+    const Body c = world.add(shapes::rope(), {.position = {6, 0}});
+    const ParticleId inA = a[0], inC = c[1];
+    const Point before = world.position(inC);
+    world.remove(a);
+    EXPECT_FALSE(world.contains(a));
+    EXPECT_FALSE(world.contains(inA));
+    EXPECT_TRUE(world.contains(b));
+    EXPECT_EQ(world.position(inC), before);
+    EXPECT_EQ(world.bodies().size(), 2u);
+    const Body again = world.add(shapes::box());
+    EXPECT_NE(again.id(), a.id());
+    EXPECT_FALSE(world.contains(inA));
+    EXPECT_EQ(world.validate(), "");
+}
+
+TEST(Lifecycle, RemovingABodyTakesItsConnections) {
+    World world;
+    const Body a = world.add(shapes::ball());
+    const Body b = world.add(shapes::ball(), {.position = {2, 0}});
+    const Body c = world.add(shapes::box(), {.position = {5, 0}});
+    const JointId joint = world.connect(a.front(), b.front());
+    const AttachmentId knot = world.attach(b.front(), c, {Real(-0.5), 0});
+    EXPECT_EQ(world.connections().size(), 1u);
+    world.remove(b);
+    EXPECT_FALSE(world.contains(joint));
+    EXPECT_FALSE(world.contains(knot));
+    EXPECT_TRUE(world.connections().empty());
+    test::run(world, 0.1);
+    EXPECT_EQ(world.validate(), "");
+}
+
+TEST(Lifecycle, BodiesTellWhatTheyAre) {
+    World world;
+    Blueprint plan = shapes::jelly({.mass = 4});
+    plan.name = "pudding";
+    const Body body = world.add(plan, {.position = {1, 2}, .angle = 0.5});
+    EXPECT_EQ(world.name(body), "pudding");
+    EXPECT_EQ(world.kind(body), BodyKind::dynamic);
+    EXPECT_NEAR(world.mass(body), 4, 1e-5);
+    EXPECT_NEAR((world.centreOfMass(body) - Point(1, 2)).norm(), 0, 1e-6);
+    EXPECT_EQ(world.particles(body).size(), 16u);
+    world.setUserData(body, 7);
+    EXPECT_EQ(world.userData(body), 7u);
+    EXPECT_EQ(world.nearestParticle({100, 0}, 1), std::nullopt);
+    EXPECT_TRUE(world.nearestParticle({1, 2}, 1).has_value());
+}
+
+/// Tens of thousands of random calls, good and bad: nothing breaks, nothing becomes non-finite.
+TEST(Lifecycle, RandomCallsKeepTheInvariants) {
+    test::Random random(5);
+    World world;
+    world.add(shapes::ground({.points = {{-6, 8}, {-6, 0}, {6, 0}, {6, 8}}}));
+    std::vector<BodyId> bodies;
+    std::vector<JointId> joints;
+    const auto anyParticle = [&]() -> ParticleId {
+        if (bodies.empty()) return {};
+        const BodyId body = bodies[random.below(bodies.size())];
+        if (!world.contains(body)) return {};
+        const auto list = world.particles(body);
+        return list[random.below(list.size())];
+    };
+    const auto real = [&] {
+        return static_cast<Real>(random.below(20) == 0 ? std::pow(10, random.uniform(-30, 38))
+                                                       : random.uniform(-5, 5));
+    };
+    for (int call = 0; call < 1500; ++call) {
+        try {
+            switch (random.below(16)) {
+                case 0:
+                case 1: {
+                    if (bodies.size() > 20) break;
+                    const Pose pose{{random.uniform(-5, 5), random.uniform(0.5, 7)},
+                                    random.uniform(0, 6)};
+                    const auto which = random.below(4);
+                    const Real strength = random.below(2) == 0 ? infinite : 50;
+                    bodies.push_back(
+                        which == 0   ? world.add(shapes::box({.strength = strength}), pose).id()
+                        : which == 1 ? world.add(shapes::jelly({.strength = strength}), pose).id()
+                        : which == 2 ? world.add(shapes::ball(), pose).id()
+                                     : world.add(shapes::rope({.strength = strength}), pose).id());
+                    break;
+                }
+                case 2:
+                    if (!bodies.empty()) world.remove(bodies[random.below(bodies.size())]);
+                    break;
+                case 3:
+                    joints.push_back(world.connect(anyParticle(), anyParticle()));
+                    break;
+                case 4:
+                    if (!bodies.empty())
+                        world.attach(anyParticle(), bodies[random.below(bodies.size())],
+                                     {real(), real()});
+                    break;
+                case 5:
+                    world.setVelocity(anyParticle(), {real(), real()});
+                    break;
+                case 6:
+                    world.applyForce(anyParticle(), {real(), real()});
+                    break;
+                case 7:
+                    world.applyImpulse(anyParticle(), {real(), real()});
+                    break;
+                case 8:
+                    world.setPosition(anyParticle(), {static_cast<double>(real()), 3});
+                    break;
+                case 9:
+                    world.setMass(anyParticle(), real());
+                    break;
+                case 10:
+                    world.setPinned(anyParticle(), random.below(3) == 0);
+                    break;
+                case 11:
+                    if (!joints.empty()) world.remove(joints[random.below(joints.size())]);
+                    break;
+                case 12:
+                    if (!joints.empty())
+                        world.setStiffness(joints[random.below(joints.size())], real());
+                    break;
+                default:
+                    world.step();
+            }
+        } catch (const Error&) {
+        }
+        std::erase_if(bodies, [&](BodyId id) { return !world.contains(id); });
+        std::erase_if(joints, [&](JointId id) { return !world.contains(id); });
+        if (call % 25 == 0) {
+            ASSERT_EQ(world.validate(), "") << "call " << call;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sulfur

@@ -1,0 +1,99 @@
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+/// A bit of everything, in motion.
+void fill(World& world) {
+    world.add(shapes::ground({.points = {{-8, 9}, {-8, 0}, {8, 0}, {8, 9}}}));
+    for (int i = 0; i < 12; ++i) {
+        const Pose pose{{-5 + 0.9 * i, 1.5 + 1.3 * (i % 4)}, 0.2 * i};
+        if (i % 3 == 0) world.add(shapes::box({.size = {Real(0.8), Real(0.6)}}), pose);
+        if (i % 3 == 1) world.add(shapes::jelly({.size = {Real(0.7), Real(0.7)}}), pose);
+        if (i % 3 == 2) world.add(shapes::ball(), pose);
+    }
+    const Body rope = world.add(shapes::rope({.from = {-3, 8}, .to = {1, 8}, .pinFirst = true}));
+    const Body load =
+        world.add(shapes::box({.size = {1, Real(0.5)}, .mass = 5}), {.position = {1, 7}});
+    world.attach(rope.back(), load, {0, Real(0.25)});
+    Blueprint glass = shapes::jelly({.strength = 40});
+    glass.skin =
+        Skin{"glass.png", std::vector<Vec2>(glass.particles.size(), Vec2(0, 0)), {{0, 1, 2}}};
+    world.add(glass, {.position = {5, 5}});
+}
+
+TEST(Persist, RestoredWorldGoesOnWithTheSameHash) {
+    World world;
+    fill(world);
+    test::run(world, 1);
+    const Snapshot snapshot = world.snapshot();
+    World other;
+    other.restore(snapshot);
+    EXPECT_EQ(other.hash(), world.hash());
+    for (int i = 0; i < 1500; ++i) {
+        world.step();
+        other.step();
+        ASSERT_EQ(other.hash(), world.hash()) << "tick " << i;
+    }
+    world.restore(snapshot);
+    test::run(world, 3);
+    EXPECT_EQ(world.hash(), other.hash());
+    EXPECT_EQ(world.snapshot(), other.snapshot());
+}
+
+TEST(Persist, HandlesAreValidAgain) {
+    World world;
+    const Body body = world.add(shapes::box());
+    const Snapshot snapshot = world.snapshot();
+    world.remove(body);
+    EXPECT_FALSE(world.contains(body));
+    world.restore(snapshot);
+    EXPECT_TRUE(world.contains(body));
+    EXPECT_EQ(body.size(), 5u);
+}
+
+TEST(Persist, HashNoticesAnyChange) {
+    World world;
+    const Body body = world.add(shapes::box());
+    const auto before = world.hash();
+    world.setVelocity(body[0], {Real(1e-6), 0});
+    EXPECT_NE(world.hash(), before);
+}
+
+TEST(Persist, LookingDoesNotChangeTheWayOn) {
+    World looked, left;
+    fill(looked);
+    fill(left);
+    for (int i = 0; i < 1000; ++i) {
+        looked.step();
+        left.step();
+        looked.castRay({-7, 1}, {7, 2});
+        (void)looked.contacts();
+        (void)looked.snapshot();
+    }
+    EXPECT_EQ(looked.hash(), left.hash());
+}
+
+TEST(Persist, DamagedSnapshotsAreRefused) {
+    World world;
+    fill(world);
+    test::run(world, 0.2);
+    const Snapshot good = world.snapshot();
+    test::Random random(6);
+    World victim;
+    victim.add(shapes::ball());
+    const auto before = victim.hash();
+    Snapshot bad = good;
+    bad[0] = std::byte{0};
+    EXPECT_THROW(victim.restore(bad), Error);
+    EXPECT_THROW(victim.restore({}), Error);
+    for (int i = 0; i < 300; ++i) {
+        bad = good;
+        bad.resize(random.below(good.size()));
+        EXPECT_THROW(victim.restore(bad), Error);
+    }
+    EXPECT_EQ(victim.hash(), before);
+}
+
+}  // namespace
+}  // namespace sulfur
