@@ -30,7 +30,10 @@ std::string asSvg(const RopeTableResult& r) {
     for (std::size_t i = 0; i < r.table->columns.size(); ++i) plot.xTicks.push_back(xOf(i));
     for (std::size_t row = 0; row < r.rows.size(); ++row) {
         const auto& entry = integrators()[row];
-        if (!entry.bounded) continue;
+        if (!entry.bounded) {
+            plot.series.push_back({entry.title + ": beyond", "none", false, false, false, {}});
+            continue;
+        }
         Series series{entry.title, colourOf(entry), false, false, true, {}};
         series.dashed = entry.key.find("held") != std::string::npos || entry.key == "verlet";
         for (std::size_t i = 0; i < r.rows[row].size(); ++i) {

@@ -103,7 +103,7 @@ private:
             const double x = right + 18;
             if (series.line)
                 out_ += fmt::format("<path d=\"M{} {}h30\" {}/>\n", x, y, stroke(series));
-            mark(series, x + 15, y);
+            if (!series.points.empty()) mark(series, x + 15, y);
             text(x + 40, y + 5, "start", series.title);
             y += 26;
         }

@@ -7,6 +7,7 @@
 
 namespace sulfur::lab {
 
+/// Without points it is a remark in the legend.
 struct Series {
     std::string title;
     std::string colour;  ///< as in CSS

@@ -1,0 +1,95 @@
+// The program as a user runs it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string output;  ///< standard output and error
+};
+
+Outcome lab(const std::string& arguments) {
+    const std::string command = std::string("'") + SULFUR_LAB + "' " + arguments + " 2>&1";
+    Outcome outcome;
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    char buffer[4096];
+    while (const auto count = std::fread(buffer, 1, sizeof buffer, pipe))
+        outcome.output.append(buffer, count);
+    const int status = ::pclose(pipe);
+    if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
+    return outcome;
+}
+
+/// Quick enough for a test: the search ends early and in a coarse bracket.
+const char* const quick = " --highest 200 --resolution 0.3 --seconds 12";
+
+TEST(Program, ListsItsExperiments) {
+    const auto outcome = lab("--list");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.output.find("table2"), std::string::npos);
+    EXPECT_NE(outcome.output.find("table3"), std::string::npos);
+}
+
+TEST(Program, HasHelpAndVersion) {
+    EXPECT_EQ(lab("--help").status, 0);
+    EXPECT_NE(lab("--help").output.find("--plot"), std::string::npos);
+    EXPECT_EQ(lab("--version").status, 0);
+    EXPECT_EQ(lab("--version").output.rfind("sulfur_lab ", 0), 0u);
+}
+
+TEST(Program, RefusesAWrongNameInOneSentence) {
+    for (const char* arguments :
+         {"table9", "", "table3 --damper sideways", "table3 --seconds -1"}) {
+        const auto outcome = lab(arguments);
+        EXPECT_NE(outcome.status, 0) << arguments;
+        EXPECT_EQ(outcome.output.rfind("sulfur_lab: ", 0), 0u) << outcome.output;
+        EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1)
+            << outcome.output;
+    }
+}
+
+TEST(Program, PrintsTheCriterionWithTheTable) {
+    const auto outcome = lab(std::string("table3") + quick);
+    EXPECT_EQ(outcome.status, 0);
+    for (const char* part : {"Exploded means", "not finite", "12 s simulated", "no limit found",
+                             "implicit Euler", ">200", "47500", "What differs"})
+        EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
+}
+
+TEST(Program, WritesDataAndPicture) {
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("sulfur_lab_test_" + std::to_string(::getpid()));
+    const auto csv = lab(std::string("table3 --csv --plot '") + folder.string() + "'" + quick);
+    EXPECT_EQ(csv.status, 0);
+    // A line of names, then 9 integrators at 5 rates.
+    EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 9 * 5);
+    std::ifstream stream(folder / "table3.svg");
+    std::stringstream svg;
+    svg << stream.rdbuf();
+    EXPECT_NE(svg.str().find("</svg>"), std::string::npos);
+    EXPECT_NE(svg.str().find("paper: NSV/IE"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder / "table3.svg.new"));
+    std::filesystem::remove_all(folder);
+    const auto json = lab(std::string("table2 --json") + quick);
+    EXPECT_EQ(json.status, 0);
+    EXPECT_EQ(json.output.front(), '{');
+    EXPECT_NE(json.output.find("\"integrator\": \"rk4-held\""), std::string::npos);
+}
+
+TEST(Program, RefusesAPlaceForPicturesThatIsNone) {
+    const auto outcome = lab(std::string("table3 --plot /dev/null/here") + quick);
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_NE(outcome.output.find("/dev/null/here"), std::string::npos);
+}
+
+}  // namespace
