@@ -7,7 +7,7 @@
 #   bin/, share/sulfur/          programs, their assets and levels
 #   share/doc/sulfur/            licence and changelog
 #
-# sulfur/scene installs itself into the export set sulfurTargets.
+# sulfur/scene and the programs install themselves, the former into the export set sulfurTargets.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS sulfur EXPORT sulfurTargets
@@ -59,17 +59,13 @@ foreach(module sulfur sulfur-scene)
 endforeach()
 
 # --- programs, where they are built -----------------------------------------------------------
+# Each installs itself; here they learn to find the project's shared libraries beside them,
+# wherever the tree is moved.
 set(SULFUR_PROGRAMS)
 foreach(program quaoar quaoar_solve sulfurchamber sulfur_lab)
   if(TARGET ${program})
     list(APPEND SULFUR_PROGRAMS ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-    # Finds shared libraries of the project beside it, wherever the tree is moved.
     set_target_properties(${program} PROPERTIES
       INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   endif()
 endforeach()
-if(SULFUR_BUILD_APPS)
-  install(DIRECTORY levels DESTINATION ${CMAKE_INSTALL_DATADIR}/sulfur)
-  install(DIRECTORY quaoar/assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/sulfur/quaoar)
-endif()
