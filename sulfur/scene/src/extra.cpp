@@ -12,12 +12,12 @@ auto hasKey(std::string_view key) {
 
 }  // namespace
 
-const ExtraMember* find(const Extra& extra, std::string_view key) {
+const ExtraMember* findExtra(const Extra& extra, std::string_view key) {
     const auto found = std::find_if(extra.begin(), extra.end(), hasKey(key));
     return found == extra.end() ? nullptr : &*found;
 }
 
-void set(Extra& extra, std::string_view key, std::string json) {
+void setExtra(Extra& extra, std::string_view key, std::string json) {
     const auto document =
         Document::parse(json, {.file = "value", .firstLine = 1, .object = std::string(key)});
     json = std::string(document.root().text());
@@ -29,7 +29,7 @@ void set(Extra& extra, std::string_view key, std::string json) {
     }
 }
 
-void erase(Extra& extra, std::string_view key) {
+void eraseExtra(Extra& extra, std::string_view key) {
     std::erase_if(extra, hasKey(key));
 }
 

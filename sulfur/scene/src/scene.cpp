@@ -61,7 +61,7 @@ std::string Scene::freeName(const std::string& base) const {
 }
 
 std::optional<Document> Scene::section(std::string_view key) const {
-    const auto* member = find(extra, key);
+    const auto* member = findExtra(extra, key);
     if (member == nullptr) return std::nullopt;
     return Document::parse(
         member->json,

@@ -23,10 +23,10 @@ using Extra = std::vector<ExtraMember>;
 using ExtraTree = std::map<std::string, Extra>;
 
 /// The member called `key`, or null.
-const ExtraMember* find(const Extra& extra, std::string_view key);
+const ExtraMember* findExtra(const Extra& extra, std::string_view key);
 /// Adds a member or replaces it. Throws ReadError unless `json` is one JSON value.
-void set(Extra& extra, std::string_view key, std::string json);
+void setExtra(Extra& extra, std::string_view key, std::string json);
 /// Removes a member if it is there.
-void erase(Extra& extra, std::string_view key);
+void eraseExtra(Extra& extra, std::string_view key);
 
 }  // namespace sulfur::scene

@@ -1,0 +1,115 @@
+// From a scene to a world and back.
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+
+namespace {
+
+using namespace sulfur::scene;
+using namespace sulfur::scene::testing;
+using sulfur::World;
+
+TEST(Instantiate, MakesEverything) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const Instance instance = instantiate(scene, world);
+    EXPECT_EQ(world.bodies().size(), scene.bodies.size());
+    EXPECT_EQ(instance.connections.size(), 1u);
+    EXPECT_EQ(instance.attachments.size(), 1u);
+    EXPECT_EQ(world.connections().size(), 1u);
+    const auto lift = instance.body("lift");
+    EXPECT_EQ(instance.id(lift), "lift");
+    EXPECT_EQ(world.kind(lift), sulfur::BodyKind::dynamic);
+    EXPECT_FALSE(instance.body("none"));
+    const auto crate = world.particles(instance.body("crate"));
+    EXPECT_EQ(world.position(crate[1]), sulfur::Point(8.7, 2));
+    EXPECT_EQ(world.velocity(crate[2]), sulfur::Vec2(1, sulfur::Real(0.125)));
+}
+
+TEST(Instantiate, IsDeterministic) {
+    const auto hash = [](const Scene& scene) {
+        World world(scene.settings);
+        instantiate(scene, world);
+        for (int i = 0; i < 200; ++i) world.step();
+        return world.hash();
+    };
+    const Scene scene = parse(fullScene, "a");
+    EXPECT_EQ(hash(scene), hash(scene));
+    EXPECT_EQ(hash(scene), hash(parse(format(scene), "b")));
+}
+
+TEST(Capture, OfAFreshWorldIsTheScene) {
+    Scene scene = parse(fullScene, "a");
+    scene.bodies[1].velocity = {0, 0};
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    const Scene captured = capture(world, scene, instance);
+    EXPECT_EQ(captured.blueprints.size(), scene.blueprints.size());
+    EXPECT_FALSE(captured.body("ground")->state);
+    EXPECT_EQ(captured.bodies.size(), scene.bodies.size());
+    EXPECT_EQ(captured.attachments.size(), 1u);
+}
+
+TEST(Capture, HoldsPositionsAndVelocitiesExactly) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    for (int i = 0; i < 50; ++i) world.step();
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    EXPECT_NE(findExtra(captured.extra, "level"), nullptr);
+    World second(captured.settings);
+    const auto again = instantiate(captured, second);
+    for (const auto& [id, body] : instance.bodies) {
+        const auto before = world.particles(body), after = second.particles(again.body(id));
+        ASSERT_EQ(before.size(), after.size()) << id;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            EXPECT_EQ(world.position(before[i]), second.position(after[i])) << id;
+            EXPECT_EQ(world.velocity(before[i]), second.velocity(after[i])) << id;
+        }
+        EXPECT_EQ(world.joints(body).size(), second.joints(again.body(id)).size());
+    }
+}
+
+TEST(Capture, SeesNewChangedAndRemovedBodies) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    const auto dropped = world.add(sulfur::shapes::box({.mass = 5}), {.position = {0, 12}});
+    world.connect(dropped.front(), world.particles(instance.body("b"))[1], {.stiffness = 9});
+    world.setStiffness(world.joints(instance.body("b"))[0], 1234);
+    world.setGravity({0, -1});
+    world.remove(instance.body("r"));
+    for (int i = 0; i < 20; ++i) world.step();
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    EXPECT_EQ(captured.body("r"), nullptr);
+    EXPECT_TRUE(captured.attachments.empty());
+    EXPECT_EQ(captured.settings.gravity.y(), -1);
+    const auto* box = captured.body("box");
+    ASSERT_NE(box, nullptr);
+    EXPECT_EQ(captured.prefab(box->blueprint)->blueprint.mass(), 5);
+    EXPECT_EQ(captured.prefab(box->blueprint)->generator.index(), 0u);
+    const auto* blob = captured.body("b");
+    EXPECT_EQ(captured.prefab(blob->blueprint)->blueprint.joints[0].stiffness, 1234);
+    // Its rest shape is still the shape's, though it has fallen and deformed.
+    EXPECT_EQ(captured.prefab(blob->blueprint)->blueprint.particles[2].position,
+              scene.prefab("blob")->blueprint.particles[2].position);
+    ASSERT_EQ(captured.connections.size(), 2u);
+    EXPECT_EQ(findExtra(captured.connections[0].extra, "colour")->json, "\"blue\"");
+}
+
+TEST(Capture, OfAWorldWithoutAScene) {
+    World world;
+    world.add(sulfur::shapes::floor({-5, 0}, {5, 0}));
+    for (int i = 0; i < 3; ++i) world.add(sulfur::shapes::jelly(), {.position = {0, 2.0 + 2 * i}});
+    for (int i = 0; i < 100; ++i) world.step();
+    const Scene captured = parse(format(capture(world)), "saved");
+    ASSERT_EQ(captured.bodies.size(), 4u);
+    EXPECT_EQ(captured.bodies[1].id, "jelly");
+    EXPECT_EQ(captured.bodies[3].id, "jelly3");
+    World second(captured.settings);
+    instantiate(captured, second);
+    for (int i = 0; i < 100; ++i) second.step();
+    EXPECT_EQ(second.validate(), "");
+}
+
+}  // namespace

@@ -1,0 +1,241 @@
+// What the reader of scenes refuses, and how it says so.
+#include <gtest/gtest.h>
+
+#include "samples.hpp"
+
+namespace {
+
+using namespace sulfur::scene;
+using namespace sulfur::scene::testing;
+using sulfur::BodyKind;
+using sulfur::Real;
+
+/// A scene with one blueprint and one body of it, on the lines 3 and 4.
+std::string around(const std::string& blueprint, const std::string& more = "") {
+    return "{\"format\": \"sulfur-scene\", \"version\": 1,\n\"blueprints\": {\n\"thing\": " +
+           blueprint + "},\n\"bodies\": [{\"id\": \"one\", \"blueprint\": \"thing\"}" + more + "]}";
+}
+
+TEST(Read, GivesEveryMember) {
+    const Scene scene = parse(fullScene, "full.json");
+    EXPECT_EQ(scene.title, "Everything \"at once\"\n\xC3\xA9\xE2\x98\x83");
+    EXPECT_EQ(scene.settings.tickRate, 240);
+    EXPECT_FALSE(scene.settings.sleeping);
+    EXPECT_EQ(scene.settings.gravity, sulfur::Vec2(Real(0.5), Real(-3.7)));
+    ASSERT_EQ(scene.blueprints.size(), 8u);
+    const auto& plain = scene.prefab("plain")->blueprint;
+    EXPECT_EQ(plain.kind, BodyKind::kinematic);
+    EXPECT_EQ(plain.particles[0].mass, Real(0.1));
+    EXPECT_TRUE(plain.particles[0].pinned);
+    EXPECT_EQ(plain.joints[0].restLength, Real(1.5));
+    EXPECT_EQ(plain.joints[1].stiffness, sulfur::infinite);
+    EXPECT_EQ(plain.filter.mask, 4294967294u);
+    EXPECT_EQ(plain.filter.group, -3);
+    EXPECT_EQ(plain.skin->uv[0], sulfur::Vec2(0, 1));
+    const auto* lift = scene.body("lift");
+    EXPECT_EQ(lift->pose.position, sulfur::Point(3, 4.25));
+    EXPECT_EQ(blueprintOf(scene, *lift).kind, BodyKind::dynamic);
+    EXPECT_EQ(blueprintOf(scene, *lift).material.restitution, Real(0.5));
+    EXPECT_EQ(scene.body("crate")->state->velocities[2].y(), Real(0.125));
+    EXPECT_EQ(scene.connections[0].b.particle, 3u);
+    EXPECT_EQ(scene.attachments[0].point.x(), Real(0.25));
+    EXPECT_EQ(scene.prefab("jelly")->blueprint.particles.size(), 15u);
+    EXPECT_EQ(scene.prefab("jelly")->blueprint.skin->triangles.size(), 16u);
+    EXPECT_EQ(scene.prefab("box")->blueprint.skin->triangles.size(), 2u);
+}
+
+TEST(Read, GivesSectionsOfOthersWithTheirLines) {
+    const Scene scene = parse(fullScene, "full.json");
+    const auto level = scene.section("level");
+    ASSERT_TRUE(level);
+    EXPECT_EQ(level->root().at("spawn").point(10), sulfur::Point(1, 2));
+    const auto error = errorOf([&] { level->root().at("exit").at("at").point(5); });
+    EXPECT_EQ(error.object(), "door");
+    EXPECT_EQ(error.file(), "full.json");
+    // The line of the file, counted in the text itself.
+    const auto before = fullScene.substr(0, fullScene.find("\"door\""));
+    EXPECT_EQ(error.line(), 1 + std::count(before.begin(), before.end(), '\n'));
+    EXPECT_FALSE(scene.section("other"));
+}
+
+TEST(Read, RefusesWrongHeaders) {
+    EXPECT_NE(errorOf("{\"version\": 1}").message().find("\"format\""), std::string::npos);
+    EXPECT_NE(errorOf("{\"format\": \"sulfur-scene\"}").message().find("\"version\""),
+              std::string::npos);
+    const auto version = errorOf("{\"format\": \"sulfur-scene\",\n\"version\": 2}");
+    EXPECT_STREQ(version.what(),
+                 "test.json:2: version: is 2; allowed is 1, the only version that this program "
+                 "reads");
+    EXPECT_NE(errorOf("{\"format\": \"sulfur-blueprint\", \"version\": 1}").message(), "");
+    EXPECT_NE(errorOf("[]").message(), "");
+    EXPECT_NE(errorOf("7").message(), "");
+    EXPECT_STREQ(errorOf(around("5")).what(),
+                 "test.json:3: object \"blueprints\": thing: is a number; allowed is an object, "
+                 "{...}");
+    EXPECT_EQ(errorOf("{\"format\": \"sulfur-scene\", \"version\": 1}").message(), "");
+}
+
+struct Mistake {
+    const char* blueprint;
+    const char* says;
+};
+
+class BadBlueprint : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BadBlueprint, IsRefusedWithLineAndObject) {
+    const auto& [blueprint, says] = GetParam();
+    const auto error = errorOf(around(blueprint));
+    EXPECT_EQ(error.line(), 3) << error.what();
+    EXPECT_EQ(error.object(), "thing") << error.what();
+    EXPECT_NE(error.message().find(says), std::string::npos) << error.what();
+}
+
+const Mistake mistakes[] = {
+    {"{}", "needed is one of them"},
+    {R"({"shape": "cone"})", "allowed is one of \"floor\""},
+    {R"({"particles": []})", "allowed is an array of 1 to 20000"},
+    {R"({"particles": [{}]})", "has no \"position\""},
+    {R"({"particles": [{"position": [0, 1000.5]}]})", "-1000 to 1000"},
+    {R"({"particles": [{"position": [0]}]})", "an array of 2"},
+    {R"({"particles": [{"position": ["0", 0]}]})", "is a string"},
+    {R"({"particles": [{"position": [0, 0], "mass": 0}]})", "more than 0"},
+    {R"({"particles": [{"position": [0, 0], "mass": -1}]})", "more than 0"},
+    {R"({"particles": [{"position": [0, 0], "mass": 1e-10}]})", "1e-9"},
+    {R"({"particles": [{"position": [0, 0], "mass": 1e10}]})", "at most"},
+    {R"({"particles": [{"position": [0, 0], "mass": null}]})", "is null"},
+    {R"({"particles": [{"position": [0, 0], "radius": -0.1}]})", "radius"},
+    {R"({"particles": [{"position": [0, 0], "pinned": 1}]})", "true or false"},
+    {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0, "b": 1}]})", "0 to 0"},
+    {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0}]})", "has no \"b\""},
+    {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0, "b": -1}]})", "joints[0].b"},
+    {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0, "b": 0}]})", "to itself"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [0, 0]}], "joints": [{"a": 0, "b": 0.5}]})",
+     "whole number"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [0, 0]}], "joints": [{"a": 0, "b": 1}]})",
+     "length 0"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "stiffness": -1}]})",
+     "0 to 1e+18"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "stiffness": "stiff"}]})",
+     "allowed is \"rigid\""},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "stiffness": true}]})",
+     "or \"rigid\""},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "stiffness": 1e40}]})",
+     "0 to 1e+18"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "damping": -1}]})",
+     "damping"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "restLength": -1}]})",
+     "restLength"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "strength": "strong"}]})",
+     "\"unbreakable\""},
+    {R"({"particles": [{"position": [0, 0]}], "kind": "static"})", "\"kinematic\""},
+    {R"({"particles": [{"position": [0, 0]}], "material": {"restitution": 1.1}})", "0 to 1"},
+    {R"({"particles": [{"position": [0, 0]}], "material": {"staticFriction": 0.2}})",
+     "kineticFriction"},
+    {R"({"particles": [{"position": [0, 0]}], "filter": {"mask": -1}})", "4294967295"},
+    {R"({"particles": [{"position": [0, 0]}], "filter": {"category": 4294967296}})", "4294967295"},
+    {R"({"particles": [{"position": [0, 0]}], "filter": {"group": 2147483648}})", "2147483647"},
+    {R"({"particles": [{"position": [0, 0]}], "skin": {"texture": "../x.png", "uv": [[0,0]], "triangles": []}})",
+     "relative path"},
+    {R"({"particles": [{"position": [0, 0]}], "skin": {"texture": "x.png"}})", "has no \"uv\""},
+    {R"({"particles": [{"position": [0, 0]}], "skin": {"texture": "x.png", "uv": [], "triangles": []}})",
+     "an array of 1"},
+    {R"({"particles": [{"position": [0, 0]}], "skin": {"texture": "x.png", "uv": [[0,0]], "triangles": [[0, 0, 1]]}})",
+     "0 to 0"},
+    {R"({"shape": "box", "size": [0, 1]})", "more than 0"},
+    {R"({"shape": "box", "size": [0.01, 1]})", "radius"},
+    {R"({"shape": "box", "mass": 1e-9})", "1e-9"},
+    {R"({"shape": "ball", "radius": 0})", "more than 0"},
+    {R"({"shape": "rope", "links": 20000})", "0 to 19999"},
+    {R"({"shape": "rope", "to": [0, 0]})", "length"},
+    {R"({"shape": "jelly", "columns": 1})", "2 to 1000"},
+    {R"({"shape": "jelly", "columns": 1000, "rows": 1000})", "1000000 particles"},
+    {R"({"shape": "blob", "segments": 2})", "3 to 1000"},
+    {R"({"shape": "ground", "points": [[0, 0]]})", "2 to 20000"},
+    {R"({"shape": "ground"})", "\"points\""},
+};
+INSTANTIATE_TEST_SUITE_P(Read, BadBlueprint, ::testing::ValuesIn(mistakes));
+
+class BadBody : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BadBody, IsRefused) {
+    const auto& [body, says] = GetParam();
+    const auto error = errorOf(around(R"({"shape": "box"})", std::string(",\n") + body));
+    EXPECT_EQ(error.line(), 5) << error.what();
+    EXPECT_NE(error.message().find(says), std::string::npos) << error.what();
+}
+
+const Mistake badBodies[] = {
+    {R"({"blueprint": "thing"})", "has no \"id\""},
+    {R"({"id": "two"})", "has no \"blueprint\""},
+    {R"({"id": "one", "blueprint": "thing"})", "on line 4"},
+    {R"({"id": "", "blueprint": "thing"})", "1 to 100"},
+    {R"({"id": 7, "blueprint": "thing"})", "is a number"},
+    {R"({"id": "a\nb", "blueprint": "thing"})", "one line"},
+    {R"({"id": "two", "blueprint": "none"})", "allowed is a name from"},
+    {R"({"id": "two", "blueprint": "thing", "position": [0, 1e4]})", "-1000 to 1000"},
+    {R"({"id": "two", "blueprint": "thing", "position": [0, 999.9]})", "world coordinates"},
+    {R"({"id": "two", "blueprint": "thing", "angle": 1e7})", "angle"},
+    {R"({"id": "two", "blueprint": "thing", "velocity": [2001, 0]})", "-2000 to 2000"},
+    {R"({"id": "two", "blueprint": "thing", "velocity": [1, 0], "kind": "fixed"})", "fixed body"},
+    {R"({"id": "two", "blueprint": "thing", "state": {"positions": [], "velocities": []}})",
+     "an array of 5"},
+};
+INSTANTIATE_TEST_SUITE_P(Read, BadBody, ::testing::ValuesIn(badBodies));
+
+TEST(Read, RefusesLooseEnds) {
+    const auto with = [](const std::string& tail) {
+        const std::string scene =
+            around(R"({"shape": "box"})", R"(, {"id": "f", "blueprint": "thing", "kind": "fixed"},
+              {"id": "g", "blueprint": "thing", "kind": "fixed", "position": [2, 0]})");
+        return errorOf(scene.substr(0, scene.size() - 1) + ",\n" + tail + "}").message();
+    };
+    const auto says = [&](const std::string& tail, const char* part) {
+        EXPECT_NE(with(tail).find(part), std::string::npos) << tail << ": " << with(tail);
+    };
+    says(R"("connections": [{"a": ["one", 5], "b": ["f", 0]}])", "0 to 4");
+    says(R"("connections": [{"a": ["none", 0], "b": ["f", 0]}])", "id of a body");
+    says(R"("connections": [{"a": ["one", 0]}])", "has no \"b\"");
+    says(R"("connections": [{"a": ["one", 0], "b": ["one", 0]}])", "to itself");
+    says(R"("connections": [{"a": ["f", 0], "b": ["g", 0]}])", "cannot move");
+    says(R"("connections": [{"a": ["one", 0], "b": ["f", 0]}])", "length 0");
+    says(R"("attachments": [{"particle": ["one", 0], "body": "one", "point": [0, 0]}])",
+         "another body");
+    says(R"("attachments": [{"particle": ["one", 0], "body": "f"}])", "has no \"point\"");
+    says(R"("world": {"tickRate": 59})", "60 to 10000");
+    says(R"("world": {"tickRate": 100, "airFriction": 101})", "tickRate");
+    says(R"("world": {"sweeps": 0})", "1 to 100");
+    says(R"("world": {"gravity": 9.81})", "an array of 2");
+    says(R"("title": 5)", "a string");
+}
+
+TEST(Read, RefusesTooMuch) {
+    std::string bodies;
+    for (int i = 0; i < 21; ++i)
+        bodies += ", {\"id\": \"j" + std::to_string(i) + "\", \"blueprint\": \"thing\"}";
+    const auto particles = errorOf(around(R"({"shape": "rope", "links": 1000})", bodies));
+    EXPECT_NE(particles.message().find("at most 20000"), std::string::npos) << particles.what();
+    EXPECT_EQ(particles.object(), "j18");
+    const auto joints = errorOf(around(R"({"shape": "jelly", "columns": 30, "rows": 30})", bodies));
+    EXPECT_NE(joints.message().find("at most 60000"), std::string::npos) << joints.what();
+    const auto tenMegabytes = errorOf(std::string(10'000'000, ' '));
+    EXPECT_NE(tenMegabytes.message().find("4194304"), std::string::npos) << tenMegabytes.what();
+}
+
+TEST(Read, TruncatedAnywhereIsRefused) {
+    const auto end = fullScene.rfind('}');
+    for (std::size_t size = 0; size <= end; size += 7) {
+        const auto error = errorOf(fullScene.substr(0, size));
+        EXPECT_NE(error.message(), "") << size;
+        EXPECT_GE(error.line(), 1) << size;
+    }
+}
+
+TEST(Read, NotesUnknownKeys) {
+    const auto notes = unknownKeys(parse(fullScene, "full.json"));
+    ASSERT_EQ(notes.size(), 11u);
+    EXPECT_EQ(notes[0],
+              "full.json:7: object \"world\": unknown key \"wind\"; it is kept but means nothing "
+              "here");
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+// Texts that several tests of scenes start from.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <sulfur/scene.hpp>
+
+namespace sulfur::scene::testing {
+
+/// Uses every member that the format knows, with unusual values, and unknown members everywhere.
+inline const std::string fullScene = R"({
+  "format": "sulfur-scene",
+  "version": 1,
+  "title": "Everything \"at once\"\n\u00e9\u2603",
+  "description": "A line\tand\\another",
+  "world": {"gravity": [0.5, -3.7], "airFriction": 0.02, "tickRate": 240, "sleeping": false,
+            "sweeps": 7, "wind": [1, 2]},
+  "blueprints": {
+    "plain": {
+      "kind": "kinematic",
+      "particles": [
+        {"position": [0, 0], "mass": 0.1, "radius": 0.3, "pinned": true, "tint": "red"},
+        {"position": [1, 0.1]},
+        {"position": [0, 1]}
+      ],
+      "joints": [
+        {"a": 0, "b": 1, "stiffness": 123.456, "damping": 0.7, "restLength": 1.5, "radius": 0.01,
+         "strength": 900, "tag": {"deep": [1, 2.50, -0e1]}},
+        {"a": 1, "b": 2, "stiffness": "rigid", "strength": "unbreakable"}
+      ],
+      "material": {"staticFriction": 0.9, "kineticFriction": 0.8, "restitution": 0.7, "wet": true},
+      "filter": {"category": 2, "mask": 4294967294, "group": -3, "why": null},
+      "skin": {"texture": "art/plain.png", "uv": [[0, 1], [1, 1], [0, 0]],
+               "triangles": [[0, 1, 2]], "blend": 1},
+      "note": "kept"
+    },
+    "floor": {"shape": "floor", "from": [-20, 0], "to": [20, 0.5], "radius": 0.1,
+              "material": {"restitution": 0.25}},
+    "ground": {"shape": "ground", "points": [[0, 0], [3, 1], [5, -1]], "closed": true,
+               "radius": 0.2, "material": {"kineticFriction": 0.1}},
+    "box": {"shape": "box", "size": [1.5, 0.75], "mass": 2.5, "radius": 0.03, "stiffness": 5000,
+            "damping": 0.5, "strength": 77, "solidInertia": false, "kind": "dynamic",
+            "material": {"restitution": 0.1}, "filter": {"group": 5},
+            "skin": {"texture": "box.png"}},
+    "ball": {"shape": "ball", "radius": 0.4, "mass": 3, "material": {"restitution": 1}},
+    "rope": {"shape": "rope", "from": [1, 2], "to": [4, 6], "links": 9, "mass": 0.9, "radius": 0,
+             "stiffness": 800, "damping": 0.2, "strength": 500, "pinFirst": true, "pinLast": true,
+             "material": {"staticFriction": 2}},
+    "jelly": {"shape": "jelly", "size": [2, 1], "columns": 5, "rows": 3, "mass": 4,
+              "radius": 0.05, "stiffness": 300, "damping": 2, "strength": 99,
+              "material": {"restitution": 0.3}, "skin": {"texture": "j.png"}},
+    "blob": {"shape": "blob", "radius": 0.6, "segments": 9, "mass": 1.5, "skinRadius": 0.04,
+             "stiffness": 700, "damping": 1, "material": {"restitution": 0.2}, "kind": "dynamic"}
+  },
+  "bodies": [
+    {"id": "ground", "blueprint": "floor", "layer": 3},
+    {"id": "lift", "blueprint": "plain", "position": [3, 4.25], "angle": 0.5, "velocity": [0, 1],
+     "kind": "dynamic", "material": {"restitution": 0.5}, "filter": {"mask": 1}},
+    {"id": "b", "blueprint": "blob", "position": [-3, 6]},
+    {"id": "r", "blueprint": "rope"},
+    {"id": "crate", "blueprint": "box", "position": [8, 2],
+     "state": {"positions": [[7.3, 2], [8.7, 2], [8.7, 2.6], [7.3, 2.6]],
+               "velocities": [[1, 0], [1, 0], [1, 0.125], [1, 0]], "when": 1}}
+  ],
+  "connections": [
+    {"a": ["b", 0], "b": ["crate", 3], "stiffness": 40, "damping": 1, "restLength": 2,
+     "radius": 0.02, "strength": 3000, "colour": "blue"}
+  ],
+  "attachments": [
+    {"particle": ["r", 4], "body": "crate", "point": [0.25, -0.1], "hook": []}
+  ],
+  "level": {
+    "spawn": [1, 2],
+    "exit": {"id": "door", "at": [9, 9]}
+  }
+}
+)";
+
+/// The error that `run` throws, or one with an empty message when it throws none.
+inline ReadError errorOf(const std::function<void()>& run) {
+    try {
+        run();
+    } catch (const ReadError& error) {
+        return error;
+    }
+    return ReadError("", 0, "", "");
+}
+
+inline ReadError errorOf(const std::string& text) {
+    return errorOf([&] { parse(text, "test.json"); });
+}
+
+/// `text` with its only `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    if (at == std::string::npos || text.find(from, at + 1) != std::string::npos)
+        throw std::logic_error("not there exactly once: " + from);
+    return text.replace(at, from.size(), to);
+}
+
+}  // namespace sulfur::scene::testing
