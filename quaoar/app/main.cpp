@@ -1,0 +1,123 @@
+// quaoar: plays Escape from Quaoar, verifies its levels, takes pictures of them.
+#include <CLI/CLI.hpp>
+#include <atlax/backend.hpp>
+#include <cstdio>
+#include <quaoar/view/art.hpp>
+#include <sulfur/version.hpp>
+
+#include "commands.hpp"
+#include "game.hpp"
+
+namespace {
+
+struct Arguments {
+    std::string level;
+    bool headless = false;
+    std::vector<std::string> verify;
+    std::string screenshot;
+    double at = 0;
+    std::string replay;
+    std::string size = "1280x720";
+    std::string record;
+    std::string play;
+    bool fullscreen = false;
+};
+
+void describe(CLI::App& app, Arguments& arguments) {
+    app.set_version_flag("--version", std::string("quaoar ") + sulfur::version());
+    app.add_option("--level", arguments.level, "Level file; the first level when not given")
+        ->type_name("FILE");
+    auto* headless =
+        app.add_flag("--headless", arguments.headless, "No window; only together with --verify");
+    auto* verify = app.add_option("--verify", arguments.verify,
+                                  "Replay the proof beside each level file and tell whether it "
+                                  "finishes")
+                       ->type_name("FILE...");
+    headless->needs(verify);
+    auto* screenshot = app.add_option("--screenshot", arguments.screenshot,
+                                      "Draw one picture offscreen and write it as PNG")
+                           ->type_name("OUT.png");
+    app.add_option("--at", arguments.at, "Seconds after the start at which the picture is taken")
+        ->check(CLI::Range(0.0, 3600.0))
+        ->needs(screenshot);
+    app.add_option("--replay", arguments.replay, "Recording that is played up to the picture")
+        ->type_name("FILE")
+        ->needs(screenshot);
+    app.add_option("--size", arguments.size, "Size of the picture or the window in pixels")
+        ->type_name("WIDTHxHEIGHT");
+    app.add_option("--record", arguments.record, "Write the inputs of the last attempt")
+        ->type_name("FILE");
+    app.add_option("--play", arguments.play, "Watch a recording")->type_name("FILE");
+    app.add_flag("--fullscreen", arguments.fullscreen, "Fill the screen");
+    app.footer(
+        "Mouse: aim, hold left to fire.  W S: reel.  A D: swing.  R: again.  Esc: pause.\n"
+        "Levels are searched in $QUAOAR_LEVELS, the installed and the source folder.");
+}
+
+atlax::PixelSize readSize(const std::string& text) {
+    int width = 0, height = 0;
+    char rest = 0;
+    const int read = std::sscanf(text.c_str(), "%5dx%5d%c", &width, &height, &rest);
+    if (read != 2 || width < 64 || width > 8192 || height < 64 || height > 8192) {
+        throw std::runtime_error("--size \"" + text +
+                                 "\" is no size; allowed is WIDTHxHEIGHT, each from 64 to 8192");
+    }
+    return {width, height};
+}
+
+/// A file as given, or a level of the game by its name.
+std::filesystem::path levelFile(const Arguments& arguments) {
+    if (!arguments.level.empty()) return arguments.level;
+    return quaoar::levelAssets().find("01-cold-wake.json");
+}
+
+int playGame(const Arguments& arguments) {
+    quaoar::GameOptions options;
+    options.level = std::make_shared<const quaoar::Level>(quaoar::readLevel(levelFile(arguments)));
+    options.skipTitle = !arguments.level.empty();
+    if (!arguments.record.empty()) options.record = arguments.record;
+    if (!arguments.play.empty()) {
+        options.replay =
+            std::make_shared<const quaoar::Recording>(quaoar::Recording::read(arguments.play));
+        quaoar::requireMatch(*options.level, *options.replay);
+    }
+    quaoar::Game game(std::move(options));
+    atlax::WindowOptions window;
+    window.title = "Escape from Quaoar";
+    window.size = readSize(arguments.size);
+    window.fullscreen = arguments.fullscreen;
+    window.tickRateHz = quaoar::Session::tickRate;
+    return atlax::run(game, window);
+}
+
+int runProgram(const Arguments& arguments) {
+    if (!arguments.verify.empty()) {
+        return quaoar::verifyLevels({arguments.verify.begin(), arguments.verify.end()});
+    }
+    if (!arguments.screenshot.empty()) {
+        quaoar::PictureOptions picture;
+        picture.file = arguments.screenshot;
+        picture.level = levelFile(arguments);
+        picture.at = arguments.at;
+        if (!arguments.replay.empty()) picture.replay = arguments.replay;
+        picture.size = readSize(arguments.size);
+        quaoar::takePicture(picture);
+        return 0;
+    }
+    return playGame(arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Arguments arguments;
+    CLI::App app("Escape from Quaoar: a game of ropes on a dwarf planet", "quaoar");
+    describe(app, arguments);
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return runProgram(arguments);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "quaoar: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,87 @@
+// A level: a scene of the physics library with what the game adds to it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <sulfur/scene.hpp>
+#include <vector>
+
+namespace quaoar {
+
+/// How the surface of a body looks and whether the rope holds on it.
+struct Surface {
+    enum class Look : std::uint8_t { ice, mirror, metal, rock, peg };
+    bool sticky = true;
+    Look look = Look::ice;
+};
+
+/// A sentence that floats in the world.
+struct Hint {
+    sulfur::Point position{0, 0};  ///< metres, the middle of the text
+    std::string text;
+};
+
+/// Where the level ends.
+struct Exit {
+    sulfur::Point position{0, 0};  ///< metres
+    double radius = 0.5;           ///< metres: the hero's middle must come this near
+};
+
+/// Times in seconds that earn a medal, each at least as long as the one before.
+struct MedalTimes {
+    double gold = 0;
+    double silver = 0;
+    double bronze = 0;
+};
+
+enum class Medal : std::uint8_t { none, bronze, silver, gold };
+/// "gold", "silver", "bronze" or "none".
+const char* name(Medal medal);
+
+/// Colours of the sky and the ice as 0xRRGGBB.
+struct Theme {
+    std::uint32_t skyTop = 0x0B1026;
+    std::uint32_t skyBottom = 0x1F3A5F;
+    std::uint32_t ice = 0x1F3A5F;
+    std::uint32_t rim = 0xE8F4FF;
+    std::uint32_t seed = 1;  ///< of stars, mountains and cracks
+};
+
+/// Everything of one level. Plain data; reading it has checked all of it.
+struct Level {
+    sulfur::scene::Scene scene;
+    std::string id;  ///< file name without folder and extension
+    std::string name;
+    int number = 0;
+    sulfur::Point spawn{0, 0};  ///< metres: the hero's middle
+    Exit exit;
+    sulfur::Point boundsMin{0, 0};  ///< metres: what the camera may show
+    sulfur::Point boundsMax{0, 0};
+    double viewHeight = 5;  ///< metres over the height of the screen
+    double killDepth = 0;   ///< metres: below this height the attempt ends
+    std::vector<Hint> hints;
+    MedalTimes medals;
+    std::map<std::string, Surface, std::less<>> surfaces;  ///< by id of a body
+    Theme theme;
+    std::uint64_t contentHash = 0;  ///< of the file's bytes
+
+    /// The surface of a body of the scene; sticky ice when the level says nothing about it.
+    Surface surface(std::string_view bodyId) const;
+    /// The medal for a time in seconds.
+    Medal medalFor(double seconds) const;
+};
+
+/// Reads a level file: a scene (see sulfur/scene) with a top-level member "level", described by
+/// levels/level.schema.json. Throws sulfur::scene::ReadError naming file, line, object and remedy.
+Level readLevel(const std::filesystem::path& file);
+
+/// The same from a text; `id` and messages use the name of the file.
+Level parseLevel(const std::string& text, const std::filesystem::path& file);
+
+/// 64-bit FNV-1a.
+std::uint64_t contentHash(std::string_view bytes);
+
+}  // namespace quaoar

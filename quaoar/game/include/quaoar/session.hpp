@@ -1,0 +1,135 @@
+// One attempt at a level: the rules of the game on one world, without a window.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <quaoar/hero.hpp>
+#include <quaoar/level.hpp>
+#include <quaoar/rope.hpp>
+#include <quaoar/tick_input.hpp>
+#include <sulfur/world.hpp>
+
+namespace quaoar {
+
+/// Where the rope would land if it were fired now.
+struct AimPreview {
+    sulfur::Point from{0, 0};
+    sulfur::Point to{0, 0};  ///< on the first surface, or as far as the rope reaches
+    bool hits = false;       ///< something is in reach
+    bool sticks = false;     ///< and the rope would hold on it
+};
+
+/// What happened in the last tick, for sounds and sparks.
+struct TickEvents {
+    bool fired = false;
+    bool stuck = false;
+    bool slipped = false;  ///< hit a surface on which the rope does not hold
+    bool missed = false;   ///< flew to its end
+    bool released = false;
+    bool finished = false;
+    bool restarted = false;
+    float impact = 0;  ///< m/s at which the hero began to touch something, 0: it did not
+};
+
+/// The game, 500 ticks a second. The same level and the same inputs give the same hash() on every
+/// machine. Not thread-safe; sessions are independent of each other.
+class Session : private Rope::Grip {
+public:
+    static constexpr int tickRate = 500;
+    /// A shot that is asked for this many ticks too early (the last one is still on its way back)
+    /// is fired as soon as it can be: 120 ms.
+    static constexpr int inputBuffer = 60;
+    /// Ticks after a miss or a slip before the arm can shoot again: 80 ms.
+    static constexpr int cooldown = 40;
+
+    enum class Phase : std::uint8_t { playing, finished };
+
+    /// Keeps the level. Throws what sulfur::scene::instantiate throws.
+    explicit Session(std::shared_ptr<const Level> level);
+    ~Session() override;
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    /// One tick. After the finish the world goes on without the player.
+    void tick(const TickInput& input);
+    /// Back to the spawn: everything is as in a new session.
+    void restart();
+
+    const Level& level() const { return *level_; }
+    Phase phase() const { return state_.phase; }
+    /// Ticks since the start of the attempt.
+    std::uint64_t ticks() const { return state_.ticks; }
+    /// Ticks since the player first did something, up to the finish.
+    std::uint64_t timerTicks() const;
+    /// The same in seconds: what medals are given for.
+    double seconds() const { return static_cast<double>(timerTicks()) / tickRate; }
+    Medal medal() const;
+    /// Times that this session went back to the spawn. Not part of the hash.
+    int restarts() const { return restarts_; }
+
+    sulfur::World& world() { return *world_; }
+    const sulfur::World& world() const { return *world_; }
+    const sulfur::scene::Instance& instance() const { return instance_; }
+    sulfur::BodyId hero() const { return hero_; }
+    /// The particle in the middle of the hero, where the rope is tied.
+    sulfur::ParticleId hand() const { return hand_; }
+    sulfur::Point heroPosition() const { return world_->position(hand_); }
+    sulfur::Vec2 heroVelocity() const { return world_->meanVelocity(hero_); }
+    const Rope& rope() const { return rope_; }
+    /// The last tick's aim, of unit length.
+    sulfur::Vec2 aim() const { return state_.aim; }
+    AimPreview preview(sulfur::Vec2 direction) const;
+    const TickEvents& events() const { return events_; }
+
+    /// A 64-bit hash of everything that decides how the game goes on.
+    std::uint64_t hash() const;
+
+    /// Everything that decides how the game goes on, for search programs and rewinding.
+    struct Snapshot;
+    std::shared_ptr<const Snapshot> snapshot() const;
+    /// Goes on from a snapshot of this very session.
+    void restore(const Snapshot& snapshot);
+
+private:
+    struct State {
+        Phase phase = Phase::playing;
+        std::uint64_t ticks = 0;
+        std::uint64_t firstAction = 0;  ///< tick + 1 of the player's first action; 0: none yet
+        std::uint64_t finishTick = 0;
+        int buffer = 0;    ///< ticks for which a press is still remembered
+        int cooldown = 0;  ///< ticks until the arm can shoot
+        bool fireHeld = false;
+        sulfur::Vec2 aim{1, 0};
+    };
+
+    bool holds(sulfur::BodyId body) const override;
+    void build();
+    void act(const TickInput& input);
+    void updateRope(const TickInput& input);
+    void pushHero(const TickInput& input);
+    void limitSpeed();
+    void noticeImpact();
+    void judge();
+
+    std::shared_ptr<const Level> level_;
+    HeroRules heroRules_;
+    std::unique_ptr<sulfur::World> world_;
+    sulfur::scene::Instance instance_;
+    std::vector<sulfur::BodyId> slippery_;
+    sulfur::BodyId hero_;
+    sulfur::ParticleId hand_;
+    Rope rope_;
+    State state_;
+    TickEvents events_;
+    std::shared_ptr<const Snapshot> start_;
+    int restarts_ = 0;
+};
+
+struct Session::Snapshot {
+    sulfur::Snapshot world;
+    Rope rope;
+    State state;
+};
+
+}  // namespace quaoar
