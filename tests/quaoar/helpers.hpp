@@ -1,0 +1,97 @@
+// What the game's tests share: a small level, and a hand that plays.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <quaoar/level.hpp>
+#include <quaoar/recording.hpp>
+#include <quaoar/session.hpp>
+#include <sstream>
+#include <string>
+
+namespace quaoar::test {
+
+/// A closed room of 8 by 3 m with a crate, lines numbered for the tests of messages.
+inline const std::string roomText = R"({
+  "format": "sulfur-scene",
+  "version": 1,
+  "level": {
+    "name": "Room",
+    "number": 1,
+    "spawn": [0, 0.3],
+    "exit": {"position": [3.2, 0.3], "radius": 0.4},
+    "bounds": {"min": [-4, -1], "max": [4, 4]},
+    "killDepth": -3,
+    "medals": {"gold": 5, "silver": 10, "bronze": 20}
+  },
+  "blueprints": {
+    "room": {"shape": "ground", "kind": "fixed", "closed": true,
+             "points": [[-4, 0], [4, 0], [4, 3], [-4, 3]]},
+    "box": {"shape": "box", "size": [0.4, 0.4], "mass": 1}
+  },
+  "bodies": [
+    {"id": "room", "blueprint": "room"},
+    {"id": "box-1", "blueprint": "box", "position": [-2, 0.3]}
+  ]
+}
+)";
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error("the test's own text lacks: " + from);
+    return text.replace(at, from.size(), to);
+}
+
+inline std::shared_ptr<const Level> room(const std::string& text = roomText) {
+    return std::make_shared<const Level>(parseLevel(text, "room.json"));
+}
+
+inline std::filesystem::path levelsFolder() {
+    return QUAOAR_TEST_LEVELS;
+}
+
+inline std::shared_ptr<const Level> firstLevel() {
+    return std::make_shared<const Level>(readLevel(levelsFolder() / "01-cold-wake.json"));
+}
+
+/// A folder of its own for every test, removed afterwards.
+class Folder {
+public:
+    explicit Folder(const std::string& name)
+        : path_(std::filesystem::temp_directory_path() /
+                ("quaoar-test-" + name + "-" + std::to_string(::getpid()))) {
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() { std::filesystem::remove_all(path_); }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+inline void writeText(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+inline std::string readText(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// Aims and holds fire.
+inline TickInput fireAt(double x, double y) {
+    TickInput input;
+    setAim(input, x, y);
+    input.fire = true;
+    return input;
+}
+
+inline void play(Session& session, const TickInput& input, int ticks) {
+    for (int n = 0; n < ticks; ++n) session.tick(input);
+}
+
+}  // namespace quaoar::test
