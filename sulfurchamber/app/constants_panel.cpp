@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../model/geometry.hpp"
 #include "icons.hpp"
 
 namespace sulfurchamber {
@@ -186,7 +187,7 @@ void ConstantsPanel::addRow(std::unique_ptr<Row> made, wxSizer* sizer) {
     rows_.push_back(std::move(made));
     auto* top = new wxBoxSizer(wxHORIZONTAL);
     auto* name = new wxStaticText(this, wxID_ANY, row->name);
-    row->number = new wxTextCtrl(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(64, -1)),
+    row->number = new wxTextCtrl(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(62, -1)),
                                  wxTE_RIGHT | wxTE_PROCESS_ENTER);
     auto* unit =
         new wxStaticText(this, wxID_ANY, row->unit, wxDefaultPosition, FromDIP(wxSize(34, -1)));
@@ -243,11 +244,15 @@ void ConstantsPanel::refresh() {
     for (const auto& row : rows_) row->show();
     const sulfur::World& world = bench_.document().world();
     const sulfur::Statistics& s = world.statistics();
+    const Totals sums = totals(world);
     const std::vector<wxString> values{
-        wxString::Format("%u", s.bodies),
-        wxString::Format("%u", s.awakeParticles),
-        wxString::Format("%u", s.rigidJoints),
-        wxString::Format("%u", s.explicitJoints + s.implicitJoints),
+        wxString::Format("%zu", sums.bodies),
+        wxString::Format(
+            "%u of %zu",
+            world.ticks() == 0 ? static_cast<unsigned>(sums.particles) : s.awakeParticles,
+            sums.particles),
+        wxString::Format("%zu", sums.rigidJoints),
+        wxString::Format("%zu", sums.elasticJoints),
         wxString::Format("%.3g J", world.energy()),
         wxString::Format("%.1f %% of a core", view_.physicsLoad() * 100),
         wxString::Format("%.0f 1/s", view_.framesPerSecond()),

@@ -90,9 +90,9 @@ void MainFrame::makeBars() {
                      action.checked ? wxITEM_CHECK : wxITEM_NORMAL);
     };
     // In the order of use, not of the menus.
-    static constexpr std::array<const char*, 17> order{
-        "new",  "open", "save", "",    "undo", "redo",       "",       "reset", "play",
-        "tick", "slow", "",     "fit", "grid", "velocities", "strain", ""};
+    static constexpr std::array<const char*, 16> order{
+        "new",  "open", "save", "", "undo", "redo", "",           "reset",
+        "play", "tick", "slow", "", "fit",  "grid", "velocities", "strain"};
     for (const std::string name : order) {
         if (name.empty()) toolBar_->AddSeparator();
         for (const Action& action : actions_)
@@ -130,8 +130,8 @@ void MainFrame::makePanels() {
                                      .Right()
                                      .CaptionVisible(false)
                                      .CloseButton(false)
-                                     .BestSize(FromDIP(wxSize(280, 600)))
-                                     .MinSize(FromDIP(wxSize(240, 200))));
+                                     .BestSize(FromDIP(wxSize(312, 600)))
+                                     .MinSize(FromDIP(wxSize(300, 200))));
     manager_.Update();
 }
 

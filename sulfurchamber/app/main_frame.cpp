@@ -3,8 +3,6 @@
 #include <wx/aboutdlg.h>
 #include <wx/app.h>
 #include <wx/config.h>
-#include <wx/dcmemory.h>
-#include <wx/dcscreen.h>
 #include <wx/image.h>
 #include <wx/menu.h>
 #include <wx/msgdlg.h>
@@ -15,8 +13,8 @@
 #include <atlax/backend.hpp>
 #include <atlax/log.hpp>
 #include <cctype>
-#include <stdexcept>
 
+#include "../model/geometry.hpp"
 #include "chamber_app.hpp"
 #include "icons.hpp"
 
@@ -61,6 +59,7 @@ MainFrame::~MainFrame() {
 void MainFrame::finish(int exitCode) {
     if (exitCode != 0) chamberApp().setExitCode(exitCode);
     setOnFrame({});
+    manager_.UnInit();
     Destroy();
 }
 
@@ -178,10 +177,11 @@ void MainFrame::refreshActions() {
 void MainFrame::refreshStatus() {
     const sulfur::World& world = bench_.document().world();
     const sulfur::Statistics& s = world.statistics();
+    const Totals sums = totals(world);
     const std::array<wxString, 4> texts{
         wxString::FromUTF8(bench_.hint()),
-        wxString::Format("%u particles   %u joints   %u contacts", s.particles, s.joints,
-                         s.contacts),
+        wxString::Format("%zu particles   %zu joints   %u contacts", sums.particles,
+                         sums.rigidJoints + sums.elasticJoints, s.contacts),
         wxString::Format("%.0f %% of real time",
                          view_.realTimeShare() * view_.speedPermille() / 10.0),
         wxString::Format("%d Hz", world.settings().tickRate)};
@@ -207,18 +207,6 @@ void MainFrame::tellInDialog(const std::string& problem, const wxString& title) 
     wxMessageDialog dialog(this, title, "SulfurChamber", wxOK | wxICON_ERROR);
     dialog.SetExtendedMessage(wxString::FromUTF8(problem));
     dialog.ShowModal();
-}
-
-void MainFrame::screenshot(const std::filesystem::path& file) {
-    wxScreenDC screen;
-    const wxRect place = GetScreenRect();
-    wxBitmap picture(place.GetSize());
-    {
-        wxMemoryDC memory(picture);
-        memory.Blit(wxPoint(0, 0), place.GetSize(), &screen, place.GetPosition());
-    }
-    if (!picture.ConvertToImage().SaveFile(wxString::FromUTF8(file.string()), wxBITMAP_TYPE_PNG))
-        throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 void MainFrame::about() {

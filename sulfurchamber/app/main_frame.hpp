@@ -56,8 +56,6 @@ public:
     bool openFile(const std::filesystem::path& file);
     /// Saves; the reason of a failure is shown.
     bool saveFile(const std::filesystem::path& file);
-    /// Writes what the window looks like on the screen as PNG. Throws std::runtime_error.
-    void screenshot(const std::filesystem::path& file);
     /// What was last told to be wrong; empty at the start.
     const std::string& lastProblem() const { return lastProblem_; }
     /// After each frame, for scripts.

@@ -16,18 +16,12 @@ public:
     void start(atlax::Platform& platform) override {
         platform_ = &platform;
         view_.start(platform);
+        view_.pauseAt(options_.at);
     }
     void event(const atlax::Event& event) override { view_.event(event); }
-    void tick() override {
-        if (bench_.document().world().time() < options_.at)
-            view_.tick();
-        else
-            bench_.document().pause();
-    }
+    void tick() override { view_.tick(); }
     void draw(atlax::Canvas& canvas, double alpha) override {
-        const bool due = bench_.document().world().time() >= options_.at;
-        if (due) {
-            bench_.document().pause();
+        if (!bench_.document().playing()) {
             if (asked_)
                 platform_->quit();
             else

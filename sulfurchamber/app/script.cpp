@@ -5,8 +5,10 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "chamber_app.hpp"
+#include "screen_picture.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -73,29 +75,34 @@ double Script::number(const std::string& word) {
 }
 
 void Script::step() {
-    const std::size_t line = next_ == 0 ? 0 : next_ - 1;
-    std::size_t current = line;
+    if (busy_) return;
+    busy_ = true;
+    std::size_t current = next_ == 0 ? 0 : next_ - 1;
     try {
-        if (waiting_) {
-            if (++waitedFrames_ > patience) fail("nothing happened within 3000 frames");
-            if (!waiting_()) return;
-            waiting_ = nullptr;
-            return;
-        }
-        if (next_ == lines_.size()) {
+        if (waiting_)
+            goOn();
+        else if (next_ == lines_.size())
             frame_.finish(0);
-            return;
-        }
-        current = next_++;
-        start(lines_[current].words);
+        else
+            start(lines_[current = next_++].words);
     } catch (const std::exception& error) {
         std::cerr << name_ << ":" << lines_[current].number << ": " << error.what() << "\n";
         frame_.finish(1);
     }
+    busy_ = false;
 }
 
-void Script::waitFor(std::function<bool()> done) {
+void Script::goOn() {
+    if (++waitedFrames_ > patience) fail("nothing happened within 3000 frames");
+    if (!waiting_()) return;
+    waiting_ = nullptr;
+    // May begin the next wait.
+    if (const auto then = std::exchange(then_, nullptr)) then();
+}
+
+void Script::waitFor(std::function<bool()> done, std::function<void()> then) {
     waiting_ = std::move(done);
+    then_ = std::move(then);
     waitedFrames_ = 0;
 }
 
@@ -116,11 +123,7 @@ void Script::start(const Words& words) {
 // --- pointer and keys ------------------------------------------------------------------------
 
 void Script::waitForFrames(int frames, std::function<void()> then) {
-    waitFor([frames, then = std::move(then)]() mutable {
-        if (--frames > 0) return false;
-        if (then) then();
-        return true;
-    });
+    waitFor([frames]() mutable { return --frames <= 0; }, std::move(then));
 }
 
 void Script::moveMouse(const sulfur::Point& at, std::function<void()> then) {
@@ -136,26 +139,24 @@ void Script::moveMouse(const sulfur::Point& at, std::function<void()> then) {
     // The pointer may be there already, then no event comes: it goes beside first.
     simulator_.MouseMove(screen.x + 1, screen.y);
     simulator_.MouseMove(screen.x, screen.y);
-    waitFor([this, target, scale, then = std::move(then)] {
+    const auto arrived = [this, target, scale, screen, calls = 0]() mutable {
+        // Motion events are hints that the server may merge: a lost one is asked for again.
+        if (++calls % 20 == 0) {
+            simulator_.MouseMove(screen.x + 1, screen.y);
+            simulator_.MouseMove(screen.x, screen.y);
+        }
         const auto seen = frame_.sceneView().mousePixels();
-        if (!seen || std::lround(static_cast<double>(seen->x) / scale) != target.x ||
-            std::lround(static_cast<double>(seen->y) / scale) != target.y)
-            return false;
-        // What follows may begin another wait; this one is over then.
-        frame_.CallAfter(then);
-        return true;
-    });
+        return seen && std::lround(static_cast<double>(seen->x) / scale) == target.x &&
+               std::lround(static_cast<double>(seen->y) / scale) == target.y;
+    };
+    waitFor(arrived, std::move(then));
 }
 
 void Script::press(const sulfur::Point& at, std::function<void()> then) {
     moveMouse(at, [this, then = std::move(then)] {
         const std::uint64_t before = frame_.sceneView().buttonEvents();
         simulator_.MouseDown();
-        waitFor([this, before, then] {
-            if (frame_.sceneView().buttonEvents() == before) return false;
-            frame_.CallAfter(then);
-            return true;
-        });
+        waitFor([this, before] { return frame_.sceneView().buttonEvents() != before; }, then);
     });
 }
 
@@ -179,11 +180,8 @@ bool Script::startPointer(const Words& words) {
         press(point(1), [this, to = point(3), seconds, releaseNow] {
             moveMouse(to, [this, seconds, releaseNow] {
                 const auto& world = frame_.bench().document().world();
-                waitFor([this, &world, until = world.time() + seconds, releaseNow] {
-                    if (world.time() < until) return false;
-                    frame_.CallAfter(releaseNow);
-                    return true;
-                });
+                waitFor([&world, until = world.time() + seconds] { return world.time() >= until; },
+                        releaseNow);
             });
         });
     } else if (words[0] == "wheel" && words.size() == 4) {
@@ -216,16 +214,14 @@ bool Script::startWorld(const Words& words) {
         const double seconds = number(words[1]);
         if (!(seconds > 0)) return true;
         document.play();
-        const double until = document.world().time() + seconds;
+        frame_.sceneView().pauseAt(document.world().time() + seconds);
         // Playing is slow only where the machine is: the patience is for what does not move.
         double last = -1;
-        waitFor([this, until, last]() mutable {
-            Document& playing = frame_.bench().document();
-            if (playing.world().time() != last) waitedFrames_ = 0;
-            last = playing.world().time();
-            if (last < until) return false;
-            playing.pause();
-            return true;
+        waitFor([this, last]() mutable {
+            const Document& running = frame_.bench().document();
+            if (running.world().time() != last) waitedFrames_ = 0;
+            last = running.world().time();
+            return !running.playing();
         });
     } else if (words[0] == "set" && words.size() == 3) {
         Constants constants = document.constants();
@@ -258,7 +254,7 @@ bool Script::startFile(const Words& words) {
     } else if (words[0] == "save") {
         if (!frame_.saveFile(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "screenshot") {
-        waitForFrames(8, [this, file = words[1]] { frame_.screenshot(file); });
+        waitForFrames(8, [this, file = words[1]] { saveScreen(frame_.GetScreenRect(), file); });
     } else {
         return false;
     }

@@ -34,13 +34,15 @@ private:
     };
 
     void step();
+    void goOn();
     void start(const Words& words);
     bool startPointer(const Words& words);
     bool startWorld(const Words& words);
     bool startFile(const Words& words);
     void expect(const Words& words);
     double quantity(const std::string& name) const;
-    void waitFor(std::function<bool()> done);
+    /// Goes on with `then` once `done` says so.
+    void waitFor(std::function<bool()> done, std::function<void()> then = {});
     void press(const sulfur::Point& at, std::function<void()> then);
     void moveMouse(const sulfur::Point& at, std::function<void()> then);
     void waitForFrames(int frames, std::function<void()> then);
@@ -52,7 +54,9 @@ private:
     std::vector<Line> lines_;
     std::size_t next_ = 0;
     std::function<bool()> waiting_;
+    std::function<void()> then_;
     std::uint64_t waitedFrames_ = 0;
+    bool busy_ = false;  // the simulator lets events through while it works
     wxUIActionSimulator simulator_;
 };
 

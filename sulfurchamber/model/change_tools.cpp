@@ -1,4 +1,7 @@
 // Tools that change what is there: pin, cut, erase.
+#include <algorithm>
+#include <cmath>
+
 #include "geometry.hpp"
 #include "tool.hpp"
 
@@ -59,12 +62,24 @@ public:
     using Tool::Tool;
     void press(const Pointer& pointer) override {
         erasing_ = true;
+        last_ = pointer.position;
         erase(pointer);
     }
     void move(const Pointer& pointer) override {
-        if (erasing_) erase(pointer);
+        if (!erasing_) return;
+        // A quick hand leaves no gaps: everything on the way is erased.
+        const Point way = pointer.position - last_;
+        const double step = std::max(pointer.reach, 1e-3);
+        const int steps = std::clamp(static_cast<int>(std::ceil(way.norm() / step)), 1, 500);
+        for (int i = 1; i <= steps; ++i) {
+            Pointer between = pointer;
+            between.position = last_ + way * (static_cast<double>(i) / steps);
+            erase(between);
+        }
+        last_ = pointer.position;
     }
-    void release(const Pointer&) override {
+    void release(const Pointer& pointer) override {
+        move(pointer);
         if (changed_) document().commit();
         erasing_ = changed_ = false;
     }
@@ -84,6 +99,7 @@ private:
         bench().documentChanged();
     }
 
+    Point last_{0, 0};
     bool erasing_ = false;
     bool changed_ = false;
 };

@@ -62,6 +62,25 @@ std::vector<std::uint32_t> walkLoop(const std::map<std::uint32_t, std::vector<st
     return closed ? loop : std::vector<std::uint32_t>{};
 }
 
+// What hangs on one pin swings to both sides of it.
+void includeSwing(const World& world, BodyId body, Bounds& bounds) {
+    std::optional<Point> pin;
+    for (const ParticleId particle : world.particles(body)) {
+        const auto info = world.info(particle);
+        if (!info.pinned) continue;
+        if (pin) return;
+        pin = info.position;
+    }
+    if (!pin) return;
+    double length = 0;
+    for (const ParticleId particle : world.particles(body)) {
+        const auto info = world.info(particle);
+        length = std::max(length, (info.position - *pin).norm() + static_cast<double>(info.radius));
+    }
+    bounds.include(*pin - Point(length, length));
+    bounds.include(*pin + Point(length, 0));
+}
+
 void includeGround(const World& world, Bounds& bounds) {
     const Point size = bounds.size();
     const Bounds moving = bounds;
@@ -192,11 +211,22 @@ bool inside(const std::vector<Point>& polygon, const Point& point) {
     return in;
 }
 
+Totals totals(const World& world) {
+    Totals sums;
+    sums.bodies = world.bodies().size();
+    for (const BodyId body : world.bodies()) sums.particles += world.particles(body).size();
+    forEachJoint(world, [&](JointId, const sulfur::JointInfo& info) {
+        ++(std::isfinite(info.stiffness) ? sums.elasticJoints : sums.rigidJoints);
+    });
+    return sums;
+}
+
 std::optional<Bounds> interestingBounds(const World& world) {
     constexpr double inf = std::numeric_limits<double>::infinity();
     Bounds moving{{inf, inf}, {-inf, -inf}};
     Bounds standing = moving;
-    for (const BodyId body : world.bodies())
+    for (const BodyId body : world.bodies()) {
+        if (world.kind(body) == sulfur::BodyKind::dynamic) includeSwing(world, body, moving);
         for (const ParticleId particle : world.particles(body)) {
             const auto info = world.info(particle);
             const Point radius(static_cast<double>(info.radius), static_cast<double>(info.radius));
@@ -204,9 +234,12 @@ std::optional<Bounds> interestingBounds(const World& world) {
             bounds.include(info.position - radius);
             bounds.include(info.position + radius);
         }
+    }
     if (moving.low.x() > moving.high.x()) {
         if (standing.low.x() > standing.high.x()) return std::nullopt;
-        return standing;
+        const double middle = standing.centre().x();
+        const double half = std::min(standing.size().x() / 2, 5.0);
+        return Bounds{{middle - half, standing.low.y()}, {middle + half, standing.high.y() + 5}};
     }
     includeGround(world, moving);
     return moving;

@@ -55,8 +55,18 @@ std::vector<std::vector<std::uint32_t>> outlines(const sulfur::World& world, sul
 /// Whether a point lies inside a closed polygon.
 bool inside(const std::vector<sulfur::Point>& polygon, const sulfur::Point& point);
 
+/// How much there is, also before the first tick.
+struct Totals {
+    std::size_t bodies = 0;
+    std::size_t particles = 0;
+    std::size_t rigidJoints = 0;
+    std::size_t elasticJoints = 0;
+};
+Totals totals(const sulfur::World& world);
+
 /// All that one wants to see: everything that moves, and the ground below and near it. Nothing
-/// for an empty world.
+/// for an empty
+/// world; a few metres above the middle of the ground where nothing moves.
 std::optional<Bounds> interestingBounds(const sulfur::World& world);
 
 }  // namespace sulfurchamber

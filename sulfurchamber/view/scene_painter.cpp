@@ -88,8 +88,8 @@ ScenePainter::Posed ScenePainter::pose(const World& world, BodyId body) {
         posed.fill = palette::steel;
         posed.rim = atlax::mix(palette::steel, palette::sky, 0.45f);
     } else if (posed.look->soft) {
-        posed.fill = atlax::mix(palette::deep, palette::amber, 0.42f + 0.16f * light);
-        posed.rim = palette::amber;
+        posed.fill = atlax::mix(palette::deep, palette::amber, 0.66f + 0.16f * light);
+        posed.rim = atlax::mix(palette::amber, palette::ice, 0.35f);
     } else if (posed.kind == sulfur::BodyKind::kinematic) {
         posed.fill = atlax::mix(palette::steel, palette::cold, 0.25f);
         posed.rim = palette::cold;
@@ -164,7 +164,8 @@ void ScenePainter::paintJoints(const Posed& body) {
         const Vec2 a = place(info.a);
         const Vec2 b = place(info.b);
         if (atlax::length(b - a) < innerJointPixels * pixel_) continue;
-        canvas_->line(a, b, pixel_, body.rim.withAlpha(0.28f));
+        canvas_->line(a, b, pixel_,
+                      body.look->soft ? palette::deep.withAlpha(0.22f) : body.rim.withAlpha(0.28f));
     }
 }
 

@@ -47,7 +47,9 @@ void SceneView::setSpeedPermille(int permille) {
 void SceneView::singleTick() {
     bench_.document().pause();
     applyTime();
-    if (platform_ != nullptr) platform_->clock().singleTick();
+    if (platform_ == nullptr) return;
+    platform_->clock().singleTick();
+    ++singles_;
 }
 
 double SceneView::realTimeShare() const {
@@ -174,7 +176,17 @@ void SceneView::fit(atlax::PixelSize size) {
 
 // --- time and drawing ------------------------------------------------------------------------
 
+// The clock may have more ticks due in this frame when the document has just been paused.
 void SceneView::tick() {
+    Document& document = bench_.document();
+    const double now =
+        document.world().time() + static_cast<double>(document.world().tickDuration()) / 2;
+    if (pauseAt_ && document.playing() && now >= *pauseAt_) {
+        pauseAt_.reset();
+        document.pause();
+    }
+    if (!document.playing() && singles_ == 0) return;
+    singles_ = std::max(0, singles_ - 1);
     guarded([&] { bench_.tick(); });
 }
 

@@ -47,6 +47,8 @@ public:
     int speedPermille() const { return speedPermille_; }
     /// One tick with the next frame, pausing before it.
     void singleTick();
+    /// Pauses at this simulated time, to the tick; while playing only.
+    void pauseAt(double seconds) { pauseAt_ = seconds; }
     /// Share of real time that the simulation reaches while it plays: 1 keeps up.
     double realTimeShare() const;
     /// Share of one core that the ticks take.
@@ -82,6 +84,8 @@ private:
     bool fitPending_ = true;
     bool snapping_ = false;
     int speedPermille_ = 1000;
+    int singles_ = 0;  // ticks asked for while paused
+    std::optional<double> pauseAt_;
     std::uint64_t buttonEvents_ = 0;
 };
 

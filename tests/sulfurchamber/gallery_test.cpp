@@ -1,0 +1,50 @@
+// Every example can be read and played.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "model/document.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+class Gallery : public testing::TestWithParam<const char*> {};
+
+TEST_P(Gallery, ReadsAndPlaysTwoSeconds) {
+    Document document;
+    document.open(std::filesystem::path(SULFURCHAMBER_SCENES) /
+                  (std::string(GetParam()) + ".json"));
+    EXPECT_FALSE(document.scene().title.empty());
+    EXPECT_FALSE(document.scene().description.empty());
+    EXPECT_TRUE(sulfur::scene::unknownKeys(document.scene()).empty());
+    const auto before = document.world().hash();
+    const int ticks = 2 * document.world().settings().tickRate;
+    for (int i = 0; i < ticks; ++i) document.tick();
+    EXPECT_EQ(document.world().validate(), "");
+    EXPECT_TRUE(std::isfinite(document.world().energy()));
+    EXPECT_NE(document.world().hash(), before);
+    // What is on screen at the start is still about there.
+    for (const auto body : document.world().bodies())
+        EXPECT_LT(document.world().centreOfMass(body).norm(), 60) << document.world().name(body);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Gallery,
+                         testing::Values("boxes", "bridge", "crumbling-wall", "jelly-tower",
+                                         "mass-ratio", "newtons-cradle", "pendulum", "rope"),
+                         [](const auto& scene) {
+                             std::string name = scene.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(GalleryFolder, HasOnlyTheseScenes) {
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(SULFURCHAMBER_SCENES))
+        if (entry.path().extension() == ".json") ++files;
+    EXPECT_EQ(files, 8u) << "a new example belongs into the list above";
+}
+
+}  // namespace
+}  // namespace sulfurchamber

@@ -1,0 +1,258 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/workbench.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+using sulfur::BodyId;
+using sulfur::Point;
+
+void drag(Workbench& bench, Point from, Point to, bool shift = false) {
+    bench.press({.position = from, .shift = shift});
+    bench.move({.position = (from + to) / 2, .shift = shift});
+    bench.release({.position = to, .shift = shift});
+}
+
+void click(Workbench& bench, Point at, bool shift = false) {
+    drag(bench, at, at, shift);
+}
+
+std::size_t bodyCount(const Workbench& bench) {
+    return bench.document().world().bodies().size();
+}
+
+BodyId newest(const Workbench& bench) {
+    return bench.document().world().bodies().back();
+}
+
+TEST(Tools, NamesLeadBackToTools) {
+    for (const ToolKind tool : allTools) EXPECT_EQ(toolFromName(toolName(tool)), tool);
+    EXPECT_FALSE(toolFromName("hammer"));
+}
+
+TEST(Tools, EveryToolHasAHintAndSurvivesStrayEvents) {
+    for (const ToolKind tool : allTools) {
+        Workbench bench;
+        bench.setTool(tool);
+        EXPECT_FALSE(bench.hint().empty());
+        const auto before = bench.document().world().hash();
+        bench.move({.position = {1, 5}});
+        bench.release({.position = {1, 5}});
+        bench.cancel();
+        bench.press({.position = {1, 5}});
+        bench.cancel();
+        bench.release({.position = {2, 6}});
+        EXPECT_EQ(bench.document().world().hash(), before) << toolName(tool);
+    }
+}
+
+TEST(Tools, AClickDropsABoxThatFallsOntoTheFloor) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    click(bench, {1, 2});
+    ASSERT_EQ(bodyCount(bench), 2u);
+    const BodyId box = newest(bench);
+    EXPECT_NEAR(bench.document().world().centreOfMass(box).y(), 2, 1e-5);
+    bench.document().play();
+    for (int i = 0; i < 1000; ++i) bench.tick();
+    EXPECT_NEAR(bench.document().world().centreOfMass(box).y(), 0.05 + 0.25, 0.02);
+}
+
+TEST(Tools, ADragSaysHowLargeTheBoxIs) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    drag(bench, {0, 1}, {3, 2});
+    const auto& world = bench.document().world();
+    double low = 1e9;
+    double high = -1e9;
+    for (const auto particle : world.particles(newest(bench))) {
+        low = std::min(low, world.position(particle).x());
+        high = std::max(high, world.position(particle).x());
+    }
+    EXPECT_NEAR(high - low, 3 - 2 * 0.02, 1e-4);
+    EXPECT_NEAR(static_cast<double>(world.mass(newest(bench))), 12, 1e-4);
+}
+
+TEST(Tools, SnappingRoundsToTheGrid) {
+    Workbench bench;
+    bench.setTool(ToolKind::ball);
+    bench.setSnap(0.5);
+    click(bench, {1.13, 2.68});
+    const Point at = bench.document().world().centreOfMass(newest(bench));
+    EXPECT_NEAR(at.x(), 1.0, 1e-6);
+    EXPECT_NEAR(at.y(), 2.5, 1e-6);
+}
+
+TEST(Tools, ARopeTiesItselfToTheBoxBelow) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    click(bench, {0, 2});
+    const auto& world = bench.document().world();
+    const Point corner = world.position(world.particles(newest(bench))[2]);
+    bench.setTool(ToolKind::rope);
+    drag(bench, {corner.x(), 4}, corner);
+    EXPECT_EQ(world.connections().size(), 1u);
+    bench.document().play();
+    for (int i = 0; i < 1500; ++i) bench.tick();
+    EXPECT_GT(world.centreOfMass(world.bodies()[1]).y(), 1.0) << "the pinned rope holds the box";
+}
+
+TEST(Tools, PinTogglesAndCutDivides) {
+    Workbench bench;
+    bench.setTool(ToolKind::rope);
+    drag(bench, {0, 5}, {0, 3});
+    const auto& world = bench.document().world();
+    const BodyId rope = newest(bench);
+    const std::size_t links = world.joints(rope).size();
+    bench.setTool(ToolKind::cut);
+    drag(bench, {-1, 4.02}, {1, 4.02});
+    std::size_t left = 0;
+    for (const BodyId body : world.bodies())
+        if (world.kind(body) == sulfur::BodyKind::dynamic) left += world.joints(body).size();
+    EXPECT_EQ(left, links - 1);
+    bench.setTool(ToolKind::pin);
+    const auto last = world.particles(rope).front();
+    EXPECT_TRUE(world.info(last).pinned);
+    click(bench, world.position(last));
+    EXPECT_FALSE(world.info(last).pinned);
+    click(bench, world.position(last));
+    EXPECT_TRUE(world.info(last).pinned);
+}
+
+TEST(Tools, EraseRemovesAndEscapeBringsBack) {
+    Workbench bench;
+    bench.setTool(ToolKind::ball);
+    click(bench, {0, 2});
+    click(bench, {3, 2});
+    bench.setTool(ToolKind::erase);
+    bench.press({.position = {0, 2}});
+    EXPECT_EQ(bodyCount(bench), 2u);
+    bench.cancel();
+    EXPECT_EQ(bodyCount(bench), 3u);
+    drag(bench, {0, 2}, {3, 2});
+    EXPECT_EQ(bodyCount(bench), 1u);
+    bench.document().undo();
+    EXPECT_EQ(bodyCount(bench), 3u) << "one drag is one step";
+}
+
+TEST(Tools, SelectMovesWhileTimeStandsStill) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    click(bench, {0, 2});
+    bench.setTool(ToolKind::select);
+    drag(bench, {0, 2}, {1.5, 2.5});
+    const BodyId box = newest(bench);
+    EXPECT_TRUE(bench.selected(box));
+    const Point at = bench.document().world().centreOfMass(box);
+    EXPECT_NEAR(at.x(), 1.5, 1e-5);
+    EXPECT_NEAR(at.y(), 2.5, 1e-5);
+    bench.document().undo();
+    EXPECT_NEAR(bench.document().world().centreOfMass(box).x(), 0, 1e-5);
+}
+
+TEST(Tools, TheSpringCarriesThingsOfAnyMassToThePointer) {
+    for (const double size : {0.2, 0.6, 3.0}) {
+        Workbench bench;
+        bench.setTool(ToolKind::box);
+        drag(bench, {-size / 2, 1}, {size / 2, 1 + size});
+        bench.setTool(ToolKind::select);
+        bench.document().play();
+        bench.press({.position = {0, 1 + size / 2}});
+        bench.move({.position = {2, 4}});
+        for (int i = 0; i < 1500; ++i) bench.tick();
+        const Point at = bench.document().world().centreOfMass(newest(bench));
+        EXPECT_NEAR(at.x(), 2, 0.15) << size;
+        EXPECT_NEAR(at.y(), 4, 0.25) << size;
+        EXPECT_EQ(bench.preview().kind, Preview::Kind::spring);
+        bench.release({.position = {2, 4}});
+        EXPECT_EQ(bench.preview().kind, Preview::Kind::none);
+    }
+}
+
+TEST(Tools, TheSpringHoldsALongRopeWithoutExploding) {
+    Workbench bench;
+    bench.setTool(ToolKind::rope);
+    drag(bench, {0, 6}, {0, 2});
+    bench.setTool(ToolKind::select);
+    bench.document().play();
+    bench.press({.position = {0, 2}});
+    bench.move({.position = {3, 5}});
+    for (int i = 0; i < 1500; ++i) {
+        bench.tick();
+        ASSERT_LT(static_cast<double>(bench.document().world().meanVelocity(newest(bench)).norm()),
+                  60);
+    }
+    EXPECT_EQ(bench.document().world().validate(), "");
+}
+
+TEST(Tools, AFrameSelectsAndDeleteIsUndone) {
+    Workbench bench;
+    bench.setTool(ToolKind::ball);
+    for (const double x : {0.0, 1.0, 5.0}) click(bench, {x, 2});
+    bench.setTool(ToolKind::select);
+    drag(bench, {-1, 1}, {2, 3});
+    EXPECT_EQ(bench.selection().size(), 2u);
+    click(bench, {5, 2}, true);
+    EXPECT_EQ(bench.selection().size(), 3u);
+    bench.deleteSelection();
+    EXPECT_EQ(bodyCount(bench), 1u);
+    EXPECT_TRUE(bench.selection().empty());
+    bench.document().undo();
+    EXPECT_EQ(bodyCount(bench), 4u);
+}
+
+TEST(Tools, CopiedBodiesArriveWithTheirConnectionsInAnotherWindow) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    click(bench, {0, 2});
+    const auto& world = bench.document().world();
+    bench.setTool(ToolKind::rope);
+    drag(bench, {0.23, 4}, world.position(world.particles(newest(bench))[2]));
+    bench.select({world.bodies()[1], world.bodies()[2]});
+    const std::string text = bench.copy();
+    Workbench other;
+    other.paste(text, {1, 0});
+    EXPECT_EQ(bodyCount(other), 3u);
+    EXPECT_EQ(other.document().world().connections().size(), 1u);
+    EXPECT_EQ(other.selection().size(), 2u);
+    EXPECT_NEAR(other.document().world().centreOfMass(other.document().world().bodies()[1]).x(), 1,
+                1e-4);
+    EXPECT_THROW(other.paste("no scene at all", {0, 0}), sulfur::scene::ReadError);
+    EXPECT_EQ(bodyCount(other), 3u);
+    other.duplicate();
+    EXPECT_EQ(bodyCount(other), 5u);
+}
+
+TEST(Tools, RainFallsAtItsRateAndIsOneStep) {
+    Workbench bench;
+    const auto before = bench.document().world().hash();
+    bench.setRain(10);
+    bench.document().play();
+    for (int i = 0; i < 1000; ++i) bench.tick();
+    EXPECT_EQ(bodyCount(bench), 1u + 20u);
+    EXPECT_EQ(bench.document().world().validate(), "");
+    bench.setRain(0);
+    bench.document().undo();
+    EXPECT_EQ(bodyCount(bench), 1u);
+    bench.document().reset();
+    EXPECT_EQ(bench.document().world().hash(), before);
+}
+
+TEST(Tools, DroppedBoxesDoNotOverlap) {
+    Workbench bench;
+    bench.dropBoxes(30);
+    const auto& world = bench.document().world();
+    ASSERT_EQ(bodyCount(bench), 31u);
+    for (std::size_t i = 1; i < 31; ++i)
+        for (std::size_t j = i + 1; j < 31; ++j)
+            EXPECT_GT(
+                (world.centreOfMass(world.bodies()[i]) - world.centreOfMass(world.bodies()[j]))
+                    .norm(),
+                0.5);
+}
+
+}  // namespace
+}  // namespace sulfurchamber

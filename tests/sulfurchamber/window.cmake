@@ -1,0 +1,75 @@
+# The window, driven by real clicks and keys of the X server; no window manager runs.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(WRITE ${WORK}/drop.txt "
+expect bodies = 1
+expect modified = 0
+tool box
+screenshot ${WORK}/empty.png
+click 0.5 3
+expect bodies = 2
+expect modified = 1
+expect newest.y > 2.9
+screenshot ${WORK}/above.png
+key Space
+expect playing = 1
+key Space
+expect playing = 0
+run 2
+expect newest.y < 0.5      # it fell
+expect newest.y > 0        # and the floor holds it
+expect contacts > 0
+screenshot ${WORK}/below.png
+expect particles = 7
+key Period                  # one tick
+expect playing = 0
+do reset
+expect newest.y > 2.9
+do undo                     # of the reset
+expect newest.y < 0.5
+do reset
+do undo
+do undo                     # of the reset and of the box
+expect bodies = 1
+do redo
+expect bodies = 2
+")
+run_window(0 --script ${WORK}/drop.txt)
+foreach(name empty above below)
+  run(0 ${PICTURE_CHECK} colourful ${WORK}/${name}.png)
+endforeach()
+run(0 ${PICTURE_CHECK} differ ${WORK}/empty.png ${WORK}/above.png)
+run(0 ${PICTURE_CHECK} differ ${WORK}/above.png ${WORK}/below.png)
+
+# Dragging a body with the spring while time runs, selecting, deleting, cutting.
+file(WRITE ${WORK}/drag.txt "
+tool box
+click 0 0.5
+run 1
+tool select
+do play
+hold 0 0.3 1.5 2 1.5
+expect newest.x > 0.8
+do play
+expect playing = 0
+do select-all
+expect selected = 2
+key Escape
+expect selected = 0
+wheel 0 1 3
+set gravity 3
+expect gravity = 3
+do undo
+expect gravity > 9
+set rain 20
+run 1
+expect bodies > 15
+set rain 0
+expect problem = 0
+")
+run_window(0 --script ${WORK}/drag.txt)
+
+# A script that expects the wrong thing fails and says where.
+file(WRITE ${WORK}/wrong.txt "expect bodies = 1\nexpect bodies = 5\n")
+run_window(1 --script ${WORK}/wrong.txt)
+expect_text("${out}${err}" "wrong.txt:2: bodies is 1, expected = 5")
