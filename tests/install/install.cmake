@@ -28,3 +28,11 @@ foreach(text ${texts})
     message(FATAL_ERROR "${text} names the source tree, ${source}")
   endif()
 endforeach()
+
+# The README shows the example as it is.
+file(READ ${source}/README.md readme)
+file(READ ${source}/sulfur/examples/hello.cpp example)
+string(FIND "${readme}" "```cpp\n${example}```" found)
+if(found EQUAL -1)
+  message(FATAL_ERROR "the example in README.md is not sulfur/examples/hello.cpp")
+endif()
