@@ -95,7 +95,7 @@ void drawLevelName(atlax::Canvas& canvas, Art& art, const Level& level, double s
     canvas.setScreenSpace();
     const Vec2 screen = canvas.size().toVec();
     const float unit = screen.y / 720;
-    const float y = screen.y * 0.24f;
+    const float y = screen.y * 0.17f;
     shadowText(canvas, art.regular(), "LEVEL " + std::to_string(level.number),
                {screen.x * 0.5f, y - 44 * unit},
                {19 * unit, palette::amber.withAlpha(fade), AlignX::Centre}, 2 * unit);
@@ -122,6 +122,9 @@ float drawTitle(atlax::Canvas& canvas, Art& art, double seconds) {
                {124 * unit, palette::amber, AlignX::Centre}, 6 * unit);
     shadowText(canvas, art.regular(), "a rope, some ice, a way home", middle + Vec2{0, 66 * unit},
                {21 * unit, palette::frost.withAlpha(0.9f), AlignX::Centre}, 2 * unit);
+    canvas.roundedRect(
+        atlax::Rect::around({screen.x * 0.5f, screen.y - 40 * unit}, Vec2{720, 36} * unit),
+        18 * unit, palette::night.withAlpha(0.7f));
     canvas.text(art.regular(),
                 "Mouse: aim and fire     W S: reel     A D: swing     R: again     Esc: pause",
                 {screen.x * 0.5f, screen.y - 34 * unit},

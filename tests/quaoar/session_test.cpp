@@ -282,6 +282,9 @@ TEST(Session, ReachingTheExitFinishes) {
     EXPECT_NEAR(time, static_cast<double>(session.ticks() - 200) / 500, 1e-9);
     play(session, swing, 100);
     EXPECT_EQ(session.seconds(), time) << "after the finish the timer stands";
+    play(session, {}, 2000);
+    EXPECT_LT((session.heroPosition() - session.level().exit.position).norm(), 0.1)
+        << "the gate keeps the hero";
 }
 
 TEST(Session, FallingOutOfTheLevelStartsAgain) {

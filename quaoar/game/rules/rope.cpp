@@ -1,9 +1,10 @@
-#include "hash.hpp"
+#include <quaoar/rope.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <quaoar/hero.hpp>
-#include <quaoar/rope.hpp>
+
+#include "hash.hpp"
 
 namespace quaoar {
 

@@ -1,7 +1,8 @@
-#include "hash.hpp"
+#include <quaoar/session.hpp>
 
 #include <algorithm>
-#include <quaoar/session.hpp>
+
+#include "hash.hpp"
 
 namespace quaoar {
 
@@ -42,7 +43,11 @@ void Session::tick(const TickInput& input) {
     }
     events_ = {};
     ++state_.ticks;
-    if (state_.phase == Phase::playing) act(input);
+    if (state_.phase == Phase::playing) {
+        act(input);
+    } else {
+        drawIntoGate();
+    }
     if (rope_.state() == Rope::State::attached && !rope_.tied(*world_)) rope_.release(*world_);
     limitSpeed();
     world_->step();
@@ -95,6 +100,17 @@ void Session::pushHero(const TickInput& input) {
         heroRules_.push / heroRules_.mass * (static_cast<Real>(input.push) / Real(127));
     for (const sulfur::ParticleId particle : world_->particles(hero_)) {
         world_->applyForce(particle, {acceleration * world_->info(particle).mass, 0});
+    }
+}
+
+/// A spring towards the middle of the gate, about critically damped, that also carries the hero's
+/// weight: who has arrived stays.
+void Session::drawIntoGate() {
+    const Vec2 away = (level_->exit.position - world_->centreOfMass(hero_)).cast<Real>();
+    const Vec2 acceleration =
+        Real(36) * away - Real(11) * world_->meanVelocity(hero_) - world_->gravity();
+    for (const sulfur::ParticleId particle : world_->particles(hero_)) {
+        world_->applyForce(particle, acceleration * world_->info(particle).mass);
     }
 }
 

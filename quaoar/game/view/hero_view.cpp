@@ -148,8 +148,9 @@ void GameView::drawScarf(atlax::Canvas& canvas) {
     for (const bool border : {true, false}) {
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const float t = static_cast<float>(i) / last;
-            const float width = 0.05f + 0.022f * t + (border ? 0.016f : 0);
-            const bool stripe = (i / 4) % 2 == 1;
+            const float width = 0.036f + 0.014f * t + (border ? 0.014f : 0);
+            const std::size_t fromEnd = curve.size() - 2 - i;
+            const bool stripe = fromEnd == 3 || fromEnd == 4 || fromEnd == 8 || fromEnd == 9;
             const Color cloth = stripe ? palette::frost : Color::hex(0x3F7FC0);
             canvas.line(curve[i], curve[i + 1], width, border ? Color::hex(0x14304F) : cloth);
         }

@@ -55,14 +55,17 @@ void GameView::moveCamera() {
 
 void GameView::moveTrails() {
     const Vec2 hero(session_.heroPosition());
-    const Vec2 wind{-0.9f + 0.8f * std::sin(static_cast<float>(time_ % 100000) * 0.006f), 0};
-    scarf_.now[0] = hero + Vec2{session_.aim().x() > 0 ? -0.085f : 0.085f, -0.05f};
-    constexpr float segment = 0.032f;
+    // It streams behind the hero's back, slack enough to flutter.
+    const float back = session_.aim().x() > 0 ? -1.0f : 1.0f;
+    const float gust = std::sin(static_cast<float>(time_ % 100000) * 0.009f);
+    const Vec2 pull{back * (2.2f + gust), -0.9f + 0.9f * gust};
+    scarf_.now[0] = hero + Vec2{back * 0.09f, -0.055f};
+    constexpr float segment = 0.027f;
     for (std::size_t i = 1; i < scarf_.now.size(); ++i) {
         Vec2& now = scarf_.now[i];
         const Vec2 moved = (now - scarf_.before[i]) * 0.985f;
         scarf_.before[i] = now;
-        now += moved + (Vec2{0, -1.6f} + wind) * (tickSeconds * tickSeconds);
+        now += moved + pull * (tickSeconds * tickSeconds);
     }
     for (std::size_t i = 1; i < scarf_.now.size(); ++i) {
         const Vec2 way = scarf_.now[i] - scarf_.now[i - 1];

@@ -51,7 +51,8 @@ public:
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    /// One tick. After the finish the world goes on without the player.
+    /// One tick. After the finish the world goes on without the player, and the gate keeps the
+    /// hero.
     void tick(const TickInput& input);
     /// Back to the spawn: everything is as in a new session.
     void restart();
@@ -108,6 +109,7 @@ private:
     void act(const TickInput& input);
     void updateRope(const TickInput& input);
     void pushHero(const TickInput& input);
+    void drawIntoGate();
     void limitSpeed();
     void noticeImpact();
     void judge();
