@@ -48,8 +48,8 @@ TEST(Limit, OfNsvFollowsItsLawForLightDamping) {
 }
 
 TEST(Limit, HeldNeighboursLowerRungeKuttaToTheHundreds) {
-    const auto held = findLimit({}, entryOf("rk4-held"), 500, {});
-    const auto coupled = findLimit({}, entryOf("rk4"), 500, {});
+    const auto held = findLimit({}, entryOf("rk4-held"), 500, {.resolution = 0.1});
+    const auto coupled = findLimit({}, entryOf("rk4"), 500, {.resolution = 0.1});
     EXPECT_LT(held.stable, 600);
     EXPECT_GT(coupled.stable, 20000);
 }
