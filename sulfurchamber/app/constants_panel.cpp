@@ -243,14 +243,10 @@ void ConstantsPanel::addStatistics(wxSizer* sizer) {
 void ConstantsPanel::refresh() {
     for (const auto& row : rows_) row->show();
     const sulfur::World& world = bench_.document().world();
-    const sulfur::Statistics& s = world.statistics();
     const Totals sums = totals(world);
     const std::vector<wxString> values{
         wxString::Format("%zu", sums.bodies),
-        wxString::Format(
-            "%u of %zu",
-            world.ticks() == 0 ? static_cast<unsigned>(sums.particles) : s.awakeParticles,
-            sums.particles),
+        wxString::Format("%zu of %zu", sums.awakeParticles, sums.particles),
         wxString::Format("%zu", sums.rigidJoints),
         wxString::Format("%zu", sums.elasticJoints),
         wxString::Format("%.3g J", world.energy()),

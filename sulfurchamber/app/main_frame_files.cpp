@@ -18,7 +18,7 @@ constexpr const char* filter = "Scenes and levels (*.json)|*.json|All files|*";
 
 void MainFrame::adoptDocument() {
     bench_.cancel();
-    bench_.documentChanged();
+    bench_.select({});  // another world: its handles mean other bodies
     view_.zoomToFit();
     nextRefreshNs_ = 0;
 }

@@ -25,7 +25,7 @@ std::string scriptHelp() {
            "  drag X Y X2 Y2          press, move, release\n"
            "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"
            "  wheel X Y NOTCHES       turn the wheel, positive away from you\n"
-           "  key NAME                a letter, Space, Period, Escape or Delete\n"
+           "  key NAME                a letter, Space, Period, Escape, Delete, or Ctrl+ a letter\n"
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
            "  run SECONDS             play for simulated seconds, then pause\n"
@@ -189,7 +189,8 @@ bool Script::startPointer(const Words& words) {
         const atlax::Vec2 at = frame_.sceneView().toPixels(point(1));
         frame_.canvas().send(atlax::WheelEvent{{0, static_cast<float>(number(words[3]))}, at, {}});
     } else if (words[0] == "key" && words.size() == 2) {
-        const std::string& name = words[1];
+        const bool control = words[1].starts_with("Ctrl+");
+        const std::string name = words[1].substr(control ? 5 : 0);
         const int code = name == "Space"    ? WXK_SPACE
                          : name == "Period" ? '.'
                          : name == "Escape" ? WXK_ESCAPE
@@ -198,7 +199,7 @@ bool Script::startPointer(const Words& words) {
                                             : 0;
         if (code == 0) fail("there is no key " + name);
         frame_.canvas().SetFocus();
-        simulator_.Char(code);
+        simulator_.Char(code, control ? wxMOD_CONTROL : wxMOD_NONE);
         waitForFrames(30, {});
     } else {
         return false;

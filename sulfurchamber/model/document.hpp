@@ -106,6 +106,7 @@ public:
 
     bool canUndo() const { return !undo_.empty() || open_ != nullptr; }
     bool canRedo() const { return !redo_.empty(); }
+    /// Both stop playing.
     void undo();
     void redo();
     /// Label of the step that undo() or redo() would take, "" when there is none.

@@ -214,7 +214,12 @@ bool inside(const std::vector<Point>& polygon, const Point& point) {
 Totals totals(const World& world) {
     Totals sums;
     sums.bodies = world.bodies().size();
-    for (const BodyId body : world.bodies()) sums.particles += world.particles(body).size();
+    for (const BodyId body : world.bodies()) {
+        const std::size_t count = world.particles(body).size();
+        sums.particles += count;
+        if (world.kind(body) != sulfur::BodyKind::fixed && !world.asleep(body))
+            sums.awakeParticles += count;
+    }
     forEachJoint(world, [&](JointId, const sulfur::JointInfo& info) {
         ++(std::isfinite(info.stiffness) ? sums.elasticJoints : sums.rigidJoints);
     });

@@ -59,6 +59,7 @@ bool inside(const std::vector<sulfur::Point>& polygon, const sulfur::Point& poin
 struct Totals {
     std::size_t bodies = 0;
     std::size_t particles = 0;
+    std::size_t awakeParticles = 0;  ///< of bodies that are neither fixed nor asleep
     std::size_t rigidJoints = 0;
     std::size_t elasticJoints = 0;
 };

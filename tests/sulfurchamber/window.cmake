@@ -10,6 +10,10 @@ click 0.5 3
 expect bodies = 2
 expect modified = 1
 expect newest.y > 2.9
+key Ctrl+Z
+expect bodies = 1
+do redo
+expect bodies = 2
 screenshot ${WORK}/above.png
 key Space
 expect playing = 1

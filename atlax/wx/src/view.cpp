@@ -58,6 +58,19 @@ MouseButton buttonOf(int wxButton) {
     }
 }
 
+bool movesFocus(int code) {
+    switch (code) {
+        case WXK_TAB:
+        case WXK_LEFT:
+        case WXK_RIGHT:
+        case WXK_UP:
+        case WXK_DOWN:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 class View::DropTarget final : public wxFileDropTarget {
@@ -274,10 +287,15 @@ void View::onKey(wxKeyEvent& event) {
 }
 
 void View::onChar(wxKeyEvent& event) {
-    // Not skipped: else GTK would move the focus away with Tab and the arrow keys.
+    // GTK would move the focus away with Tab and the arrow keys; everything else that is no text
+    // goes on to the accelerators of the frame around.
+    const bool command = event.RawControlDown() != event.AltDown();  // AltGr is both
+    if (!command && movesFocus(event.GetKeyCode())) return;
     const wxChar character = event.GetUnicodeKey();
-    if (!platform_->textInput() || character < 32 || character == 127) return;
-    if (event.RawControlDown() != event.AltDown()) return;  // AltGr makes text, the two alone none
+    if (command || !platform_->textInput() || character < 32 || character == 127) {
+        event.Skip();
+        return;
+    }
     send(TextEvent{wxString(character).utf8_string()});
 }
 
