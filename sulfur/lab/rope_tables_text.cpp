@@ -55,7 +55,7 @@ const char* const table3Notes =
     "What differs from the paper, and why:\n"
     "- Explicit Euler and SUVAT are the paper's rows: their laws b/h and 2b/h give 50, 100 and "
     "100,\n"
-    "  200, 400. Ours lie 2 to 5 % above because air friction damps a little too. The paper's "
+    "  200, 400. Ours lie 2 to 5 % above partly because air friction damps too. The paper's "
     "1000\n"
     "  for Euler at 1000 Hz breaks its own row's law, which gives 200; it may be a misprint.\n"
     "- SUVAT and RK2 share a row in the paper. Its figures are SUVAT's. RK2 of the whole system "
@@ -77,7 +77,8 @@ const char* const table3Notes =
 // Measured with --only-explosions; the paper does not say which of the two it means.
 const char* const criterionNotes =
     "The criterion matters. Beyond its linear limit a soft rope shakes for ever without flying "
-    "apart,\nbecause slack springs pull less. With --only-explosions that counts as stable, and at "
+    "apart,\nperhaps because slack springs pull less (not tested). With --only-explosions that "
+    "counts as stable, and at "
     "500 and\n1000 Hz with a damping of 0.2 explicit Euler reaches 121 and 295, SUVAT 288 and 695, "
     "RK2 1930\nand 5480, RK4 with neighbours held 895 and 2300; NSV and Verlet stay within 1 % (at "
     "60 Hz 176 for\n155). So agreement with b/h and 2b/h, and with the paper's rows, rests on "
