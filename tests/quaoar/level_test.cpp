@@ -135,7 +135,9 @@ TEST(LevelFile, AMissingFileIsNamed) {
         readLevel("/nonexistent/level.json");
         FAIL() << "was not refused";
     } catch (const sulfur::scene::ReadError& error) {
-        EXPECT_NE(std::string(error.what()).find("/nonexistent/level.json"), std::string::npos);
+        const std::string message = error.what();
+        EXPECT_EQ(message.find("/nonexistent/level.json"), 0u) << message;
+        EXPECT_EQ(message.rfind("/nonexistent/level.json"), 0u) << "named twice: " << message;
     }
 }
 

@@ -160,7 +160,10 @@ Level readLevel(const std::filesystem::path& file) {
     try {
         text = atlax::readFile(file, sulfur::scene::DocumentLimits{}.bytes);
     } catch (const atlax::Error& error) {
-        throw sulfur::scene::ReadError(file.string(), 0, "", error.what());
+        std::string problem = error.what();  // may begin with the file, as ReadError's text will
+        const std::string prefix = file.string() + ": ";
+        if (problem.starts_with(prefix)) problem.erase(0, prefix.size());
+        throw sulfur::scene::ReadError(file.string(), 0, "", problem);
     }
     return parseLevel(text, file);
 }
