@@ -187,6 +187,8 @@ void View::finishIfEnded() {
     if (handlers_->ended) {
         const Ended ended = std::move(handlers_->ended);
         ended(code, handlers_->error);
+        // What it closed is deleted with the next idle event, for which nothing else may ask.
+        wxWakeUpIdle();
     } else if (!handlers_->error.empty()) {
         log(LogLevel::Error, handlers_->error);
     }
