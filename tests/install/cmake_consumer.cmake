@@ -27,7 +27,7 @@ file(WRITE ${work}/cmake_consumer_no/CMakeLists.txt
   "cmake_minimum_required(VERSION 3.25)\nproject(no LANGUAGES CXX)\n"
   "find_package(sulfur 0.1 CONFIG REQUIRED COMPONENTS cloth_tailor)\n")
 execute_process(
-  COMMAND ${CMAKE_COMMAND} -S ${work}/cmake_consumer_no -B ${work}/cmake_consumer_no/build
+  COMMAND ${CMAKE_COMMAND} -S ${work}/cmake_consumer_no -B ${work}/cmake_consumer_no/build -G Ninja
     -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${compiler}
   RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE output)
 if(status EQUAL 0 OR NOT output MATCHES "cloth_tailor")
