@@ -29,10 +29,15 @@ struct Statistics {
     std::uint32_t joints = 0;
     std::uint32_t bodies = 0;
     std::uint32_t awakeParticles = 0;
-    std::uint32_t explicitJoints = 0;  ///< elastic, integrated by NSV
-    std::uint32_t implicitJoints = 0;  ///< elastic, beyond the explicit limit
-    std::uint32_t rigidJoints = 0;
-    std::uint32_t candidates = 0;  ///< pairs that the narrow phase looked at
+    std::uint32_t explicitJoints = 0;  ///< elastic, integrated by NSV alone
+    std::uint32_t implicitJoints = 0;  ///< elastic, at least in part beyond the explicit range
+    std::uint32_t rigidJoints = 0;     ///< solved as constraints: none inside a rigid component
+    std::uint32_t sweptJoints = 0;     ///< of the implicit and rigid ones, those in no tree
+    std::uint32_t clusters = 0;        ///< rigid components awake, each moved as one
+    std::uint32_t trees = 0;           ///< chains and trees awake that are solved directly
+    std::uint32_t chainSteps = 0;      ///< steps that these took in the last tick, in all
+    std::uint32_t chainFallbacks = 0;  ///< of these, those that had to give up SHAKE directions
+    std::uint32_t candidates = 0;      ///< pairs that the narrow phase looked at
     std::uint32_t contacts = 0;
     std::uint64_t broadPhases = 0;  ///< since the world was made
     std::array<double, static_cast<std::size_t>(Stage::count)> seconds{};

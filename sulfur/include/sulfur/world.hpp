@@ -162,12 +162,14 @@ public:
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
     /// clock: between the last two ticks' positions, so drawing lags by at most one tick.
     Point interpolated(ParticleId particle, double alpha) const;
-    /// Mean velocity over the last tick (its displacement divided by its duration), which is the
-    /// velocity at the middle of that tick; after setVelocity, what was set.
+    /// Mean velocity over the last step (displacement divided by duration), which is the velocity
+    /// at the middle of that step; after setVelocity, what was set. A step is a tick, except for
+    /// ropes and what hangs on them, which take several steps in a tick when they need to.
     Vec2 velocity(ParticleId particle) const;
     /// Contacts of the last tick.
     std::vector<ContactInfo> contacts() const;
-    /// Kinetic plus gravitational plus elastic energy of all dynamic bodies, joules.
+    /// Kinetic plus gravitational plus elastic energy of all dynamic bodies, joules, at the time of
+    /// the velocities: half a tick before the positions (see velocity()).
     double energy() const;
 
     // --- changing --------------------------------------------------------------------------

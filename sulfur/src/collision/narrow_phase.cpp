@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "collision/geometry.hpp"
+#include "rigid/grip.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -90,9 +91,29 @@ MixedMaterial mix(const Material& a, const Material& b) {
             std::max(a.restitution, b.restitution)};
 }
 
+/// What the contact acts on: the capsule's point is one grip if a rigid component has both ends.
+void takeHold(const State& state, Contact& c) {
+    c.gripOfParticle = gripOf(state, c.particle);
+    c.gripOfA = gripOf(state, c.a);
+    c.gripOfB = gripOf(state, c.b);
+    c.shareA = c.weightA;
+    c.shareB = c.weightB;
+    if (c.gripOfA.cluster == none || c.gripOfA.cluster != c.gripOfB.cluster) return;
+    c.gripOfA.arm = c.weightA * c.gripOfA.arm + c.weightB * c.gripOfB.arm;
+    c.shareA = 1;
+    c.shareB = 0;
+}
+
+Real inverseMassAlong(const State& state, const Contact& c, const Vec2& direction) {
+    Real w = detail::inverseMassAlong(state, c.gripOfParticle, direction) +
+             c.shareA * c.shareA * detail::inverseMassAlong(state, c.gripOfA, direction);
+    if (c.shareB != 0)
+        w += c.shareB * c.shareB * detail::inverseMassAlong(state, c.gripOfB, direction);
+    return w;
+}
+
 Contact makeContact(const State& state, const Candidate& candidate, const Collider& c,
                     const Meeting& m, Real thickness) {
-    const auto& w = state.particles.inverseMass;
     Contact contact;
     contact.particle = candidate.particle;
     contact.a = c.a;
@@ -104,9 +125,9 @@ Contact makeContact(const State& state, const Candidate& candidate, const Collid
     contact.normal = m.normal;
     contact.thickness = thickness;
     contact.gap = m.distance - thickness;
-    contact.inverseEffectiveMass = w[contact.particle] +
-                                   contact.weightA * contact.weightA * w[c.a] +
-                                   contact.weightB * contact.weightB * w[c.b];
+    takeHold(state, contact);
+    contact.inverseEffectiveMass = inverseMassAlong(state, contact, contact.normal);
+    contact.tangentInverseMass = inverseMassAlong(state, contact, perpendicular(contact.normal));
     const auto material =
         mix(state.bodies[contact.bodyA].material, state.bodies[contact.bodyB].material);
     contact.friction = material.friction;
@@ -179,15 +200,11 @@ bool isCrossing(const std::vector<Crossing>& crossings, const Candidate& candida
 /// displacements, so that it leaves no velocity behind and nothing is thrown apart.
 void recover(State& state, Contact& contact) {
     if (contact.gap >= 0) return;
-    Particles& particles = state.particles;
     const Real push = std::min(-contact.gap * recoveryShare, recoverySpeed * state.h);
-    const Vec2 shift = push / contact.inverseEffectiveMass * contact.normal;
-    const auto move = [&](std::uint32_t i, Real weight) {
-        particles.position[i] += (weight * particles.inverseMass[i] * shift).cast<double>();
-    };
-    move(contact.particle, 1);
-    move(contact.a, -contact.weightA);
-    move(contact.b, -contact.weightB);
+    const Vec2 impulse = push / contact.inverseEffectiveMass * contact.normal;
+    shift(state, contact.gripOfParticle, impulse);
+    shift(state, contact.gripOfA, -contact.shareA * impulse);
+    if (contact.shareB != 0) shift(state, contact.gripOfB, -contact.shareB * impulse);
 }
 
 }  // namespace

@@ -7,32 +7,73 @@ namespace sulfur::detail {
 
 namespace {
 
-/// An explicit spring network is stable with NSV while h^2 w_max + 2 h b_max < 4, where the
-/// highest eigenvalue is bounded by Gershgorin's circles: for each particle, the sum over its
-/// joints of k (w_i + w_j) and b (w_i + w_j). 3.2 leaves room for geometric stiffness.
-constexpr Real explicitLimit = Real(3.2);
+/// A network of springs and dampers that are forces is stable with NSV while
+/// h^2 K + 2 h B < 4, where the highest eigenvalue is bounded by Gershgorin's circles: for each
+/// particle, the sums over its joints of k (w_i + w_j) and b (w_i + w_j). The explicit parts below
+/// never go beyond h^2 K = 2 and h B = 1/2.
+struct Load {
+    Real stiffness = 0;  // h^2 K
+    Real damping = 0;    // h B
+};
 
-/// Beyond, rounding is larger than the stretch under any force: as good as rigid.
-constexpr Real maxStiffness = Real(1e15);
+/// Where the explicit part begins to lag behind the whole.
+constexpr Real softLimit = 1, dampedLimit = Real(0.25);
+/// Beyond, a joint is no force at all any more.
+constexpr Real stiffLimit = 1024;
+
+/// The share of a spring of load `x` that is a force. It leaves 1 without a kink and its product
+/// with x stays below 2 softLimit, so that a spring goes over from explicit to implicit without
+/// anybody feeling where.
+Real explicitShare(Real x, Real limit) {
+    if (x <= limit) return 1;
+    const Real beyond = (x - limit) / limit;
+    return limit * (1 + beyond / (1 + beyond)) * std::max<Real>(0, 1 - x / (stiffLimit * limit)) /
+           x;
+}
+
+/// What a push on a particle moves: a rigid component answers with its effective mass there, in
+/// the direction in which it is least.
+Real mobility(const State& state, std::uint32_t particle) {
+    const auto cluster = state.particles.cluster[particle];
+    if (cluster == none) return inverseMassAwake(state, particle);
+    const Cluster& c = state.clusters.list[cluster];
+    return static_cast<Real>(c.freeInverseMass +
+                             c.freeInverseInertia *
+                                 static_cast<double>(state.particles.arm[particle].squaredNorm()));
+}
 
 }  // namespace
 
+Real inverseMassAwake(const State& state, std::uint32_t particle) {
+    const bool moves = state.bodies[state.particles.body[particle]].kind == BodyKind::dynamic &&
+                       state.particles.pinned[particle] == 0;
+    return moves ? 1 / state.particles.mass[particle] : 0;
+}
+
 void classifyJoints(State& state) {
     Joints& joints = state.joints;
-    const auto& w = state.particles.inverseMass;
     const Real h = state.h;
-    std::vector<Real> load(state.particles.size(), 0);
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-        if (joints.stiffness[j] > maxStiffness) continue;
+    std::vector<Real> w(state.particles.size());
+    for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, i);
+    std::vector<Load> load(state.particles.size());
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        if (isRigid(joints, j)) continue;
         const Real sum = w[joints.a[j]] + w[joints.b[j]];
-        const Real one = (h * h * joints.stiffness[j] + 2 * h * joints.damping[j]) * sum;
-        load[joints.a[j]] += one;
-        load[joints.b[j]] += one;
+        for (const auto p : {joints.a[j], joints.b[j]}) {
+            load[p].stiffness += h * h * joints.stiffness[j] * sum;
+            load[p].damping += h * joints.damping[j] * sum;
+        }
     }
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-        if (joints.stiffness[j] > maxStiffness)
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        const Load &a = load[joints.a[j]], &b = load[joints.b[j]];
+        const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);
+        const Real damping = explicitShare(std::max(a.damping, b.damping), dampedLimit);
+        joints.explicitStiffness[j] = isRigid(joints, j) ? 0 : stiffness * joints.stiffness[j];
+        joints.explicitDamping[j] = isRigid(joints, j) ? 0 : damping * joints.damping[j];
+        if (isRigid(joints, j))
             joints.kind[j] = JointKind::rigid;
-        else if (load[joints.a[j]] <= explicitLimit && load[joints.b[j]] <= explicitLimit)
+        else if (joints.explicitStiffness[j] == joints.stiffness[j] &&
+                 joints.explicitDamping[j] == joints.damping[j])
             joints.kind[j] = JointKind::explicitElastic;
         else
             joints.kind[j] = JointKind::implicitElastic;

@@ -11,20 +11,30 @@
 
 namespace sulfur::detail {
 
-/// How a joint is solved. Derived by classify(), never chosen.
-enum class JointKind : std::uint8_t { explicitElastic, implicitElastic, rigid };
+/// How a joint is solved. Derived by classifyJoints(), never chosen.
+enum class JointKind : std::uint8_t {
+    explicitElastic,  // as a force
+    implicitElastic,  // partly as a force, the rest as a compliant constraint
+    rigid,            // as a constraint
+};
+
+/// Beyond, rounding is larger than the stretch under any force: as good as rigid.
+inline constexpr Real maxStiffness = Real(1e15);
 
 struct Joints {
-    std::vector<std::uint32_t> a, b;  // particles, dense indices
-    std::vector<Real> restLength;     // m
-    std::vector<Real> stiffness;      // N/m
-    std::vector<Real> damping;        // N s/m
-    std::vector<Real> lambda;         // this tick's multiplier
-    std::vector<Real> force;          // N in the last tick, positive pulls
+    std::vector<std::uint32_t> a, b;      // particles, dense indices
+    std::vector<Real> restLength;         // m
+    std::vector<Real> stiffness;          // N/m
+    std::vector<Real> damping;            // N s/m
+    std::vector<Real> explicitStiffness;  // N/m, the part of the stiffness that is a force
+    std::vector<Real> explicitDamping;    // N s/m, the same of the damping
+    std::vector<Real> lambda;             // this tick's multiplier
+    std::vector<Real> force;              // N in the last tick, positive pulls
     std::vector<JointKind> kind;
-    std::vector<Real> radius;         // m, > 0: a capsule
-    std::vector<Real> strength;       // N
-    std::vector<std::uint32_t> body;  // dense index, or none between bodies
+    std::vector<std::uint8_t> inCluster;  // held by a rigid component, so never solved
+    std::vector<Real> radius;             // m, > 0: a capsule
+    std::vector<Real> strength;           // N
+    std::vector<std::uint32_t> body;      // dense index, or none between bodies
     std::vector<JointId> id;
 
     std::size_t size() const { return a.size(); }
@@ -36,9 +46,12 @@ struct Joints {
         f(restLength);
         f(stiffness);
         f(damping);
+        f(explicitStiffness);
+        f(explicitDamping);
         f(lambda);
         f(force);
         f(kind);
+        f(inCluster);
         f(radius);
         f(strength);
         f(body);
@@ -50,6 +63,10 @@ struct Joints {
         forEachArray(archive);
     }
 };
+
+inline bool isRigid(const Joints& joints, std::uint32_t j) {
+    return joints.stiffness[j] > maxStiffness;
+}
 
 /// Holds a particle at a point that moves with up to three others: the point is the sum of
 /// weight_i x_i with weights that add up to 1, so it turns with a rigid body and stretches with

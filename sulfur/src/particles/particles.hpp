@@ -15,11 +15,13 @@ namespace sulfur::detail {
 /// subtracting positions: that would lose them to rounding far from the origin.
 struct Particles {
     // Hot: touched by every tick.
-    std::vector<Point> position;     // m, at the start of the tick until the tick's end
-    std::vector<Vec2> displacement;  // m, of this tick (after it: of the last one)
-    std::vector<Vec2> velocity;      // m/s, mean over the last tick
-    std::vector<Vec2> force;         // N, gathered for the next prediction
-    std::vector<Real> inverseMass;   // 1/kg, 0 for what physics does not move
+    std::vector<Point> position;         // m, at the start of the tick until the tick's end
+    std::vector<Vec2> displacement;      // m, of this tick (after it: of the last one)
+    std::vector<Vec2> velocity;          // m/s, mean over the last tick
+    std::vector<Vec2> force;             // N, gathered for the next prediction
+    std::vector<Real> inverseMass;       // 1/kg, 0 for what physics does not move
+    std::vector<std::uint32_t> cluster;  // rigid component that moves it, or none
+    std::vector<Vec2> arm;               // m, from that component's centre
     // Warm: collision.
     std::vector<Real> reach;          // m, own radius or that of the thickest capsule ending here
     std::vector<std::uint32_t> body;  // dense index
@@ -39,6 +41,8 @@ struct Particles {
         f(velocity);
         f(force);
         f(inverseMass);
+        f(cluster);
+        f(arm);
         f(reach);
         f(body);
         f(mass);

@@ -1,7 +1,9 @@
 // Stage 1: what is derived from bodies and joints follows their changes.
 #include <algorithm>
 
+#include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
+#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
@@ -12,73 +14,149 @@ bool anyAwake(const State& state, std::uint32_t a, std::uint32_t b) {
     return state.movable(body[a]) || state.movable(body[b]);
 }
 
+void append(std::vector<Range>& ranges, std::uint32_t i) {
+    if (!ranges.empty() && ranges.back().last == i)
+        ++ranges.back().last;
+    else
+        ranges.push_back({i, i + 1});
+}
+
 void listAwakeParticles(State& state) {
     WorkLists& work = state.work;
-    work.awake.clear();
+    for (auto* list : {&work.awake, &work.points, &work.free}) list->clear();
     work.awakeParticles = 0;
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        if (!state.movable(i)) continue;
-        const BodyRecord& body = state.bodies[i];
+    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
+        if (!state.movable(b)) continue;
+        const BodyRecord& body = state.bodies[b];
         const auto size = static_cast<std::uint32_t>(body.particles.size());
         work.awakeParticles += size;
-        if (!work.awake.empty() && work.awake.back().last == body.firstParticle)
-            work.awake.back().last += size;
-        else
-            work.awake.push_back({body.firstParticle, body.firstParticle + size});
+        for (auto i = body.firstParticle; i < body.firstParticle + size; ++i) {
+            append(work.awake, i);
+            if (state.particles.cluster[i] != none) continue;
+            append(work.points, i);
+            if (state.trees.ofParticle[i] == none) append(work.free, i);
+        }
     }
+}
+
+void listClusters(State& state) {
+    WorkLists& work = state.work;
+    work.awakeClusters.clear();
+    work.clusters.clear();
+    for (std::uint32_t c = 0; c < state.clusters.list.size(); ++c) {
+        if (!state.movable(state.clusters.list[c].body)) continue;
+        work.awakeClusters.push_back(c);
+        if (state.trees.ofCluster[c] == none) work.clusters.push_back(c);
+    }
+}
+
+bool isAwake(const State& state, const TreeNode& node) {
+    if (node.cluster != none) return state.movable(state.clusters.list[node.cluster].body);
+    return node.particle != none && state.particles.inverseMass[node.particle] > 0;
+}
+
+void listTrees(State& state) {
+    WorkLists& work = state.work;
+    work.lonelyTrees.clear();
+    work.lines.clear();
+    for (std::uint32_t t = 0; t < state.trees.list.size(); ++t) {
+        const Tree& tree = state.trees.list[t];
+        const auto first = state.trees.nodes.begin() + tree.first;
+        const auto last = state.trees.nodes.begin() + tree.last;
+        if (std::any_of(first, last, [&](const TreeNode& n) { return isAwake(state, n); }))
+            (tree.alone ? work.lonelyTrees : work.lines).push_back(t);
+    }
+}
+
+bool takesPart(const State& state, std::uint32_t j) {
+    const Joints& joints = state.joints;
+    return !joints.inCluster[j] && anyAwake(state, joints.a[j], joints.b[j]) &&
+           (inverseMassAwake(state, joints.a[j]) > 0 || inverseMassAwake(state, joints.b[j]) > 0);
 }
 
 void listJoints(State& state) {
     WorkLists& work = state.work;
     const Joints& joints = state.joints;
-    const auto& w = state.particles.inverseMass;
-    for (auto* list :
-         {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints, &work.breakableJoints})
+    for (auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints,
+                       &work.stiffJoints, &work.breakableJoints})
         list->clear();
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
-        if (!anyAwake(state, joints.a[j], joints.b[j])) continue;
-        if (w[joints.a[j]] == 0 && w[joints.b[j]] == 0) continue;
-        switch (joints.kind[j]) {
-            case JointKind::explicitElastic:
-                work.explicitJoints.push_back(j);
-                break;
-            case JointKind::implicitElastic:
-                work.implicitJoints.push_back(j);
-                break;
-            case JointKind::rigid:
-                work.rigidJoints.push_back(j);
-                break;
-        }
+        if (!takesPart(state, j)) continue;
+        if (joints.kind[j] != JointKind::rigid &&
+            (joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0))
+            work.explicitJoints.push_back(j);
+        if (joints.kind[j] != JointKind::explicitElastic) work.stiffJoints.push_back(j);
         if (joints.strength[j] != infinite) work.breakableJoints.push_back(j);
+    }
+    for (const auto j : state.structure.sweptJoints) {
+        if (!takesPart(state, j)) continue;
+        (joints.kind[j] == JointKind::rigid ? work.rigidJoints : work.implicitJoints).push_back(j);
     }
 }
 
 void listAttachments(State& state) {
-    state.work.attachments.clear();
-    for (std::uint32_t i = 0; i < state.attachments.size(); ++i) {
+    WorkLists& work = state.work;
+    work.attachments.clear();
+    work.hinges.clear();
+    for (const auto i : state.structure.sweptAttachments) {
         const Attachment& held = state.attachments[i];
-        if (anyAwake(state, held.particle, held.support[0])) state.work.attachments.push_back(i);
+        if (anyAwake(state, held.particle, held.support[0])) work.attachments.push_back(i);
     }
+    for (const auto i : state.structure.sweptHinges) {
+        const Hinge& hinge = state.clusters.hinges[i];
+        if (state.movable(state.clusters.list[hinge.cluster].body)) work.hinges.push_back(i);
+    }
+}
+
+/// Bodies that the caller bent are whole again when the sweeps have straightened them.
+void watchStrain(State& state) {
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        if (!state.bodies[i].strained || !strainIsGone(state, i)) continue;
+        state.bodies[i].clustersStale = true;
+        state.structure.stale = true;
+    }
+}
+
+void deriveStructure(State& state) {
+    dissolveTrees(state);
+    updateClusters(state);
+    classifyJoints(state);
+    buildTrees(state);
+    state.structure.stale = false;
+    state.work.stale = true;
+}
+
+void count(State& state) {
+    Statistics& statistics = state.statistics;
+    const auto size = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
+    statistics.particles = size(state.particles);
+    statistics.joints = size(state.joints);
+    statistics.bodies = size(state.bodies);
+    statistics.awakeParticles = state.work.awakeParticles;
+    statistics.clusters = size(state.work.awakeClusters);
+    statistics.trees = size(state.work.lonelyTrees);
+    statistics.explicitJoints = statistics.implicitJoints = statistics.rigidJoints = 0;
+    for (const auto j : state.work.explicitJoints)
+        if (state.joints.kind[j] == JointKind::explicitElastic) ++statistics.explicitJoints;
+    for (const auto j : state.work.stiffJoints)
+        ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
+                                                    : statistics.implicitJoints);
+    statistics.sweptJoints = size(state.work.implicitJoints) + size(state.work.rigidJoints);
 }
 
 }  // namespace
 
 void applyChanges(State& state) {
+    watchStrain(state);
+    if (state.structure.stale) deriveStructure(state);
     if (!state.work.stale) return;
-    classifyJoints(state);
     listAwakeParticles(state);
+    listClusters(state);
+    listTrees(state);
     listJoints(state);
     listAttachments(state);
+    count(state);
     state.work.stale = false;
-
-    Statistics& statistics = state.statistics;
-    statistics.particles = static_cast<std::uint32_t>(state.particles.size());
-    statistics.joints = static_cast<std::uint32_t>(state.joints.size());
-    statistics.bodies = static_cast<std::uint32_t>(state.bodies.size());
-    statistics.awakeParticles = state.work.awakeParticles;
-    statistics.explicitJoints = static_cast<std::uint32_t>(state.work.explicitJoints.size());
-    statistics.implicitJoints = static_cast<std::uint32_t>(state.work.implicitJoints.size());
-    statistics.rigidJoints = static_cast<std::uint32_t>(state.work.rigidJoints.size());
 }
 
 }  // namespace sulfur::detail

@@ -7,6 +7,10 @@ namespace sulfur::detail {
 
 void clearMultipliers(State& state);
 void solveImplicitJoints(State& state);
+/// Contacts begin with what they pushed with in the last tick, so that a stack does not have to be
+/// found anew in every tick.
+void warmStartContacts(State& state);
+void rememberContacts(State& state);
 void solveContacts(State& state);
 /// After the last sweep: nothing that joints pushed may be past the surface that it touches.
 void guardContacts(State& state);

@@ -1,21 +1,27 @@
 // Stage: displacements change until contacts, attachments and stiff joints hold.
 //
 // In each sweep contacts come before joints, so that what a contact disturbs in a body is mended
-// in the same sweep, and rigid joints come last, so that they are the most exact of all.
+// in the same sweep; rigid joints come last, and trees, which are solved as a whole, last of all.
 #include "solver/constraint_kinds.hpp"
 #include "solver/stages.hpp"
+#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
 void solveConstraints(State& state) {
     clearMultipliers(state);
+    touchTrees(state);
+    warmStartContacts(state);
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
         solveImplicitJoints(state);
         solveContacts(state);
         solveAttachments(state);
         solveRigidJoints(state);
+        sweepTrees(state);
     }
     guardContacts(state);
+    rememberContacts(state);
+    recordTreeForces(state);
     recordForces(state);
 }
 

@@ -21,8 +21,8 @@ void addElasticForce(State& state, std::uint32_t j) {
     }
     const Vec2 direction = apart / length;
     const Real lengthening = direction.dot(particles.velocity[b] - particles.velocity[a]);
-    const Real pull =
-        joints.stiffness[j] * (length - joints.restLength[j]) + joints.damping[j] * lengthening;
+    const Real pull = joints.explicitStiffness[j] * (length - joints.restLength[j]) +
+                      joints.explicitDamping[j] * lengthening;
     joints.force[j] = pull;
     particles.force[a] += pull * direction;
     particles.force[b] -= pull * direction;

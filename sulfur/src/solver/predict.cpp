@@ -3,7 +3,10 @@
 
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
+#include "rigid/cluster_motion.hpp"
+#include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
+#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
@@ -53,22 +56,21 @@ void startFreshParticles(State& state) {
         const Real w = particles.inverseMass[i];
         if (w == 0) continue;
         const Vec2 acceleration = state.settings.gravity + w * particles.force[i];
-        particles.velocity[i] -= state.h / 2 * acceleration;
+        particles.velocity[i] -= static_cast<Real>(lastStepOf(state, i) / 2) * acceleration;
+        stirClusters(state, i);
     }
     state.fresh.clear();
 }
 
-}  // namespace
-
-void predict(State& state) {
-    startFreshParticles(state);
+/// v += h (g + w f) and d = h v for the particles that move by themselves.
+void predictParticles(State& state) {
     Particles& particles = state.particles;
     const Real h = state.h;
     // Air friction by the trapezoidal rule: v' - v = h a - h c (v + v') / 2.
     const Real half = h * state.settings.airFriction / 2;
     const Real keep = (1 - half) / (1 + half);
     const Real push = h / (1 + half);
-    for (const Range range : state.work.awake) {
+    for (const Range range : state.work.free) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
             const Real w = particles.inverseMass[i];
             if (w != 0) {
@@ -82,7 +84,18 @@ void predict(State& state) {
             particles.force[i] = Vec2(0, 0);
         }
     }
+}
+
+}  // namespace
+
+void predict(State& state) {
+    startFreshParticles(state);
+    adoptStirredClusters(state);
+    predictParticles(state);
     driveKinematicBodies(state);
+    predictClusters(state);
+    stepTrees(state);
+    spreadDisplacements(state);
 }
 
 }  // namespace sulfur::detail

@@ -1,7 +1,8 @@
 // Stage: islands that have been at rest for a while fall asleep; what is touched wakes.
 #include <algorithm>
-#include <numeric>
 
+#include "core/disjoint_sets.hpp"
+#include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -11,26 +12,6 @@ namespace {
 constexpr Real restingSpeed = Real(0.005);  // m/s
 constexpr Real timeToSleep = Real(0.5);     // s
 constexpr Real wakingSpeed = Real(0.02);    // m/s, of what touches a sleeper
-
-/// Disjoint sets of bodies that hold or touch each other (path halving, the smaller index leads).
-class Islands {
-public:
-    explicit Islands(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 bool isDynamic(const State& state, std::uint32_t body) {
     return state.bodies[body].kind == BodyKind::dynamic;
@@ -48,9 +29,12 @@ void measureRest(State& state) {
 }
 
 /// A body that is pushed by a kinematic one, or tied to one that moves, is never at rest.
-void tie(State& state, Islands& islands, std::uint32_t a, std::uint32_t b) {
+void tie(State& state, DisjointSets& islands, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
-    if (isDynamic(state, a) && isDynamic(state, b)) return islands.unite(a, b);
+    if (isDynamic(state, a) && isDynamic(state, b)) {
+        islands.unite(a, b);
+        return;
+    }
     for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
         if (!isDynamic(state, one) || state.bodies[other].kind != BodyKind::kinematic) continue;
         const auto first = state.bodies[other].firstParticle;
@@ -58,8 +42,8 @@ void tie(State& state, Islands& islands, std::uint32_t a, std::uint32_t b) {
     }
 }
 
-Islands findIslands(State& state) {
-    Islands islands(state.bodies.size());
+DisjointSets findIslands(State& state) {
+    DisjointSets islands(state.bodies.size());
     for (const Contact& c : state.contacts)
         if (c.normalLambda > 0) tie(state, islands, c.bodyA, c.bodyB);
     const auto& body = state.particles.body;
@@ -117,6 +101,7 @@ void sleepBody(State& state, std::uint32_t index) {
         state.particles.displacement[i] = Vec2(0, 0);
         state.particles.inverseMass[i] = 0;
     }
+    restoreClusterMasses(state, index);
     state.work.stale = true;
     state.broad.pairsStale = true;
 }
@@ -130,7 +115,7 @@ void updateSleep(State& state) {
         state.bodies.begin(), state.bodies.end(),
         [](const BodyRecord& body) { return !body.asleep && body.restingTime >= timeToSleep; });
     if (!anyTired) return;
-    Islands islands = findIslands(state);
+    DisjointSets islands = findIslands(state);
     std::vector<bool> restless(state.bodies.size(), false);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&

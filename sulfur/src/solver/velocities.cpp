@@ -2,7 +2,10 @@
 #include <algorithm>
 
 #include "core/limits.hpp"
+#include "rigid/cluster_motion.hpp"
+#include "rigid/grip.hpp"
 #include "solver/stages.hpp"
+#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
@@ -14,7 +17,7 @@ constexpr Real reboundThreshold = Real(0.2);  // m/s
 void velocitiesFromDisplacements(State& state) {
     Particles& particles = state.particles;
     const Real rate = 1 / state.h;
-    for (const Range range : state.work.awake) {
+    for (const Range range : state.work.free) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
             if (particles.inverseMass[i] == 0 &&
                 state.bodies[particles.body[i]].kind == BodyKind::kinematic)
@@ -25,22 +28,25 @@ void velocitiesFromDisplacements(State& state) {
     }
 }
 
-/// Newton's law of impact: the normal velocity after is minus restitution times that before.
-void rebound(Particles& particles, const Contact& c) {
-    auto& v = particles.velocity;
-    const auto& w = particles.inverseMass;
-    const Vec2 relative = v[c.particle] - c.weightA * v[c.a] - c.weightB * v[c.b];
-    const Real wanted = c.restitution * c.approach - c.normal.dot(relative);
-    if (wanted <= 0) return;
-    const Vec2 impulse = wanted / c.inverseEffectiveMass * c.normal;
-    v[c.particle] += w[c.particle] * impulse;
-    v[c.a] -= c.weightA * w[c.a] * impulse;
-    v[c.b] -= c.weightB * w[c.b] * impulse;
+Vec2 relativeVelocity(const State& state, const Contact& c) {
+    Vec2 v = velocityOf(state, c.gripOfParticle) - c.shareA * velocityOf(state, c.gripOfA);
+    if (c.shareB != 0) v -= c.shareB * velocityOf(state, c.gripOfB);
+    return v;
 }
 
-void move(State& state) {
+/// Newton's law of impact: the normal velocity after is minus restitution times that before.
+void rebound(State& state, const Contact& c) {
+    const Real wanted = c.restitution * c.approach - c.normal.dot(relativeVelocity(state, c));
+    if (wanted <= 0) return;
+    const Vec2 impulse = wanted / c.inverseEffectiveMass * c.normal;
+    strike(state, c.gripOfParticle, impulse);
+    strike(state, c.gripOfA, -c.shareA * impulse);
+    if (c.shareB != 0) strike(state, c.gripOfB, -c.shareB * impulse);
+}
+
+void movePoints(State& state) {
     Particles& particles = state.particles;
-    for (const Range range : state.work.awake) {
+    for (const Range range : state.work.points) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
             const Point moved = particles.position[i] + particles.displacement[i].cast<double>();
             particles.position[i] = moved.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
@@ -52,10 +58,13 @@ void move(State& state) {
 
 void updateVelocities(State& state) {
     velocitiesFromDisplacements(state);
+    updateTreeVelocities(state);
+    updateClusterVelocities(state);
     for (const Contact& c : state.contacts)
         if (c.restitution > 0 && c.normalLambda > 0 && c.approach > reboundThreshold)
-            rebound(state.particles, c);
-    move(state);
+            rebound(state, c);
+    movePoints(state);
+    moveClusters(state);
 }
 
 }  // namespace sulfur::detail

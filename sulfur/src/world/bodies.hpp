@@ -16,6 +16,8 @@ struct BodyRecord {
     bool asleep = false;
     bool moving = false;              // kinematic: has a target for the next tick
     bool stopping = false;            // kinematic: had a target for the last tick
+    bool clustersStale = true;        // its rigid components must be found again
+    bool strained = false;            // they were not, because it was bent out of shape
     Real restingTime = 0;             // s for which its island has been at rest
     std::uint32_t firstParticle = 0;  // dense index
     Material material;
@@ -34,6 +36,8 @@ struct BodyRecord {
         a(asleep);
         a(moving);
         a(stopping);
+        a(clustersStale);
+        a(strained);
         a(restingTime);
         a(firstParticle);
         a(material);

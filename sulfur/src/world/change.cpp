@@ -1,6 +1,7 @@
 // World: changing what exists.
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
 #include "world/impl.hpp"
 
@@ -35,6 +36,7 @@ void wakeOwner(State& state, std::uint32_t particle) {
 void setParticleVelocity(State& state, std::uint32_t i, Vec2 velocity) {
     if (state.particles.pinned[i]) return;
     state.particles.velocity[i] = velocity;
+    detail::stirClusters(state, i);
     if (state.bodies[state.particles.body[i]].kind == BodyKind::dynamic) state.fresh.push_back(i);
 }
 
@@ -114,7 +116,7 @@ void World::setRestLength(JointId id, Real restLength) {
         throw Error(ErrorCode::degenerate,
                     "rest length is 0; a rigid or colliding joint needs more than 0");
     state.joints.restLength[j] = restLength;
-    for (const auto p : {state.joints.a[j], state.joints.b[j]}) wakeOwner(state, p);
+    detail::jointChanged(state, j);
 }
 
 void World::setStrength(JointId id, Real strength) {
@@ -133,7 +135,7 @@ void World::setMass(ParticleId id, Real mass) {
     const auto body = state.particles.body[i];
     detail::wakeBody(state, body);
     detail::restoreInverseMass(state, body);
-    state.work.stale = true;
+    detail::shapeChanged(state, body);
 }
 
 void World::setPosition(ParticleId id, Point position) {
@@ -142,7 +144,9 @@ void World::setPosition(ParticleId id, Point position) {
     for (int axis = 0; axis < 2; ++axis)
         requireRange(position[axis], -maxCoordinate, maxCoordinate, "position");
     wakeOwner(state, i);
+    if (state.particles.position[i] == position) return;
     state.particles.position[i] = position;
+    detail::shapeChanged(state, state.particles.body[i]);
     state.particles.displacement[i] = Vec2(0, 0);
     state.broad.pairsStale = true;
     if (state.bodies[state.particles.body[i]].kind == BodyKind::fixed)
@@ -188,6 +192,7 @@ void World::applyImpulse(ParticleId id, Vec2 impulse) {
     wakeOwner(state, i);
     const Vec2 changed = state.particles.velocity[i] + state.particles.inverseMass[i] * impulse;
     state.particles.velocity[i] = changed.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+    detail::stirClusters(state, i);
 }
 
 void World::moveTo(BodyId id, const Pose& pose) {

@@ -1,6 +1,7 @@
 // Removing things and closing the gaps that they leave.
 #include <algorithm>
 
+#include "trees/tree_solver.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -39,6 +40,15 @@ void spreadRemoval(const State& state, Removal& removal) {
         for (std::uint32_t k = 0; k < held.count; ++k) gone |= removal.particles[held.support[k]];
         if (gone) removal.attachments[i] = true;
     }
+}
+
+/// Bodies that lose particles or joints of their own have other rigid components now.
+void markChangedBodies(State& state, const Removal& removal) {
+    for (std::size_t i = 0; i < state.particles.size(); ++i)
+        if (removal.particles[i]) state.bodies[state.particles.body[i]].clustersStale = true;
+    for (std::size_t j = 0; j < state.joints.size(); ++j)
+        if (removal.joints[j] && state.joints.body[j] != none)
+            state.bodies[state.joints.body[j]].clustersStale = true;
 }
 
 void forgetHandles(State& state, const Removal& removal) {
@@ -89,6 +99,45 @@ void squeezeJoints(State& state, const Removal& removal, const std::vector<std::
     }
 }
 
+/// Clusters of bodies that changed are dropped; they are found again with the structure.
+void squeezeClusters(State& state, const Removal& removal,
+                     const std::vector<std::uint32_t>& newBody,
+                     const std::vector<std::uint32_t>& newParticle) {
+    const Clusters before = std::move(state.clusters);
+    state.clusters = {};
+    Clusters& after = state.clusters;
+    std::vector<std::uint32_t> newCluster(before.list.size(), none);
+    for (std::uint32_t c = 0; c < before.list.size(); ++c) {
+        Cluster cluster = before.list[c];
+        if (removal.bodies[cluster.body]) continue;
+        cluster.body = newBody[cluster.body];
+        if (state.bodies[cluster.body].clustersStale) continue;
+        const auto first = static_cast<std::uint32_t>(after.members.size());
+        for (auto k = cluster.first; k < cluster.last; ++k) {
+            after.members.push_back(newParticle[before.members[k]]);
+            after.places.push_back(before.places[k]);
+        }
+        cluster.first = first;
+        cluster.last = static_cast<std::uint32_t>(after.members.size());
+        newCluster[c] = static_cast<std::uint32_t>(after.list.size());
+        after.list.push_back(cluster);
+    }
+    for (const Hinge& hinge : before.hinges)
+        if (newCluster[hinge.cluster] != none)
+            after.hinges.push_back(
+                {newCluster[hinge.cluster], newParticle[hinge.particle], hinge.place});
+    for (auto& cluster : state.particles.cluster)
+        if (cluster != none) cluster = newCluster[cluster];
+}
+
+void squeezeContactMemory(State& state, const std::vector<std::uint32_t>& newParticle) {
+    for (ContactMemory& m : state.contactMemory)
+        for (auto* p : {&m.particle, &m.a, &m.b}) *p = newParticle[*p];
+    std::erase_if(state.contactMemory, [](const ContactMemory& m) {
+        return m.particle == none || m.a == none || m.b == none;
+    });
+}
+
 void squeezeAttachments(State& state, const Removal& removal,
                         const std::vector<std::uint32_t>& newParticle) {
     squeeze(state.attachments, removal.attachments);
@@ -104,7 +153,9 @@ void squeezeAttachments(State& state, const Removal& removal,
 }  // namespace
 
 void compact(State& state, Removal& removal) {
+    dissolveTrees(state);
     spreadRemoval(state, removal);
+    markChangedBodies(state, removal);
     forgetHandles(state, removal);
     const auto newBody = renumber(removal.bodies);
     const auto newParticle = renumber(removal.particles);
@@ -115,11 +166,13 @@ void compact(State& state, Removal& removal) {
         for (auto& i : state.fresh) i = newParticle[i];
         std::erase(state.fresh, none);
         state.contacts.clear();
+        squeezeContactMemory(state, newParticle);
     }
     squeezeJoints(state, removal, newBody, newParticle);
     squeezeAttachments(state, removal, newParticle);
     squeezeBodies(state, removal);
-    state.work.stale = true;
+    squeezeClusters(state, removal, newBody, newParticle);
+    state.structure.stale = true;
     state.broad.collidersStale = true;
 }
 

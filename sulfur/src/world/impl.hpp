@@ -22,6 +22,8 @@ std::uint32_t indexOf(const State& state, AttachmentId id);
 /// Wakes the bodies of both ends, and makes the next tick notice changed joints.
 void jointChanged(State& state, std::uint32_t joint);
 void bodyChanged(State& state);
+/// Makes the next tick measure the rigid components of a body again.
+void shapeChanged(State& state, std::uint32_t body);
 
 }  // namespace detail
 }  // namespace sulfur

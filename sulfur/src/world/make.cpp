@@ -6,6 +6,7 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
+#include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
 #include "world/impl.hpp"
 
@@ -37,6 +38,8 @@ void addParticle(State& state, const ParticleSpec& spec, const Pose& pose, const
     p.velocity.emplace_back(0, 0);
     p.force.emplace_back(0, 0);
     p.inverseMass.push_back(0);
+    p.cluster.push_back(none);
+    p.arm.emplace_back(0, 0);
     p.reach.push_back(spec.radius);
     p.body.push_back(bodyIndex);
     p.mass.push_back(spec.mass);
@@ -57,9 +60,12 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     j.restLength.push_back(restLength);
     j.stiffness.push_back(options.stiffness);
     j.damping.push_back(options.damping);
+    j.explicitStiffness.push_back(0);
+    j.explicitDamping.push_back(0);
     j.lambda.push_back(0);
     j.force.push_back(0);
     j.kind.push_back(JointKind::rigid);
+    j.inCluster.push_back(0);
     j.radius.push_back(options.radius);
     j.strength.push_back(options.strength);
     j.body.push_back(body);
@@ -176,9 +182,11 @@ void restoreInverseMass(State& state, std::uint32_t index) {
         const bool free = body.kind == BodyKind::dynamic && !body.asleep && p.pinned[i] == 0;
         p.inverseMass[i] = free ? 1 / p.mass[i] : 0;
     }
+    restoreClusterMasses(state, index);
 }
 
 void bodyChanged(State& state) {
+    state.structure.stale = true;
     state.work.stale = true;
     state.broad.collidersStale = true;
 }
@@ -186,7 +194,14 @@ void bodyChanged(State& state) {
 void jointChanged(State& state, std::uint32_t joint) {
     for (const auto p : {state.joints.a[joint], state.joints.b[joint]})
         wakeBody(state, state.particles.body[p]);
-    state.work.stale = true;
+    if (state.joints.body[joint] != none)
+        state.bodies[state.joints.body[joint]].clustersStale = true;
+    state.structure.stale = true;
+}
+
+void shapeChanged(State& state, std::uint32_t body) {
+    state.bodies[body].clustersStale = true;
+    state.structure.stale = true;
 }
 
 }  // namespace detail
@@ -252,7 +267,10 @@ JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions
                     "dynamic body");
     const auto owner = bodyA == bodyB ? bodyA : detail::none;
     const JointId id = detail::addJoint(state, a, b, options, rest, owner);
-    if (owner != detail::none) state.bodies[owner].joints.push_back(id);
+    if (owner != detail::none) {
+        state.bodies[owner].joints.push_back(id);
+        state.bodies[owner].clustersStale = true;
+    }
     detail::bodyChanged(state);
     return id;
 }
@@ -305,7 +323,7 @@ void World::setPinned(ParticleId particle, bool pinned) {
     const auto body = state.particles.body[i];
     detail::wakeBody(state, body);
     detail::restoreInverseMass(state, body);
-    state.work.stale = true;
+    detail::shapeChanged(state, body);
 }
 
 }  // namespace sulfur

@@ -26,7 +26,11 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.particles);
     a(state.joints);
     a(state.attachments);
+    a(state.clusters);
+    a(state.trees);
+    a(state.structure);
     a(state.fresh);
+    a(state.contactMemory);
     a(state.touching);
     a(state.broad.cellSize);
 }

@@ -13,6 +13,8 @@
 #include "core/slots.hpp"
 #include "joints/joints.hpp"
 #include "particles/particles.hpp"
+#include "rigid/clusters.hpp"
+#include "trees/trees.hpp"
 #include "world/bodies.hpp"
 
 namespace sulfur::detail {
@@ -22,12 +24,36 @@ struct Range {
     std::uint32_t first = 0, last = 0;
 };
 
+/// How what is stiff is solved: derived from joints, attachments, masses and pins whenever `stale`,
+/// whether it is awake or not.
+struct Structure {
+    // What no tree has taken, in the order of the sweeps: joints of one colour share no particle.
+    std::vector<std::uint32_t> sweptJoints, sweptAttachments, sweptHinges;
+    bool stale = true;
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(sweptJoints);
+        a(sweptAttachments);
+        a(sweptHinges);
+        a(stale);
+    }
+};
+
 /// What the stages loop over, so that they never ask each particle whether it takes part.
-/// Derived from the rest of the state whenever `stale`.
+/// Derived from the structure and from who is awake whenever `stale`.
 struct WorkLists {
-    std::vector<Range> awake;  // particles of bodies that move
-    std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints, breakableJoints;
-    std::vector<std::uint32_t> attachments;
+    std::vector<Range> awake;   // particles of bodies that move
+    std::vector<Range> points;  // of these, the ones in no cluster
+    std::vector<Range> free;    // of these, the ones in no tree that moves alone
+    std::vector<std::uint32_t> awakeClusters;
+    std::vector<std::uint32_t> clusters;     // of these, the ones in no tree that moves alone
+    std::vector<std::uint32_t> lonelyTrees;  // that move alone
+    std::vector<std::uint32_t> lines;        // trees that are solved in the sweeps
+    std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints;  // the latter two swept
+    std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
+    std::vector<std::uint32_t> breakableJoints;
+    std::vector<std::uint32_t> attachments, hinges;  // swept
     std::uint32_t awakeParticles = 0;
     bool stale = true;
 };
@@ -40,6 +66,8 @@ struct State {
     Particles particles;
     Joints joints;
     std::vector<Attachment> attachments;
+    Clusters clusters;
+    Trees trees;
     std::vector<BodyRecord> bodies;
     std::vector<BodyId> bodyIds;
 
@@ -52,9 +80,11 @@ struct State {
     /// which is where a scheme that keeps velocities at half ticks must start.
     std::vector<std::uint32_t> fresh;
 
+    Structure structure;
     WorkLists work;
     BroadPhase broad;
     std::vector<Contact> contacts;
+    std::vector<ContactMemory> contactMemory;                  // of the last tick, sorted
     std::vector<std::uint64_t> touching;                       // pairs of bodies in contact, sorted
     std::vector<std::uint64_t> touchingNow, touchingReported;  // scratch
     Events events;
@@ -82,7 +112,10 @@ void compact(State& state, Removal& removal);
 /// Gives the particles of a body the inverse masses that its kind, their masses and pins demand.
 void restoreInverseMass(State& state, std::uint32_t body);
 
-/// Derives which joints are explicit, implicit and rigid; the collision radius of particles.
+/// The inverse mass that a particle has while its body is awake, 0 if nothing moves it then.
+Real inverseMassAwake(const State& state, std::uint32_t particle);
+
+/// Derives how each joint is solved; the collision radius of particles.
 void classifyJoints(State& state);
 void updateReach(State& state);
 

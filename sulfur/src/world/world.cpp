@@ -4,6 +4,7 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
+#include "trees/tree_solver.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -270,21 +271,30 @@ std::vector<ContactInfo> World::contacts() const {
     return found;
 }
 
+namespace {
+/// Where a particle was when it had the velocity that is stored: in the middle of its last step.
+Point positionOfVelocity(const State& state, std::uint32_t i) {
+    const auto& p = state.particles;
+    return p.position[i] - detail::lastStepOf(state, i) / 2 * p.velocity[i].cast<double>();
+}
+}  // namespace
+
 double World::energy() const {
     const State& state = impl_->state;
     const auto& p = state.particles;
     double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
         if (state.bodies[p.body[i]].kind != BodyKind::dynamic || p.pinned[i]) continue;
         const auto v = p.velocity[i].cast<double>();
         sum += static_cast<double>(p.mass[i]) *
-               (v.squaredNorm() / 2 - state.settings.gravity.cast<double>().dot(p.position[i]));
+               (v.squaredNorm() / 2 -
+                state.settings.gravity.cast<double>().dot(positionOfVelocity(state, i)));
     }
     const auto& j = state.joints;
     for (std::size_t i = 0; i < j.size(); ++i) {
         if (j.stiffness[i] == infinite) continue;
-        const double stretch =
-            (p.position[j.b[i]] - p.position[j.a[i]]).norm() - static_cast<double>(j.restLength[i]);
+        const Point apart = positionOfVelocity(state, j.b[i]) - positionOfVelocity(state, j.a[i]);
+        const double stretch = apart.norm() - static_cast<double>(j.restLength[i]);
         sum += static_cast<double>(j.stiffness[i]) * stretch * stretch / 2;
     }
     return sum;

@@ -133,7 +133,7 @@ TEST(Joints, OverloadedJointBreaksWithAnEvent) {
 }
 
 TEST(Joints, ConnectionAndAttachmentTieBodies) {
-    World world({.sleeping = false});
+    World world({.airFriction = 1, .sleeping = false});
     Blueprint plan = shapes::box({.size = {1, 1}, .mass = 2});
     const Body crate = world.add(plan, {.position = {0, 0}});
     const Body rope = world.add(

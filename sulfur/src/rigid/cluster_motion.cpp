@@ -1,0 +1,148 @@
+#include "rigid/cluster_motion.hpp"
+
+#include <algorithm>
+
+#include "core/limits.hpp"
+#include "core/trigonometry.hpp"
+#include "rigid/grip.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+Point perpendicular(const Point& v) {
+    return {-v[1], v[0]};
+}
+
+Vec2 limited(const Vec2& velocity) {
+    return velocity.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+}
+
+/// No member may be faster than any particle may.
+double limitedSpin(const Cluster& c, double spin) {
+    const double most = static_cast<double>(maxSpeed) / c.reach;
+    return std::clamp(spin, -most, most);
+}
+
+/// The motion of a rigid body with the momentum and angular momentum that its particles have.
+void adopt(const State& state, Cluster& cluster) {
+    const Particles& p = state.particles;
+    Point momentum(0, 0);
+    double angular = 0;
+    for (std::uint32_t k = cluster.first; k < cluster.last; ++k) {
+        const auto i = state.clusters.members[k];
+        if (p.pinned[i]) continue;
+        const Point mv = static_cast<double>(p.mass[i]) * p.velocity[i].cast<double>();
+        momentum += mv;
+        angular += cross(turned(cluster.heading, state.clusters.places[k]), mv);
+    }
+    cluster.velocity = (cluster.freeInverseMass * momentum).cast<Real>();
+    cluster.spin = cluster.freeInverseInertia * angular;
+    cluster.stirred = 0;
+}
+
+/// Air friction by the trapezoidal rule, as for particles.
+struct AirFriction {
+    explicit AirFriction(const State& state) {
+        const double half = static_cast<double>(state.h * state.settings.airFriction) / 2;
+        keep = (1 - half) / (1 + half);
+        push = static_cast<double>(state.h) / (1 + half);
+    }
+    double keep, push;
+};
+
+void predictCluster(State& state, Cluster& c, const AirFriction& air) {
+    const ClusterLoad load = loadOf(state, c);
+    c.velocity =
+        limited((air.keep * c.velocity.cast<double>() + air.push * load.acceleration).cast<Real>());
+    c.spin = limitedSpin(c, air.keep * c.spin + air.push * load.turning);
+    c.displacement = c.predicted = state.h * c.velocity;
+    c.angle = c.predictedAngle = static_cast<double>(state.h) * c.spin;
+    updateTurn(c);
+}
+
+}  // namespace
+
+ClusterLoad loadOf(const State& state, const Cluster& c) {
+    if (c.inverseMass == 0 && c.inverseInertia == 0) return {};
+    const Particles& p = state.particles;
+    const Point weight = c.mass * state.settings.gravity.cast<double>();
+    Point force = weight;
+    double torque = cross(turned(c.heading, c.massCentre), weight);
+    for (std::uint32_t k = c.first; k < c.last; ++k) {
+        const auto i = state.clusters.members[k];
+        const Point f = p.force[i].cast<double>();
+        force += f;
+        torque += cross(p.arm[i].cast<double>(), f);
+    }
+    return {static_cast<double>(c.inverseMass) * force,
+            static_cast<double>(c.inverseInertia) * torque};
+}
+
+void adoptStirredClusters(State& state) {
+    for (Cluster& c : state.clusters.list)
+        if (c.stirred) adopt(state, c);
+}
+
+void predictClusters(State& state) {
+    const AirFriction air(state);
+    for (const auto i : state.work.clusters) predictCluster(state, state.clusters.list[i], air);
+}
+
+void spreadDisplacements(State& state) {
+    Particles& p = state.particles;
+    for (const auto i : state.work.awakeClusters) {
+        const Cluster& c = state.clusters.list[i];
+        for (std::uint32_t k = c.first; k < c.last; ++k) {
+            const auto m = state.clusters.members[k];
+            const Vec2& arm = p.arm[m];
+            p.displacement[m] = c.displacement + c.sine * Vec2(-arm[1], arm[0]) - c.versine * arm;
+            p.force[m] = Vec2(0, 0);
+        }
+    }
+}
+
+void updateClusterVelocities(State& state) {
+    const Real rate = 1 / state.h;
+    for (const auto i : state.work.awakeClusters) {
+        Cluster& c = state.clusters.list[i];
+        c.velocity = limited(c.velocity + rate * (c.displacement - c.predicted));
+        c.spin = limitedSpin(c, c.spin + static_cast<double>(rate) * (c.angle - c.predictedAngle));
+    }
+}
+
+void placeMembers(State& state, std::uint32_t index) {
+    const Cluster& c = state.clusters.list[index];
+    Particles& p = state.particles;
+    for (std::uint32_t k = c.first; k < c.last; ++k) {
+        const auto i = state.clusters.members[k];
+        const Point arm = turned(c.heading, state.clusters.places[k]);
+        p.arm[i] = arm.cast<Real>();
+        p.position[i] = c.centre + arm;
+    }
+}
+
+void moveClusters(State& state) {
+    Particles& p = state.particles;
+    for (const auto index : state.work.awakeClusters) {
+        Cluster& c = state.clusters.list[index];
+        const double angle = c.angle + c.twist;
+        if (angle != 0) c.heading = turned(unitVector(angle), c.heading).normalized();
+        c.centre += c.displacement.cast<double>() + c.shift.cast<double>();
+        c.centre = c.centre.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
+        c.shift = Vec2(0, 0);
+        c.twist = 0;
+        const Point velocity = c.velocity.cast<double>();
+        for (std::uint32_t k = c.first; k < c.last; ++k) {
+            const auto i = state.clusters.members[k];
+            const Point arm = turned(c.heading, state.clusters.places[k]);
+            const Point place = c.centre + arm;
+            p.displacement[i] = (place - p.position[i]).cast<Real>();
+            p.position[i] = place;
+            p.arm[i] = arm.cast<Real>();
+            p.velocity[i] = limited((velocity + c.spin * perpendicular(arm)).cast<Real>());
+        }
+    }
+}
+
+}  // namespace sulfur::detail

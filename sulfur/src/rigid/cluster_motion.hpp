@@ -1,0 +1,31 @@
+// How rigid components move in a tick: in closed form, with their spin kept.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Kicks velocity and spin by `step` seconds of the forces on the members, gravity and air
+/// friction, and clears those forces. Also used by trees for their own, shorter steps.
+struct ClusterLoad {
+    Point acceleration{0, 0};  // m/s^2 of the centre
+    double turning = 0;        // rad/s^2
+};
+/// What gravity and the forces on its members do to a cluster; a pure function of the state.
+ClusterLoad loadOf(const State& state, const Cluster& cluster);
+
+/// Velocity and spin from the particles' velocities, for clusters whose particles somebody changed.
+void adoptStirredClusters(State& state);
+/// Velocity, spin and displacement of this tick, for the clusters of the work list.
+void predictClusters(State& state);
+/// Displacements of the members from those of their clusters, for the stages that look at
+/// particles.
+void spreadDisplacements(State& state);
+/// Velocities and spins take up what the constraints have changed.
+void updateClusterVelocities(State& state);
+/// Moves the clusters and their members; members get position, displacement, velocity.
+void moveClusters(State& state);
+/// Members of one cluster to their places, from centre and heading.
+void placeMembers(State& state, std::uint32_t cluster);
+
+}  // namespace sulfur::detail

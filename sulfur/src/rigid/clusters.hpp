@@ -1,0 +1,115 @@
+// Rigid components: particles that their rigid joints leave only three freedoms, moved as one.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <vector>
+
+#include "core/slots.hpp"
+
+namespace sulfur::detail {
+
+/// A rigid component. It turns about its centre of mass, or about its one pinned particle; with
+/// two pinned particles it stays where it is.
+///
+/// The spin is a number of its own, never recovered from positions: without torque it does not
+/// change by a single bit.
+struct Cluster {
+    std::uint32_t body = none;                 // dense index
+    std::uint32_t first = 0, last = 0;         // its part of Clusters::members
+    Point centre{0, 0};                        // m, what it turns about, at the start of the tick
+    Point heading{1, 0};                       // (cos, sin) of its orientation
+    Point massCentre{0, 0};                    // m, from the centre, in its own frame
+    double spin = 0;                           // rad/s
+    double mass = 0;                           // kg
+    double reach = 0;                          // m, from the centre to its farthest member
+    double freeInverseMass = 0;                // 1/kg while awake; 0 with a pinned particle
+    double freeInverseInertia = 0;             // 1/(kg m^2) while awake; 0 with two of them
+    Real inverseMass = 0, inverseInertia = 0;  // 0 while asleep
+    Vec2 velocity{0, 0};                       // m/s of the centre
+
+    // This tick's motion.
+    Vec2 displacement{0, 0}, predicted{0, 0};  // m, of the centre
+    double angle = 0, predictedAngle = 0;      // rad
+    Real sine = 0, versine = 0;                // of angle; 1 - cos, which keeps small angles
+    Vec2 shift{0, 0};                          // m, correction that becomes no velocity
+    double twist = 0;                          // rad, the same
+
+    std::uint8_t stirred = 1;  // somebody changed the velocities of its particles
+    std::uint8_t watched = 0;  // has joints that may break
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(body);
+        a(first);
+        a(last);
+        a(centre);
+        a(heading);
+        a(massCentre);
+        a(spin);
+        a(mass);
+        a(reach);
+        a(freeInverseMass);
+        a(freeInverseInertia);
+        a(inverseMass);
+        a(inverseInertia);
+        a(velocity);
+        a(displacement);
+        a(predicted);
+        a(angle);
+        a(predictedAngle);
+        a(sine);
+        a(versine);
+        a(shift);
+        a(twist);
+        a(stirred);
+        a(watched);
+    }
+};
+
+/// A particle that two clusters share belongs to one of them and is the hinge of the other.
+struct Hinge {
+    std::uint32_t cluster = none;  // the other one
+    std::uint32_t particle = none;
+    Point place{0, 0};  // m, of the particle in the frame of `cluster`
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(cluster);
+        a(particle);
+        a(place);
+    }
+};
+
+struct Clusters {
+    std::vector<Cluster> list;           // in the order of their bodies
+    std::vector<std::uint32_t> members;  // particles, cluster by cluster
+    std::vector<Point> places;           // m, of the members in the frame of their cluster
+    std::vector<Hinge> hinges;
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(list);
+        a(members);
+        a(places);
+        a(hinges);
+    }
+};
+
+/// Where a constraint takes hold: a particle that moves by itself, or a point of a cluster.
+struct Grip {
+    std::uint32_t particle = none;  // meaningful without a cluster
+    std::uint32_t cluster = none;
+    Vec2 arm{0, 0};  // m, from the cluster's centre, at the start of the tick
+};
+
+inline Vec2 perpendicular(const Vec2& v) {
+    return {-v[1], v[0]};
+}
+
+/// `v`, turned by the angle whose (cos, sin) is `heading`.
+inline Point turned(const Point& heading, const Point& v) {
+    return {heading[0] * v[0] - heading[1] * v[1], heading[1] * v[0] + heading[0] * v[1]};
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,240 @@
+#include "rigid/find_clusters.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rigid/cluster_motion.hpp"
+#include "rigid/rigidity.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// More than this share of its length makes a rigid joint strained: its body was bent by the
+/// caller, and the sweeps bring it into shape before it may move as one piece.
+constexpr double strainLimit = 1e-4;
+
+bool isStrained(const State& state, std::uint32_t j) {
+    const Joints& joints = state.joints;
+    const auto& x = state.particles.position;
+    const double rest = static_cast<double>(joints.restLength[j]);
+    return std::abs((x[joints.b[j]] - x[joints.a[j]]).norm() - rest) > strainLimit * rest;
+}
+
+/// The rigid joints of a body, with particles numbered from its first one.
+struct Framework {
+    Framework(const State& state, std::uint32_t index) {
+        const BodyRecord& body = state.bodies[index];
+        first = body.firstParticle;
+        for (std::uint32_t k = 0; k < body.particles.size(); ++k)
+            positions.push_back(state.particles.position[first + k]);
+        for (const JointId id : body.joints) {
+            const auto j = state.jointSlots.dense(id);
+            if (!isRigid(state.joints, j)) continue;
+            joints.push_back(j);
+            bars.push_back({state.joints.a[j] - first, state.joints.b[j] - first});
+        }
+    }
+    std::uint32_t first = 0;
+    std::vector<Point> positions;
+    std::vector<std::uint32_t> joints;
+    std::vector<Bar> bars;
+};
+
+std::uint32_t pinnedAmong(const State& state, const std::vector<std::uint32_t>& particles) {
+    return static_cast<std::uint32_t>(
+        std::count_if(particles.begin(), particles.end(),
+                      [&](std::uint32_t i) { return state.particles.pinned[i] != 0; }));
+}
+
+/// What a cluster of these particles turns about, and how heavy it is.
+struct Measures {
+    Point centre{0, 0}, massCentre{0, 0};  // m, in the world
+    double mass = 0, inertia = 0;          // inertia about `centre`
+};
+
+Measures measure(const State& state, const std::vector<std::uint32_t>& particles) {
+    const Particles& p = state.particles;
+    const Point origin = p.position[particles.front()];
+    Measures m;
+    Point weighted(0, 0);
+    for (const auto i : particles) {
+        m.mass += static_cast<double>(p.mass[i]);
+        weighted += static_cast<double>(p.mass[i]) * (p.position[i] - origin);
+    }
+    m.massCentre = m.centre = origin + weighted / m.mass;
+    for (const auto i : particles)
+        if (p.pinned[i]) m.centre = p.position[i];
+    for (const auto i : particles)
+        m.inertia += static_cast<double>(p.mass[i]) * (p.position[i] - m.centre).squaredNorm();
+    return m;
+}
+
+class Finder {
+public:
+    explicit Finder(State& state) : state_(state), next_() {}
+
+    void run() {
+        std::size_t old = 0, oldHinge = 0;
+        const Clusters& before = state_.clusters;
+        for (std::uint32_t body = 0; body < state_.bodies.size(); ++body) {
+            const std::size_t from = old, fromHinge = oldHinge;
+            while (old < before.list.size() && before.list[old].body == body) ++old;
+            while (oldHinge < before.hinges.size() && before.hinges[oldHinge].cluster < old)
+                ++oldHinge;
+            if (state_.bodies[body].clustersStale)
+                findAnew(body);
+            else
+                keep(from, old, fromHinge, oldHinge);
+        }
+        state_.clusters = std::move(next_);
+        pointParticlesAtClusters();
+    }
+
+private:
+    void keep(std::size_t from, std::size_t to, std::size_t fromHinge, std::size_t toHinge) {
+        const Clusters& before = state_.clusters;
+        const auto shiftOfClusters = next_.list.size() - from;  // wraps, and wraps back
+        for (std::size_t i = from; i < to; ++i) {
+            Cluster c = before.list[i];
+            const auto first = static_cast<std::uint32_t>(next_.members.size());
+            next_.members.insert(next_.members.end(), before.members.begin() + c.first,
+                                 before.members.begin() + c.last);
+            next_.places.insert(next_.places.end(), before.places.begin() + c.first,
+                                before.places.begin() + c.last);
+            c.last = first + (c.last - c.first);
+            c.first = first;
+            next_.list.push_back(c);
+        }
+        for (std::size_t i = fromHinge; i < toHinge; ++i) {
+            Hinge hinge = before.hinges[i];
+            hinge.cluster = static_cast<std::uint32_t>(hinge.cluster + shiftOfClusters);
+            next_.hinges.push_back(hinge);
+        }
+    }
+
+    void findAnew(std::uint32_t index) {
+        BodyRecord& body = state_.bodies[index];
+        body.clustersStale = false;
+        body.strained = false;
+        for (const JointId id : body.joints)
+            state_.joints.inCluster[state_.jointSlots.dense(id)] = 0;
+        if (body.kind != BodyKind::dynamic) return;
+        const Framework frame(state_, index);
+        if (frame.bars.size() < 3) return;
+        if (std::any_of(frame.joints.begin(), frame.joints.end(),
+                        [&](std::uint32_t j) { return isStrained(state_, j); })) {
+            body.strained = true;
+            return;
+        }
+        addSets(index, frame, findRigidSets(frame.positions, frame.bars));
+    }
+
+    void addSets(std::uint32_t body, const Framework& frame,
+                 const std::vector<std::uint32_t>& label) {
+        std::uint32_t sets = 0;
+        for (const auto l : label)
+            if (l != none) sets = std::max(sets, l + 1);
+        std::vector<std::vector<std::uint32_t>> particles(sets), shared(sets);
+        std::vector<std::uint32_t> owner(frame.positions.size(), none);
+        for (std::size_t i = 0; i < label.size(); ++i) {
+            if (label[i] == none) continue;
+            for (const auto p : {frame.bars[i].a, frame.bars[i].b}) {
+                if (owner[p] == none) owner[p] = label[i];
+                auto& list = owner[p] == label[i] ? particles[label[i]] : shared[label[i]];
+                list.push_back(frame.first + p);
+            }
+        }
+        for (std::uint32_t set = 0; set < sets; ++set) {
+            for (auto* list : {&particles[set], &shared[set]}) {
+                std::sort(list->begin(), list->end());
+                list->erase(std::unique(list->begin(), list->end()), list->end());
+            }
+            if (!addCluster(body, particles[set], shared[set])) continue;
+            for (std::size_t i = 0; i < label.size(); ++i)
+                if (label[i] == set) state_.joints.inCluster[frame.joints[i]] = 1;
+        }
+    }
+
+    /// False if too few particles are its own, or all in one place: then its joints are solved.
+    bool addCluster(std::uint32_t body, const std::vector<std::uint32_t>& particles,
+                    const std::vector<std::uint32_t>& shared) {
+        if (particles.size() < 2) return false;
+        const Measures m = measure(state_, particles);
+        const auto pins = pinnedAmong(state_, particles);
+        if (m.inertia <= 0) return false;
+        Cluster c;
+        c.body = body;
+        c.first = static_cast<std::uint32_t>(next_.members.size());
+        c.last = c.first + static_cast<std::uint32_t>(particles.size());
+        c.centre = m.centre;
+        c.massCentre = m.massCentre - m.centre;
+        c.mass = m.mass;
+        c.freeInverseMass = pins == 0 ? 1 / m.mass : 0;
+        c.freeInverseInertia = pins < 2 ? 1 / m.inertia : 0;
+        for (const auto i : particles) {
+            c.reach = std::max(c.reach, (state_.particles.position[i] - m.centre).norm());
+            next_.members.push_back(i);
+            next_.places.push_back(state_.particles.position[i] - m.centre);
+        }
+        const auto index = static_cast<std::uint32_t>(next_.list.size());
+        for (const auto i : shared)
+            next_.hinges.push_back({index, i, state_.particles.position[i] - m.centre});
+        next_.list.push_back(c);
+        return true;
+    }
+
+    void pointParticlesAtClusters() {
+        Particles& p = state_.particles;
+        std::fill(p.cluster.begin(), p.cluster.end(), none);
+        for (std::uint32_t c = 0; c < state_.clusters.list.size(); ++c) {
+            const Cluster& cluster = state_.clusters.list[c];
+            for (std::uint32_t k = cluster.first; k < cluster.last; ++k) {
+                const auto i = state_.clusters.members[k];
+                p.cluster[i] = c;
+                p.arm[i] = turned(cluster.heading, state_.clusters.places[k]).cast<Real>();
+            }
+        }
+        for (std::uint32_t i = 0; i < p.size(); ++i)
+            if (p.cluster[i] == none) p.arm[i] = Vec2(0, 0);
+    }
+
+    State& state_;
+    Clusters next_;
+};
+
+}  // namespace
+
+void updateClusters(State& state) {
+    Finder(state).run();
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) restoreClusterMasses(state, i);
+}
+
+bool strainIsGone(const State& state, std::uint32_t body) {
+    const BodyRecord& record = state.bodies[body];
+    return std::none_of(record.joints.begin(), record.joints.end(), [&](JointId id) {
+        const auto j = state.jointSlots.dense(id);
+        return isRigid(state.joints, j) && isStrained(state, j);
+    });
+}
+
+void restoreClusterMasses(State& state, std::uint32_t body) {
+    const bool moves = state.bodies[body].kind == BodyKind::dynamic && !state.bodies[body].asleep;
+    auto& list = state.clusters.list;
+    auto at = std::lower_bound(list.begin(), list.end(), body,
+                               [](const Cluster& c, std::uint32_t b) { return c.body < b; });
+    for (; at != list.end() && at->body == body; ++at) {
+        at->inverseMass = moves ? static_cast<Real>(at->freeInverseMass) : 0;
+        at->inverseInertia = moves ? static_cast<Real>(at->freeInverseInertia) : 0;
+        if (moves) continue;
+        at->velocity = Vec2(0, 0);
+        at->spin = 0;
+    }
+}
+
+void stirClusters(State& state, std::uint32_t particle) {
+    const auto cluster = state.particles.cluster[particle];
+    if (cluster != none) state.clusters.list[cluster].stirred = 1;
+}
+
+}  // namespace sulfur::detail

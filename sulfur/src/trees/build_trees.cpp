@@ -1,0 +1,405 @@
+// Finding chains and trees: the caller declares nothing.
+//
+// The stiff joints, attachments and hinges of the world are the edges of a graph whose vertices
+// are the particles that move by themselves and the rigid components. A part of the graph without
+// a cycle is a tree that moves alone. In a part with cycles, every long path through vertices of
+// two edges is a line that is solved as a whole in each sweep; the rest is swept joint by joint.
+#include <algorithm>
+
+#include "core/disjoint_sets.hpp"
+#include "rigid/cluster_motion.hpp"
+#include "trees/tree_solver.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Shorter paths through a mesh are swept.
+constexpr std::size_t shortestLine = 4;
+
+struct EdgeEnd {
+    std::uint32_t vertex = none;  // none: it cannot move
+    LinkEnd end;
+};
+
+struct Edge {
+    LinkKind kind = LinkKind::joint;
+    std::uint32_t link = none;
+    EdgeEnd a, b;
+};
+
+bool clusterMoves(const Cluster& c) {
+    return c.freeInverseMass > 0 || c.freeInverseInertia > 0;
+}
+
+/// Place of a member in the frame of its cluster.
+Point placeOf(const State& state, std::uint32_t particle) {
+    const Clusters& clusters = state.clusters;
+    const Cluster& c = clusters.list[state.particles.cluster[particle]];
+    const auto from = clusters.members.begin() + c.first, to = clusters.members.begin() + c.last;
+    const auto at = std::lower_bound(from, to, particle);
+    return clusters.places[static_cast<std::size_t>(at - clusters.members.begin())];
+}
+
+class Graph {
+public:
+    explicit Graph(const State& state) : state_(state), particles_(vertexCount() - clusterCount()) {
+        for (std::uint32_t j = 0; j < state.joints.size(); ++j) addJoint(j);
+        for (std::uint32_t i = 0; i < state.attachments.size(); ++i) addAttachment(i);
+        for (std::uint32_t i = 0; i < state.clusters.hinges.size(); ++i) addHinge(i);
+        listEdgesAround();
+        markCycles();
+    }
+
+    std::uint32_t vertexCount() const {
+        return static_cast<std::uint32_t>(state_.particles.size()) + clusterCount();
+    }
+    std::uint32_t clusterCount() const {
+        return static_cast<std::uint32_t>(state_.clusters.list.size());
+    }
+    bool isCluster(std::uint32_t vertex) const { return vertex >= particles_; }
+    std::uint32_t clusterOf(std::uint32_t vertex) const { return vertex - particles_; }
+    bool inCycle(const Edge& edge) { return cyclic_[sets_.find(anyVertex(edge))]; }
+    std::size_t degree(std::uint32_t vertex) const { return start_[vertex + 1] - start_[vertex]; }
+
+    template <class Function>
+    void forEachEdgeAt(std::uint32_t vertex, Function&& f) const {
+        for (auto k = start_[vertex]; k < start_[vertex + 1]; ++k) f(around_[k]);
+    }
+
+    static std::uint32_t anyVertex(const Edge& edge) {
+        return edge.a.vertex != none ? edge.a.vertex : edge.b.vertex;
+    }
+
+    std::vector<Edge> edges;
+
+private:
+    EdgeEnd endOf(std::uint32_t particle) const {
+        EdgeEnd e;
+        e.end.particle = particle;
+        const auto cluster = state_.particles.cluster[particle];
+        if (cluster != none) {
+            if (!clusterMoves(state_.clusters.list[cluster])) return e;
+            e.vertex = particles_ + cluster;
+            e.end.place = placeOf(state_, particle);
+        } else if (inverseMassAwake(state_, particle) > 0) {
+            e.vertex = particle;
+        }
+        return e;
+    }
+
+    void add(const Edge& edge) {
+        if (edge.a.vertex != edge.b.vertex) edges.push_back(edge);
+    }
+
+    void addJoint(std::uint32_t j) {
+        const Joints& joints = state_.joints;
+        if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
+        add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
+    }
+
+    /// An attachment is an edge if its supports move as one; else it is swept.
+    void addAttachment(std::uint32_t i) {
+        const Attachment& held = state_.attachments[i];
+        EdgeEnd support = endOf(held.support[0]);
+        if (held.count > 1) {
+            Point place(0, 0);
+            for (std::uint32_t k = 0; k < held.count; ++k) {
+                const EdgeEnd one = endOf(held.support[k]);
+                if (one.vertex != support.vertex) return;
+                if (one.vertex != none && !isCluster(one.vertex)) return;
+                place += static_cast<double>(held.weight[k]) * one.end.place;
+            }
+            support.end = {none, place};
+        }
+        add({LinkKind::attachment, i, endOf(held.particle), support});
+    }
+
+    void addHinge(std::uint32_t i) {
+        const Hinge& hinge = state_.clusters.hinges[i];
+        if (!clusterMoves(state_.clusters.list[hinge.cluster])) return;
+        EdgeEnd here;
+        here.vertex = particles_ + hinge.cluster;
+        here.end.place = hinge.place;
+        add({LinkKind::hinge, i, here, endOf(hinge.particle)});
+    }
+
+    void listEdgesAround() {
+        start_.assign(vertexCount() + 1, 0);
+        for (const Edge& e : edges)
+            for (const auto v : {e.a.vertex, e.b.vertex})
+                if (v != none) ++start_[v + 1];
+        for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
+        around_.resize(start_.back());
+        auto next = start_;
+        for (std::uint32_t i = 0; i < edges.size(); ++i)
+            for (const auto v : {edges[i].a.vertex, edges[i].b.vertex})
+                if (v != none) around_[next[v]++] = i;
+    }
+
+    void markCycles() {
+        sets_.reset(vertexCount());
+        std::vector<std::uint32_t> closing;
+        for (const Edge& e : edges)
+            if (e.a.vertex != none && e.b.vertex != none && !sets_.unite(e.a.vertex, e.b.vertex))
+                closing.push_back(e.a.vertex);
+        cyclic_.assign(vertexCount(), false);
+        for (const auto v : closing) cyclic_[sets_.find(v)] = true;
+    }
+
+    const State& state_;
+    std::uint32_t particles_;  // vertices below this are particles
+    std::vector<std::uint32_t> start_, around_;
+    DisjointSets sets_;
+    std::vector<bool> cyclic_;
+};
+
+class TreeBuilder {
+public:
+    explicit TreeBuilder(State& state) : state_(state), graph_(state), trees_(state.trees) {
+        trees_.list.clear();
+        trees_.nodes.clear();
+        trees_.ofParticle.assign(state.particles.size(), none);
+        trees_.ofCluster.assign(state.clusters.list.size(), none);
+        used_.assign(graph_.edges.size(), false);
+        seen_.assign(graph_.edges.size(), 0);
+    }
+
+    void run() {
+        // Trees with something that cannot move are rooted there, so that a rope's nodes stand in
+        // its own order.
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i) {
+            const Edge& e = graph_.edges[i];
+            if (e.a.vertex == none || e.b.vertex == none) startTree(i);
+        }
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i)
+            if (isEndOfTree(graph_.edges[i])) startTree(i);
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i) startTree(i);
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i)
+            if (!used_[i]) startLine(i);
+        listWhatRemains();
+    }
+
+private:
+    bool isEndOfTree(const Edge& e) const {
+        return graph_.degree(e.a.vertex == none ? e.b.vertex : e.a.vertex) == 1 ||
+               (e.b.vertex != none && graph_.degree(e.b.vertex) == 1);
+    }
+
+    TreeNode nodeFor(const EdgeEnd& e) const {
+        TreeNode n;
+        if (e.vertex == none)
+            n.particle = e.end.particle;
+        else if (graph_.isCluster(e.vertex))
+            n.cluster = graph_.clusterOf(e.vertex);
+        else
+            n.particle = e.vertex;
+        return n;
+    }
+
+    std::uint32_t sizeOf(const Tree& tree) const {
+        return static_cast<std::uint32_t>(trees_.nodes.size()) - tree.first;
+    }
+
+    /// Adds the end `to` of an edge as a child of node `parent`, which holds its end `from`.
+    void addChild(std::uint32_t i, const EdgeEnd& from, const EdgeEnd& to, std::uint32_t parent) {
+        TreeNode n = nodeFor(to);
+        n.parent = parent;
+        n.kind = graph_.edges[i].kind;
+        n.link = graph_.edges[i].link;
+        n.here = to.end;
+        n.there = from.end;
+        trees_.nodes.push_back(n);
+        used_[i] = true;
+    }
+
+    Tree begin() const {
+        Tree tree;
+        tree.first = static_cast<std::uint32_t>(trees_.nodes.size());
+        tree.lastStep = static_cast<double>(state_.h);
+        return tree;
+    }
+
+    void finish(Tree tree) {
+        tree.last = static_cast<std::uint32_t>(trees_.nodes.size());
+        const auto index = static_cast<std::uint32_t>(trees_.list.size());
+        for (auto k = tree.first; k < tree.last; ++k) {
+            const TreeNode& n = trees_.nodes[k];
+            if (n.cluster != none) tree.points = 0;
+            if (!tree.alone) continue;
+            if (n.cluster != none)
+                trees_.ofCluster[n.cluster] = index;
+            else if (n.particle != none && inverseMassAwake(state_, n.particle) > 0)
+                trees_.ofParticle[n.particle] = index;
+        }
+        trees_.list.push_back(tree);
+    }
+
+    /// Breadth first from an edge of a part without cycles.
+    void startTree(std::uint32_t first) {
+        const Edge& edge = graph_.edges[first];
+        if (used_[first] || graph_.inCycle(edge)) return;
+        const bool fromB =
+            edge.b.vertex == none || (edge.a.vertex != none && graph_.degree(edge.b.vertex) == 1 &&
+                                      graph_.degree(edge.a.vertex) != 1);
+        const EdgeEnd& root = fromB ? edge.b : edge.a;
+        Tree tree = begin();
+        std::vector<std::uint32_t> vertex{root.vertex};  // of each node
+        trees_.nodes.push_back(nodeFor(root));
+        const auto grow = [&](std::uint32_t i, bool rootIsB, std::uint32_t parent) {
+            if (used_[i]) return;
+            const Edge& e = graph_.edges[i];
+            addChild(i, rootIsB ? e.b : e.a, rootIsB ? e.a : e.b, parent);
+            vertex.push_back(rootIsB ? e.a.vertex : e.b.vertex);
+        };
+        if (root.vertex == none) {
+            grow(first, fromB, 0);
+            trees_.nodes[tree.first].link = edge.link;
+        }
+        for (std::uint32_t k = 0; k < vertex.size(); ++k) {
+            const auto v = vertex[k];
+            if (v == none) continue;
+            graph_.forEachEdgeAt(
+                v, [&](std::uint32_t i) { grow(i, graph_.edges[i].b.vertex == v, k); });
+        }
+        finish(tree);
+    }
+
+    struct Step {
+        std::uint32_t edge;
+        bool forward;  // from its a to its b
+    };
+
+    /// Follows vertices of two edges from one end of an edge, as far as they go.
+    std::vector<Step> follow(std::uint32_t start, bool forward) const {
+        std::vector<Step> path{{start, forward}};
+        for (;;) {
+            const Step last = path.back();
+            const Edge& e = graph_.edges[last.edge];
+            const auto v = last.forward ? e.b.vertex : e.a.vertex;
+            if (v == none || graph_.degree(v) != 2) return path;
+            std::uint32_t next = none;
+            graph_.forEachEdgeAt(v, [&](std::uint32_t i) {
+                if (i != last.edge) next = i;
+            });
+            if (next == none || next == start || used_[next]) return path;
+            path.push_back({next, graph_.edges[next].a.vertex == v});
+        }
+    }
+
+    void startLine(std::uint32_t first) {
+        std::vector<Step> path = follow(first, false);
+        std::reverse(path.begin(), path.end());
+        for (Step& step : path) step.forward = !step.forward;
+        const auto onward = follow(first, true);
+        path.insert(path.end(), onward.begin() + 1, onward.end());
+        dropRepeats(path);
+        if (path.size() < shortestLine) return;
+        Tree tree = begin();
+        tree.alone = 0;
+        const Edge& edge = graph_.edges[path[0].edge];
+        trees_.nodes.push_back(nodeFor(path[0].forward ? edge.a : edge.b));
+        for (const Step step : path) {
+            const Edge& e = graph_.edges[step.edge];
+            addChild(step.edge, step.forward ? e.a : e.b, step.forward ? e.b : e.a,
+                     sizeOf(tree) - 1);
+        }
+        finish(tree);
+    }
+
+    /// A ring meets itself again: its last edges are left to the sweeps.
+    void dropRepeats(std::vector<Step>& path) {
+        ++stamp_;
+        for (std::size_t k = 0; k < path.size(); ++k) {
+            if (seen_[path[k].edge] == stamp_) {
+                path.resize(k);
+                break;
+            }
+            seen_[path[k].edge] = stamp_;
+        }
+        const auto vertexBefore = [&](const Step& s) {
+            const Edge& e = graph_.edges[s.edge];
+            return s.forward ? e.a.vertex : e.b.vertex;
+        };
+        const auto vertexAfter = [&](const Step& s) {
+            const Edge& e = graph_.edges[s.edge];
+            return s.forward ? e.b.vertex : e.a.vertex;
+        };
+        if (!path.empty() && vertexAfter(path.back()) != none &&
+            vertexAfter(path.back()) == vertexBefore(path.front()))
+            path.pop_back();
+    }
+
+    void listWhatRemains() {
+        Structure& rest = state_.structure;
+        rest.sweptJoints.clear();
+        rest.sweptAttachments.clear();
+        rest.sweptHinges.clear();
+        std::vector<bool> attachmentUsed(state_.attachments.size(), false);
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i) {
+            const Edge& e = graph_.edges[i];
+            if (e.kind == LinkKind::attachment) attachmentUsed[e.link] = used_[i];
+            if (used_[i]) continue;
+            if (e.kind == LinkKind::joint) rest.sweptJoints.push_back(e.link);
+            if (e.kind == LinkKind::hinge) rest.sweptHinges.push_back(e.link);
+        }
+        for (std::uint32_t i = 0; i < state_.attachments.size(); ++i) {
+            if (attachmentUsed[i]) continue;
+            rest.sweptAttachments.push_back(i);
+            const Attachment& held = state_.attachments[i];
+            tie(held.particle);
+            for (std::uint32_t k = 0; k < held.count; ++k) tie(held.support[k]);
+        }
+    }
+
+    /// A swept attachment pulls on the tree of this particle, if it has one.
+    void tie(std::uint32_t particle) {
+        const auto cluster = state_.particles.cluster[particle];
+        const auto tree = cluster != none ? trees_.ofCluster[cluster] : trees_.ofParticle[particle];
+        if (tree != none) trees_.list[tree].tied = 1;
+    }
+
+    State& state_;
+    Graph graph_;
+    Trees& trees_;
+    std::vector<bool> used_;
+    std::vector<std::uint32_t> seen_;  // edge: the last line that came across it
+    std::uint32_t stamp_ = 0;
+};
+
+}  // namespace
+
+double lastStepOf(const State& state, std::uint32_t particle) {
+    if (state.trees.list.empty()) return static_cast<double>(state.h);
+    const auto cluster = state.particles.cluster[particle];
+    const auto tree =
+        cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
+    return tree == none ? static_cast<double>(state.h) : state.trees.list[tree].lastStep;
+}
+
+void dissolveTrees(State& state) {
+    for (const Tree& tree : state.trees.list) {
+        const double late = (static_cast<double>(state.h) - tree.lastStep) / 2;
+        if (!tree.alone || late <= 0) continue;
+        for (auto k = tree.first; k < tree.last; ++k) {
+            const TreeNode& n = state.trees.nodes[k];
+            if (n.cluster != none) {
+                Cluster& c = state.clusters.list[n.cluster];
+                const ClusterLoad load = loadOf(state, c);
+                c.velocity -= (late * load.acceleration).cast<Real>();
+                c.spin -= late * load.turning;
+            } else if (n.particle != none && state.particles.inverseMass[n.particle] > 0) {
+                state.particles.velocity[n.particle] -=
+                    static_cast<Real>(late) * state.settings.gravity;
+            }
+        }
+    }
+    state.trees.list.clear();
+    state.trees.nodes.clear();
+}
+
+void buildTrees(State& state) {
+    TreeBuilder(state).run();
+}
+
+}  // namespace sulfur::detail

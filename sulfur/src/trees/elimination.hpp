@@ -1,0 +1,147 @@
+// The direct solver for a tree of constraints.
+//
+// Unknown are the multipliers lambda of the links and the changes delta of the nodes:
+//     delta_i = W_i sum of (columns of its links) lambda,   C + rows . delta + alpha lambda = 0.
+// Going from the leaves to the root, each node carries its articulated inverse mass W and its
+// offset q: how it answers a push when everything that hangs on it follows. A link updates them at
+// its parent by the Sherman-Morrison formula, so nothing fills in and no mass is inverted; what
+// cannot move has W = 0 and needs no case of its own. For a chain this is the Thomas algorithm.
+// (Articulated bodies: Featherstone 1983; trees without fill: Baraff 1996.)
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sulfur::detail {
+
+/// `N`: freedoms of a node, 2 (points) or 3 (points and rigid components).
+template <int N>
+class Elimination {
+public:
+    using Vector = Eigen::Matrix<double, N, 1>;
+    using Matrix = Eigen::Matrix<double, N, N>;
+
+    /// A link of a node to its parent. Up to two rows; row r of the constraint changes by
+    /// row[r] . delta, and a unit of lambda[r] pushes along column[r].
+    struct Link {
+        std::uint32_t parent = 0;
+        int rows = 0;  // 0: the link is inert
+        std::array<Vector, 2> rowHere, rowThere, columnHere, columnThere;
+        std::array<double, 2> value{0, 0};  // C, to become 0
+        double compliance = 0;              // alpha
+
+        // What the way down leaves for the way up.
+        std::array<double, 2> offset{0, 0};
+        std::array<Vector, 2> answer;  // rows of the parent times its W
+        std::array<double, 4> inverse{0, 0, 0, 0};
+        std::array<double, 2> lambda{0, 0};  // the result
+    };
+
+    struct Node {
+        Vector inverseMass;  // diagonal of W without children
+        Matrix mobility;     // W
+        Vector offset;       // q
+        Vector impulse;      // sum of columns times lambda
+    };
+
+    void resize(std::size_t count) {
+        nodes.resize(count);
+        links.resize(count);
+    }
+
+    /// Solves for all lambda and leaves in Node::impulse what they push.
+    void solve() {
+        for (Node& node : nodes) {
+            node.mobility = node.inverseMass.asDiagonal();
+            node.offset.setZero();
+            node.impulse.setZero();
+        }
+        for (std::size_t i = nodes.size() - 1; i > 0; --i) {
+            Link& link = links[i];
+            if (link.rows == 1)
+                eliminateOne(nodes[i], nodes[link.parent], link);
+            else if (link.rows == 2)
+                eliminateTwo(nodes[i], nodes[link.parent], link);
+        }
+        for (std::size_t i = 1; i < nodes.size(); ++i) substitute(nodes[i], links[i]);
+    }
+
+    std::vector<Node> nodes;
+    std::vector<Link> links;  // links[i] leads from node i to its parent; links[0] is unused
+
+private:
+    /// Smaller than this, relative to what moves there, nothing can: the row is redundant.
+    static constexpr double redundant = 1e-13;
+
+    static void eliminateOne(const Node& child, Node& parent, Link& link) {
+        const double here = link.rowHere[0].dot(child.mobility * link.columnHere[0]);
+        const Vector a = parent.mobility * link.columnThere[0];
+        const double whole = here + link.compliance + link.rowThere[0].dot(a);
+        const double scale = child.inverseMass[0] + parent.inverseMass[0];
+        const double inverse = std::abs(whole) > redundant * scale ? 1 / whole : 0;
+        link.offset[0] =
+            link.value[0] + link.rowHere[0].dot(child.offset) + link.rowThere[0].dot(parent.offset);
+        link.answer[0] = parent.mobility.transpose() * link.rowThere[0];
+        link.inverse[0] = inverse;
+        parent.offset -= a * (inverse * link.offset[0]);
+        parent.mobility -= (inverse * a) * link.answer[0].transpose();
+    }
+
+    static void eliminateTwo(const Node& child, Node& parent, Link& link) {
+        double whole[2][2];
+        std::array<Vector, 2> a;
+        for (std::size_t c = 0; c < 2; ++c) {
+            const Vector here = child.mobility * link.columnHere[c];
+            a[c] = parent.mobility * link.columnThere[c];
+            for (std::size_t r = 0; r < 2; ++r)
+                whole[r][c] = link.rowHere[r].dot(here) + link.rowThere[r].dot(a[c]) +
+                              (r == c ? link.compliance : 0);
+        }
+        invert(whole, child.inverseMass[0] + parent.inverseMass[0], link.inverse);
+        for (std::size_t r = 0; r < 2; ++r) {
+            link.offset[r] = link.value[r] + link.rowHere[r].dot(child.offset) +
+                             link.rowThere[r].dot(parent.offset);
+            link.answer[r] = parent.mobility.transpose() * link.rowThere[r];
+        }
+        const auto& m = link.inverse;
+        const Vector first = m[0] * a[0] + m[2] * a[1], second = m[1] * a[0] + m[3] * a[1];
+        parent.offset -= first * link.offset[0] + second * link.offset[1];
+        parent.mobility -= first * link.answer[0].transpose() + second * link.answer[1].transpose();
+    }
+
+    /// Row by row; zero where nothing can move.
+    static void invert(const double (&m)[2][2], double scale, std::array<double, 4>& inverse) {
+        const double determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+        const double least = redundant * scale * scale;
+        if (!(std::abs(determinant) > least)) {
+            inverse = {0, 0, 0, 0};
+            return;
+        }
+        inverse = {m[1][1] / determinant, -m[0][1] / determinant, -m[1][0] / determinant,
+                   m[0][0] / determinant};
+    }
+
+    void substitute(Node& child, Link& link) {
+        Node& parent = nodes[link.parent];
+        const auto rows = static_cast<std::size_t>(link.rows);
+        std::array<double, 2> want{0, 0};
+        for (std::size_t r = 0; r < rows; ++r)
+            want[r] = -(link.offset[r] + link.answer[r].dot(parent.impulse));
+        if (rows == 1) {
+            link.lambda[0] = link.inverse[0] * want[0];
+        } else if (rows == 2) {
+            link.lambda[0] = link.inverse[0] * want[0] + link.inverse[1] * want[1];
+            link.lambda[1] = link.inverse[2] * want[0] + link.inverse[3] * want[1];
+        }
+        for (std::size_t r = 0; r < rows; ++r) {
+            parent.impulse += link.columnThere[r] * link.lambda[r];
+            child.impulse += link.columnHere[r] * link.lambda[r];
+        }
+    }
+};
+
+}  // namespace sulfur::detail

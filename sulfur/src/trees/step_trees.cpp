@@ -1,0 +1,486 @@
+// A tree that moves alone goes through the tick in steps of its own.
+//
+// Each step is the scheme that molecular dynamics knows as SHAKE (Ryckaert et al. 1977): joints
+// pull along their directions at the step's start, as hard as makes their lengths right at its
+// end. It keeps energy and angular momentum, but explodes where light links whip under great
+// tension; there the steps are halved until they do not, and if even the shortest do not converge,
+// the tree pulls along its directions at the step's end for this tick, which always converges and
+// only ever takes energy away.
+#include <algorithm>
+
+#include "core/limits.hpp"
+#include "core/trigonometry.hpp"
+#include "rigid/cluster_motion.hpp"
+#include "rigid/grip.hpp"
+#include "trees/geometry.hpp"
+#include "trees/tree_solver.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr std::uint32_t mostSteps = 64;
+constexpr int mostPasses = 6, mostFallbackPasses = 20;
+constexpr double tolerance = 1e-8;  // of a link's length
+
+/// What one step may do before it is halved: whip is 2 w (tension / length) h^2, summed over the
+/// links of a node; turn is the sine of the angle that a link turns by.
+constexpr double mostWhip = 1, mostTurn = 0.2;
+/// The shortest steps may do this: less exact, but still far from the explosion, which linear
+/// theory puts at a whip of 4.
+constexpr double tolerableWhip = 3, tolerableTurn = 0.7;
+/// Below both of these the steps are doubled.
+constexpr double calmWhip = 0.15, calmTurn = 0.08;
+
+struct Motion {
+    Point place{0, 0};  // of the node's centre
+    Point velocity{0, 0};
+    double spin = 0;
+    double angle = 0;          // since the tick began
+    Point heading{1, 0};       // of that angle
+    Point displacement{0, 0};  // of this step
+    double turning = 0;
+};
+
+struct NodeData {
+    Motion start;
+    Point acceleration{0, 0};
+    double angular = 0;
+    double inverseMass = 0, inverseInertia = 0;
+    double mostSpin = 0;  // rad/s
+    double pull = 0;      // kg, sum of the tensions over lengths, times h^2
+};
+
+struct LinkData {
+    Point armHere{0, 0}, armThere{0, 0};  // when the tick began
+    Elastic elastic;                      // of one step
+    double stiffness = 0, damping = 0;
+    double rest = 0;
+    Point direction{0, 0};  // when the step began
+    Span start;
+    double length = 0;                    // when the step began
+    std::array<double, 2> lambda{0, 0};   // of this step
+    std::array<double, 2> impulse{0, 0};  // sum of lambda / step, kg m/s
+    double guess = 0;                     // N, tension that was seen last
+    bool inert = false;
+};
+
+struct Outcome {
+    bool converged = true;
+    double whip = 0, turn = 0;
+    void add(const Outcome& other) {
+        converged &= other.converged;
+        whip = std::max(whip, other.whip);
+        turn = std::max(turn, other.turn);
+    }
+    bool calm() const { return whip < calmWhip && turn < calmTurn; }
+    bool good() const { return converged && whip <= mostWhip && turn <= mostTurn; }
+    bool tolerable() const { return converged && whip <= tolerableWhip && turn <= tolerableTurn; }
+};
+
+/// Scratch memory, kept from tree to tree.
+template <int N>
+struct Workshop {
+    Elimination<N> elimination;
+    std::vector<NodeData> nodes;
+    std::vector<Motion> motion, before;
+    std::vector<LinkData> links;
+};
+
+template <int N>
+class TreeStepper {
+public:
+    TreeStepper(State& state, Tree& tree, Workshop<N>& shop)
+        : state_(state),
+          tree_(tree),
+          solver_(shop.elimination),
+          nodes_(shop.nodes),
+          motion_(shop.motion),
+          before_(shop.before),
+          links_(shop.links),
+          count_(tree.last - tree.first) {}
+
+    void run() {
+        load();
+        Outcome outcome = attempt(tree_.steps);
+        while (!outcome.good() && tree_.steps < mostSteps) {
+            tree_.steps *= 2;
+            outcome = attempt(tree_.steps);
+        }
+        store();
+        state_.statistics.chainSteps += tree_.steps;
+        tree_.lastStep = tick() / tree_.steps;
+        if (outcome.calm() && tree_.steps > 1) tree_.steps /= 2;
+    }
+
+private:
+    double tick() const { return static_cast<double>(state_.h); }
+    const TreeNode& node(std::size_t i) const { return state_.trees.nodes[tree_.first + i]; }
+
+    // --- the tick's start ------------------------------------------------------------------
+
+    void load() {
+        solver_.resize(count_);
+        nodes_.resize(count_);
+        motion_.resize(count_);
+        links_.resize(count_);
+        for (std::size_t i = 0; i < count_; ++i) loadNode(i);
+        for (std::size_t i = 1; i < count_; ++i) loadLink(i);
+    }
+
+    void loadNode(std::size_t i) {
+        const TreeNode& n = node(i);
+        NodeData& data = nodes_[i];
+        data = {};
+        if (n.cluster != none) {
+            const Cluster& c = state_.clusters.list[n.cluster];
+            const ClusterLoad load = loadOf(state_, c);
+            data.start.place = c.centre;
+            data.start.velocity = c.velocity.template cast<double>();
+            data.start.spin = c.spin;
+            data.acceleration = load.acceleration;
+            data.angular = load.turning;
+            data.inverseMass = static_cast<double>(c.inverseMass);
+            data.inverseInertia = static_cast<double>(c.inverseInertia);
+            data.mostSpin = static_cast<double>(maxSpeed) / c.reach;
+        } else if (n.particle != none) {
+            loadParticle(n.particle, data);
+        } else {
+            loadSupport(state_.attachments[n.link], data);
+        }
+        auto& w = solver_.nodes[i].inverseMass;
+        w[0] = w[1] = data.inverseMass;
+        if constexpr (N == 3) w[2] = data.inverseInertia;
+    }
+
+    void loadParticle(std::uint32_t p, NodeData& data) {
+        const Particles& particles = state_.particles;
+        data.start.place = particles.position[p];
+        data.inverseMass = static_cast<double>(particles.inverseMass[p]);
+        if (data.inverseMass > 0) {
+            data.start.velocity = particles.velocity[p].template cast<double>();
+            data.acceleration = state_.settings.gravity.template cast<double>() +
+                                data.inverseMass * particles.force[p].template cast<double>();
+        } else {  // as the caller drives it; the stage before has set the displacement
+            data.start.velocity = particles.displacement[p].template cast<double>() / tick();
+        }
+    }
+
+    /// A place between particles that cannot move by themselves.
+    void loadSupport(const Attachment& held, NodeData& data) {
+        for (std::uint32_t k = 0; k < held.count; ++k) {
+            const double weight = static_cast<double>(held.weight[k]);
+            const auto p = held.support[k];
+            data.start.place += weight * state_.particles.position[p];
+            data.start.velocity +=
+                weight / tick() * state_.particles.displacement[p].template cast<double>();
+        }
+    }
+
+    Point armOf(const TreeNode& n, const LinkEnd& end) const {
+        if (n.cluster == none) return {0, 0};
+        return turned(state_.clusters.list[n.cluster].heading, end.place);
+    }
+
+    void loadLink(std::size_t i) {
+        const TreeNode& n = node(i);
+        LinkData& link = links_[i];
+        link = {};
+        link.armHere = armOf(n, n.here);
+        link.armThere = armOf(node(n.parent), n.there);
+        solver_.links[i].parent = n.parent;
+        if (n.kind != LinkKind::joint) return;
+        const Joints& joints = state_.joints;
+        link.rest = static_cast<double>(joints.restLength[n.link]);
+        link.elastic.rigid = joints.kind[n.link] == JointKind::rigid;
+        link.stiffness = static_cast<double>(joints.stiffness[n.link]) -
+                         static_cast<double>(joints.explicitStiffness[n.link]);
+        link.damping = static_cast<double>(joints.damping[n.link] - joints.explicitDamping[n.link]);
+        const double force = static_cast<double>(joints.force[n.link]);
+        link.guess = link.elastic.rigid && std::abs(force) < maxForce ? force : 0;
+    }
+
+    // --- one try with a number of steps -----------------------------------------------------
+
+    /// The tick in `steps` steps. With the most that there are it always succeeds: steps that do
+    /// not are made again with directions that brake.
+    Outcome attempt(std::uint32_t steps) {
+        const double step = tick() / steps;
+        for (std::size_t i = 0; i < count_; ++i) motion_[i] = nodes_[i].start;
+        for (std::size_t i = 1; i < count_; ++i) prepareLink(links_[i], step);
+        Outcome whole;
+        for (std::uint32_t s = 0; s < steps && (whole.good() || steps == mostSteps); ++s) {
+            const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
+            if (steps == mostSteps) before_ = motion_;
+            Outcome one = makeStep(kick, step, false);
+            if (steps == mostSteps && !one.tolerable()) {
+                motion_ = before_;
+                one = makeStep(kick, step, true);
+                ++state_.statistics.chainFallbacks;
+            }
+            finishStep(step);
+            whole.add(one);
+        }
+        return whole;
+    }
+
+    Outcome makeStep(double kick, double step, bool fallback) {
+        predict(kick, step);
+        beginStep();
+        if (fallback)
+            for (std::size_t i = 1; i < count_; ++i) links_[i].lambda = {0, 0};
+        else
+            warmStart();
+        Outcome outcome;
+        outcome.converged = converge(fallback);
+        judge(outcome);
+        return outcome;
+    }
+
+    void prepareLink(LinkData& link, double step) {
+        link.elastic.hk = link.stiffness * step * step;
+        link.elastic.hb = link.damping * step;
+        link.impulse = {0, 0};
+        link.lambda = {-link.guess * step * step, 0};
+    }
+
+    void predict(double kick, double step) {
+        const double half = kick * static_cast<double>(state_.settings.airFriction) / 2;
+        const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
+        const double limit = static_cast<double>(maxSpeed);
+        for (std::size_t i = 0; i < count_; ++i) {
+            Motion& m = motion_[i];
+            const NodeData& data = nodes_[i];
+            if (data.inverseMass > 0)
+                m.velocity =
+                    (keep * m.velocity + push * data.acceleration).cwiseMax(-limit).cwiseMin(limit);
+            if (data.inverseInertia > 0)
+                m.spin =
+                    std::clamp(keep * m.spin + push * data.angular, -data.mostSpin, data.mostSpin);
+            m.displacement = step * m.velocity;
+            m.turning = step * m.spin;
+        }
+    }
+
+    /// Arms and distance of a link after the displacements so far; without them at a step's start.
+    Span spanOf(std::size_t i, bool moved) const {
+        const std::size_t parent = solver_.links[i].parent;
+        const Motion &here = motion_[i], &there = motion_[parent];
+        Span span;
+        span.armHere = armNow(i, links_[i].armHere, moved);
+        span.armThere = armNow(parent, links_[i].armThere, moved);
+        span.apart = (here.place - there.place) + (span.armHere - span.armThere);
+        if (moved) span.apart += here.displacement - there.displacement;
+        return span;
+    }
+
+    Point armNow(std::size_t i, const Point& arm, bool moved) const {
+        if constexpr (N == 2) return {0, 0};
+        const Motion& m = motion_[i];
+        if (node(i).cluster == none) return {0, 0};
+        const Point before = turned(m.heading, arm);
+        return moved ? turned(unitVector(m.turning), before) : before;
+    }
+
+    void beginStep() {
+        for (std::size_t i = 1; i < count_; ++i) {
+            LinkData& link = links_[i];
+            link.start = spanOf(i, false);
+            link.length = link.start.apart.norm();
+            if (node(i).kind != LinkKind::joint) continue;
+            link.inert = !(link.length > 1e-12);
+            if (!link.inert) link.direction = link.start.apart / link.length;
+        }
+    }
+
+    /// Begins with the multipliers of the step before: the passes then have little left to do.
+    void warmStart() {
+        for (std::size_t i = 1; i < count_; ++i) {
+            LinkData& link = links_[i];
+            if (node(i).kind != LinkKind::joint || link.inert || !link.elastic.rigid) {
+                link.lambda = {0, 0};
+                continue;
+            }
+            const std::size_t parent = solver_.links[i].parent;
+            const Point push = link.lambda[0] * link.direction;
+            move(i, push, link.start.armHere);
+            move(parent, -push, link.start.armThere);
+        }
+    }
+
+    void move(std::size_t i, const Point& push, const Point& arm) {
+        motion_[i].displacement += nodes_[i].inverseMass * push;
+        if constexpr (N == 3)
+            motion_[i].turning += nodes_[i].inverseInertia * (arm[0] * push[1] - arm[1] * push[0]);
+    }
+
+    bool converge(bool fallback) {
+        const int most = fallback ? mostFallbackPasses : mostPasses;
+        for (int pass = 0;; ++pass) {
+            const double worst = updateRows(fallback);
+            if (worst <= tolerance) return true;
+            if (pass == most || !std::isfinite(worst)) return false;
+            solver_.solve();
+            apply();
+        }
+    }
+
+    /// Rows at the present displacements; the largest error relative to a length.
+    double updateRows(bool fallback) {
+        double worst = 0;
+        for (std::size_t i = 1; i < count_; ++i) {
+            auto& row = solver_.links[i];
+            LinkData& link = links_[i];
+            row.rows = 0;
+            if (link.inert) continue;
+            const Span now = spanOf(i, true);
+            if (node(i).kind != LinkKind::joint) {
+                setMeeting<N>(row, fallback ? now : link.start, now);
+                worst = std::max(worst, now.apart.norm());
+                continue;
+            }
+            const double length = now.apart.norm();
+            if (!(length > 1e-12)) return std::isnan(length) ? length : 1.0;
+            const Point direction = now.apart / length;
+            setDistance<N>(row, fallback ? now : link.start, now,
+                           fallback ? direction : link.direction, direction);
+            row.compliance = complianceOf(link.elastic);
+            row.value[0] =
+                valueOf(link.elastic, length - link.rest, length - link.length, link.lambda[0]);
+            worst = std::max(worst, std::abs(row.value[0]) / std::max(link.rest, 1e-3));
+        }
+        return worst;
+    }
+
+    void apply() {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const auto& impulse = solver_.nodes[i].impulse;
+            motion_[i].displacement += nodes_[i].inverseMass * Point(impulse[0], impulse[1]);
+            if constexpr (N == 3) motion_[i].turning += nodes_[i].inverseInertia * impulse[2];
+        }
+        for (std::size_t i = 1; i < count_; ++i)
+            for (std::size_t r = 0; r < 2; ++r)
+                if (static_cast<int>(r) < solver_.links[i].rows)
+                    links_[i].lambda[r] += solver_.links[i].lambda[r];
+    }
+
+    void finishStep(double step) {
+        const double limit = static_cast<double>(maxSpeed);
+        for (std::size_t i = 0; i < count_; ++i) {
+            Motion& m = motion_[i];
+            // What the caller has torn apart comes together at the speed limit, not at once.
+            m.displacement = m.displacement.cwiseMax(-limit * step).cwiseMin(limit * step);
+            m.place += m.displacement;
+            if (nodes_[i].inverseMass > 0) m.velocity = m.displacement / step;
+            if constexpr (N == 3) {
+                if (node(i).cluster == none) continue;
+                const double most = nodes_[i].mostSpin * step;
+                m.turning = std::clamp(m.turning, -most, most);
+                m.angle += m.turning;
+                m.heading = turned(unitVector(m.turning), m.heading);
+                m.spin = m.turning / step;
+            }
+        }
+        for (std::size_t i = 1; i < count_; ++i)
+            for (std::size_t r = 0; r < 2; ++r) links_[i].impulse[r] += links_[i].lambda[r] / step;
+    }
+
+    /// How far this step was from where SHAKE explodes.
+    void judge(Outcome& outcome) {
+        for (std::size_t i = 0; i < count_; ++i) nodes_[i].pull = 0;
+        for (std::size_t i = 1; i < count_; ++i) {
+            const LinkData& link = links_[i];
+            if (node(i).kind != LinkKind::joint || link.inert) continue;
+            const double pull = std::abs(link.lambda[0]) / link.length;
+            nodes_[i].pull += pull;
+            nodes_[solver_.links[i].parent].pull += pull;
+            const auto& row = solver_.links[i].rowHere[0];
+            const double turn = link.direction[0] * row[1] - link.direction[1] * row[0];
+            outcome.turn = std::max(outcome.turn, std::abs(turn));
+            if (link.direction[0] * row[0] + link.direction[1] * row[1] < 0) outcome.turn = 2;
+        }
+        for (std::size_t i = 0; i < count_; ++i)
+            outcome.whip = std::max(outcome.whip, 2 * nodes_[i].inverseMass * nodes_[i].pull);
+        if (!std::isfinite(outcome.whip)) outcome.converged = false;
+    }
+
+    // --- the tick's end ---------------------------------------------------------------------
+
+    void store() {
+        if (!allFinite()) stop();
+        for (std::size_t i = 0; i < count_; ++i) storeNode(i);
+        for (std::size_t i = 1; i < count_; ++i) {
+            const TreeNode& n = node(i);
+            if (n.kind == LinkKind::joint)
+                state_.joints.lambda[n.link] = static_cast<Real>(links_[i].impulse[0] * tick());
+        }
+    }
+
+    bool allFinite() const {
+        return std::all_of(motion_.begin(), motion_.end(), [](const Motion& m) {
+            return m.place.allFinite() && m.velocity.allFinite() && std::isfinite(m.angle) &&
+                   std::isfinite(m.spin);
+        });
+    }
+
+    /// No number is left to go on with: everything stays where it was.
+    void stop() {
+        for (std::size_t i = 0; i < count_; ++i) {
+            motion_[i] = nodes_[i].start;
+            motion_[i].velocity = Point(0, 0);
+            motion_[i].spin = 0;
+        }
+        for (LinkData& link : links_) link.impulse = {0, 0};
+    }
+
+    void storeNode(std::size_t i) {
+        const TreeNode& n = node(i);
+        const Motion& m = motion_[i];
+        const Vec2 moved = (m.place - nodes_[i].start.place).template cast<Real>();
+        if (n.cluster != none) {
+            Cluster& c = state_.clusters.list[n.cluster];
+            c.displacement = c.predicted = moved;
+            c.angle = c.predictedAngle = m.angle;
+            c.velocity = m.velocity.template cast<Real>();
+            c.spin = m.spin;
+            updateTurn(c);
+        } else if (nodes_[i].inverseMass > 0) {
+            state_.particles.displacement[n.particle] = moved;
+            state_.particles.velocity[n.particle] = m.velocity.template cast<Real>();
+        }
+        state_.trees.predicted[tree_.first + i] = moved;
+    }
+
+    State& state_;
+    Tree& tree_;
+    Elimination<N>& solver_;
+    std::vector<NodeData>& nodes_;
+    std::vector<Motion>&motion_, &before_;
+    std::vector<LinkData>& links_;
+    std::uint32_t count_;
+};
+
+}  // namespace
+
+void stepTrees(State& state) {
+    state.statistics.chainSteps = 0;
+    state.statistics.chainFallbacks = 0;
+    if (state.work.lonelyTrees.empty()) return;
+    thread_local Workshop<2> points;
+    thread_local Workshop<3> bodies;
+    state.trees.predicted.resize(state.trees.nodes.size());
+    for (const auto i : state.work.lonelyTrees) {
+        Tree& tree = state.trees.list[i];
+        if (tree.points)
+            TreeStepper<2>(state, tree, points).run();
+        else
+            TreeStepper<3>(state, tree, bodies).run();
+    }
+    Particles& particles = state.particles;
+    for (const auto i : state.work.lonelyTrees)
+        for (auto k = state.trees.list[i].first; k < state.trees.list[i].last; ++k)
+            if (const auto p = state.trees.nodes[k].particle; p != none)
+                particles.force[p] = Vec2(0, 0);
+}
+
+}  // namespace sulfur::detail

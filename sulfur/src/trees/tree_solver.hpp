@@ -1,0 +1,32 @@
+// How trees of stiff joints move: by themselves in steps of their own, and against contacts.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Finds the trees among the stiff joints, attachments and hinges, and lists what remains for the
+/// sweeps. Called when the structure of the world has changed.
+void buildTrees(State& state);
+
+/// Leads every tree that moves alone through the tick, in as many steps as it needs (SHAKE
+/// directions, Newton passes to the residual that Tree::residual allows). Sets velocity and
+/// displacement of its particles and clusters.
+void stepTrees(State& state);
+
+/// Before the sweeps: finds the trees that contacts or swept constraints pull on.
+void touchTrees(State& state);
+/// One sweep: every line through a mesh, and every touched tree, is solved as a whole.
+void sweepTrees(State& state);
+/// Multipliers of the sweeps to the joints.
+void recordTreeForces(State& state);
+/// Velocities of the nodes take up what the sweeps have changed.
+void updateTreeVelocities(State& state);
+
+/// Velocities of trees that are about to be found anew: back to the middle of a whole tick.
+void dissolveTrees(State& state);
+
+/// Duration of the last step (s) that moved this particle.
+double lastStepOf(const State& state, std::uint32_t particle);
+
+}  // namespace sulfur::detail

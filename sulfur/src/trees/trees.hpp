@@ -1,0 +1,102 @@
+// Chains and trees of stiff joints, which are solved directly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <vector>
+
+#include "core/slots.hpp"
+
+namespace sulfur::detail {
+
+/// What connects a node of a tree to its parent.
+enum class LinkKind : std::uint8_t {
+    joint,       // a distance: one row
+    attachment,  // two points that stay together: two rows
+    hinge,       // the same, inside a body (Clusters::hinges)
+};
+
+/// One end of a link: a particle, or a place of a cluster.
+struct LinkEnd {
+    std::uint32_t particle = none;  // of the joint; `none` where an attachment holds a place
+    Point place{0, 0};              // m, in the frame of the node's cluster
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(particle);
+        a(place);
+    }
+};
+
+/// A node, and its link to its parent. Nodes stand in breadth-first order from the root, so that
+/// going backwards every child comes before its parent. What cannot move (a pinned particle, a
+/// kinematic body) is a leaf of its own for each of its links.
+struct TreeNode {
+    std::uint32_t particle = none;  // exactly one of the two
+    std::uint32_t cluster = none;
+    std::uint32_t parent = none;  // node, counted from the tree's first; the root has none
+    LinkKind kind = LinkKind::joint;
+    std::uint32_t link = none;  // index of the joint, attachment or hinge
+    LinkEnd here, there;        // at this node and at the parent
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(particle);
+        a(cluster);
+        a(parent);
+        a(kind);
+        a(link);
+        a(here);
+        a(there);
+    }
+};
+
+struct Tree {
+    std::uint32_t first = 0, last = 0;  // nodes
+    /// Nothing else that is stiff connects its nodes, so it moves by itself, in steps of its own.
+    /// Otherwise it is a line through a mesh, solved as a whole in every sweep.
+    std::uint8_t alone = 1;
+    std::uint8_t points = 1;  // no clusters: two freedoms a node are enough
+    std::uint8_t tied = 0;    // swept constraints pull on it
+    std::uint32_t steps = 1;  // in the next tick, a power of two
+    double lastStep = 0;      // s, duration of its last step
+    std::uint32_t guard =
+        none;  // a particle or, from clusters, a body that tells whether it sleeps
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(first);
+        a(last);
+        a(alone);
+        a(points);
+        a(tied);
+        a(steps);
+        a(lastStep);
+        a(guard);
+    }
+};
+
+/// The trees of a world; and, for each node of those that move alone, where the tick would lead it
+/// without contacts.
+struct Trees {
+    std::vector<Tree> list;
+    std::vector<TreeNode> nodes;
+    std::vector<std::uint32_t> ofParticle, ofCluster;  // the tree that moves it, or none
+
+    // Of the present tick only.
+    std::vector<Vec2> predicted;                // m, displacement of each node
+    std::vector<std::array<double, 2>> met;     // m, constraint values after the prediction
+    std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
+    std::vector<std::uint8_t> touched;          // tree
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(list);
+        a(nodes);
+        a(ofParticle);
+        a(ofCluster);
+    }
+};
+
+}  // namespace sulfur::detail
