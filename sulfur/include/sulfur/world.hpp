@@ -1,6 +1,7 @@
 // The world: owns everything, one step() is one tick.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -47,6 +48,14 @@ struct JointInfo {
     Real radius = 0;
     Real strength = 0;
     Real force = 0;  ///< N in the last tick, positive when it pulls
+};
+
+/// What an attachment is: its particle is held at the sum of weight_i times the place of support_i.
+struct AttachmentInfo {
+    ParticleId particle = {};
+    std::uint32_t count = 0;                  ///< of supports, 1 to 3
+    std::array<ParticleId, 3> supports = {};  ///< the first `count` are valid, the others null
+    std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
 };
 
 /// What a contact of the last tick was; for drawing and for the curious.
@@ -140,6 +149,8 @@ public:
     std::span<const BodyId> bodies() const;
     /// Joints between bodies, oldest first.
     std::vector<JointId> connections() const;
+    /// Attachments, oldest first.
+    std::vector<AttachmentId> attachments() const;
     Body body(BodyId body);
     /// Particles of a body in the order of its blueprint. Valid until it changes.
     std::span<const ParticleId> particles(BodyId body) const;
@@ -158,6 +169,7 @@ public:
 
     ParticleInfo info(ParticleId particle) const;
     JointInfo info(JointId joint) const;
+    AttachmentInfo info(AttachmentId attachment) const;
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
     /// clock: between the last two ticks' positions, so drawing lags by at most one tick.

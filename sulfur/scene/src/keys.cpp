@@ -100,6 +100,12 @@ Table makeTable() {
     table["rope"] = described<shapes::RopeOptions>(shape);
     table["jelly"] = described<shapes::JellyOptions>(shape);
     table["blob"] = described<shapes::BlobOptions>(shape);
+    table["polygon"] = described<shapes::PolygonOptions>(shape);
+    table["wheel"] = described<shapes::WheelOptions>(shape);
+    table["chain"] = described<shapes::ChainOptions>(shape);
+    table["bridge"] = described<shapes::BridgeOptions>(shape);
+    table["cloth"] = described<shapes::ClothOptions>(shape);
+    table["wall"] = described<shapes::WallOptions>(shape);
     return table;
 }
 

@@ -22,7 +22,7 @@ TEST(Read, GivesEveryMember) {
     EXPECT_EQ(scene.settings.tickRate, 240);
     EXPECT_FALSE(scene.settings.sleeping);
     EXPECT_EQ(scene.settings.gravity, sulfur::Vec2(Real(0.5), Real(-3.7)));
-    ASSERT_EQ(scene.blueprints.size(), 8u);
+    ASSERT_EQ(scene.blueprints.size(), 14u);
     const auto& plain = scene.prefab("plain")->blueprint;
     EXPECT_EQ(plain.kind, BodyKind::kinematic);
     EXPECT_EQ(plain.particles[0].mass, Real(0.1));
@@ -150,6 +150,12 @@ const Mistake mistakes[] = {
     {R"({"shape": "jelly", "columns": 1})", "2 to 1000"},
     {R"({"shape": "jelly", "columns": 1000, "rows": 1000})", "1000000 particles"},
     {R"({"shape": "blob", "segments": 2})", "3 to 1000"},
+    {R"({"shape": "polygon", "points": [[0, 0], [1, 0]]})", "3"},
+    {R"({"shape": "polygon", "points": [[0, 0], [1, 1], [1, 0], [0, 1]]})", "touch"},
+    {R"({"shape": "wheel", "rimRadius": 0.4})", "radius"},
+    {R"({"shape": "bridge", "planks": 0})", "1 to 10000"},
+    {R"({"shape": "cloth", "columns": 1000, "rows": 1000})", "1000000 particles"},
+    {R"({"shape": "wall", "columns": 999, "rows": 999})", "1000000 particles"},
     {R"({"shape": "ground", "points": [[0, 0]]})", "2 to 20000"},
     {R"({"shape": "ground"})", "\"points\""},
 };

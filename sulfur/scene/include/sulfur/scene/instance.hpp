@@ -27,10 +27,11 @@ struct Instance {
 /// that read() would accept; the world then holds a part of it.
 Instance instantiate(const Scene& scene, World& world);
 
-/// The state of a running world as a scene. Bodies of `instance` keep their id, their prefab while
-/// it still describes them, and their attachments; bodies that came later, broke or were changed
-/// get explicit blueprints of their own. `base` gives title, sections and all other unknown
-/// members. Attachments that were made after instantiate() are not seen.
+/// The state of a running world as a scene. Bodies of `instance` keep their id, and their prefab
+/// while it still describes them; bodies that came later, broke or were changed get explicit
+/// blueprints of their own. `base` gives title, sections and all other unknown members.
+/// Left out are attachments to a joint between bodies and those of a particle to its own body,
+/// which scenes cannot say.
 Scene capture(const World& world, const Scene& base = {}, const Instance& instance = {});
 
 }  // namespace sulfur::scene
