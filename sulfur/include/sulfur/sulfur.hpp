@@ -4,6 +4,8 @@
 #include <sulfur/blueprint.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>
+#include <sulfur/fields.hpp>
+#include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>

@@ -10,6 +10,8 @@
 #include <sulfur/blueprint.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>
+#include <sulfur/fields.hpp>
+#include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
@@ -138,10 +140,28 @@ public:
     /// Holds a particle where it is, or lets it go.
     void setPinned(ParticleId particle, bool pinned);
 
+    /// Adds a force field. Throws Error when a number is out of the range that fields.hpp gives.
+    FieldId add(const Field& field);
+    /// Changes a field.
+    void set(FieldId id, const Field& field);
+    /// Removes a field.
+    void remove(FieldId field);
+
+    /// Pulls a particle of a dynamic body towards `target`, as a mouse does.
+    GrabId grab(ParticleId particle, Point target, const GrabOptions& options = {});
+    /// Pulls a point of a dynamic body, given in the frame of its blueprint as for attach().
+    GrabId grab(BodyId body, Vec2 localPoint, Point target, const GrabOptions& options = {});
+    /// Moves the target.
+    void setTarget(GrabId grab, Point target);
+    /// Lets go. A grab also ends when what it holds is removed.
+    void release(GrabId grab);
+
     bool contains(BodyId body) const;
     bool contains(ParticleId particle) const;
     bool contains(JointId joint) const;
     bool contains(AttachmentId attachment) const;
+    bool contains(FieldId field) const;
+    bool contains(GrabId grab) const;
 
     // --- looking ---------------------------------------------------------------------------
 
@@ -151,6 +171,12 @@ public:
     std::vector<JointId> connections() const;
     /// Attachments, oldest first.
     std::vector<AttachmentId> attachments() const;
+    /// Fields, oldest first.
+    std::vector<FieldId> fields() const;
+    /// What a field is. Valid until it is changed or any field is added or removed.
+    const Field& field(FieldId id) const;
+    /// Grabs, oldest first.
+    std::vector<GrabId> grabs() const;
     Body body(BodyId body);
     /// Particles of a body in the order of its blueprint. Valid until it changes.
     std::span<const ParticleId> particles(BodyId body) const;
@@ -170,6 +196,7 @@ public:
     ParticleInfo info(ParticleId particle) const;
     JointInfo info(JointId joint) const;
     AttachmentInfo info(AttachmentId attachment) const;
+    GrabInfo info(GrabId grab) const;
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
     /// clock: between the last two ticks' positions, so drawing lags by at most one tick.

@@ -12,4 +12,8 @@ inline constexpr double minMass = 1e-9;         // kg
 inline constexpr double maxMass = 1e12;         // kg
 inline constexpr double maxAcceleration = 1e6;  // m/s^2, gravity
 
+/// Of an attached or grabbed point, in distances of its supports: a point much farther away would
+/// magnify their rounding.
+inline constexpr double farthestSupport = 50;
+
 }  // namespace sulfur::detail

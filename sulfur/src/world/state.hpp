@@ -14,6 +14,7 @@
 #include "joints/joints.hpp"
 #include "particles/particles.hpp"
 #include "world/bodies.hpp"
+#include "world/influences.hpp"
 
 namespace sulfur::detail {
 
@@ -42,6 +43,7 @@ struct State {
     std::vector<Attachment> attachments;
     std::vector<BodyRecord> bodies;
     std::vector<BodyId> bodyIds;
+    Influences influences;
 
     Slots<ParticleId> particleSlots;
     Slots<JointId> jointSlots;
