@@ -26,7 +26,7 @@ struct BoxZone {
 /// A disc, edge included.
 struct CircleZone {
     Point centre{0, 0};  ///< metres
-    double radius = 1;   ///< metres, > 0
+    Real radius = 1;     ///< metres, > 0
 };
 
 /// Where a field acts.

@@ -27,6 +27,7 @@ public:
         scene_.bodies.clear();
         scene_.connections.clear();
         scene_.attachments.clear();
+        scene_.fields.clear();
         // Bodies of the scene first, so that newer ones cannot take their ids.
         for (const bool old : {true, false}) {
             for (const BodyId body : world_.bodies())
@@ -34,6 +35,7 @@ public:
         }
         for (const JointId joint : world_.connections()) addConnection(joint);
         addAttachments();
+        addFields();
         return std::move(scene_);
     }
 
@@ -180,6 +182,18 @@ private:
             if (old == oldAttachments_.end() || hasNewFrame(attachment.body))
                 attachment.point = pointOf(info);
             scene_.attachments.push_back(std::move(attachment));
+        }
+    }
+
+    void addFields() {
+        for (const FieldId id : world_.fields()) {
+            SceneField field;
+            const auto old = std::find(instance_.fields.begin(), instance_.fields.end(), id);
+            const auto place = static_cast<std::size_t>(old - instance_.fields.begin());
+            if (old != instance_.fields.end() && place < base_.fields.size())
+                field = base_.fields[place];
+            field.field = world_.field(id);
+            scene_.fields.push_back(std::move(field));
         }
     }
 

@@ -237,6 +237,47 @@ void describe(Visitor& v, Object& o) {
     v.material("material", o.material);
 }
 
+template <class Visitor, Is<BoxZone> Object>
+void describe(Visitor& v, Object& o) {
+    v.point("low", o.low);
+    v.point("high", o.high);
+}
+
+template <class Visitor, Is<CircleZone> Object>
+void describe(Visitor& v, Object& o) {
+    const CircleZone d;
+    v.point("centre", o.centre);
+    v.positive("radius", o.radius, d.radius, largestSize);
+}
+
+template <class Visitor, Is<UniformField> Object>
+void describe(Visitor& v, Object& o) {
+    const UniformField d;
+    v.zone("zone", o.zone);
+    v.vec("acceleration", o.acceleration, d.acceleration, 1e6);
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+}
+
+template <class Visitor, Is<RadialField> Object>
+void describe(Visitor& v, Object& o) {
+    const RadialField d;
+    v.point("centre", o.centre);
+    v.number("strength", o.strength, d.strength, -1e12, 1e12);
+    v.integer("falloff", o.falloff, d.falloff, 0, 4);
+    v.number("core", o.core, d.core, 1e-3, 1e6);
+    v.infinite("reach", o.reach, d.reach, 1e9, "unlimited");
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+}
+
+template <class Visitor, Is<WindField> Object>
+void describe(Visitor& v, Object& o) {
+    const WindField d;
+    v.zone("zone", o.zone);
+    v.vec("velocity", o.velocity, d.velocity, Limits::speed);
+    v.number("drag", o.drag, d.drag, 0, 10000);
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+}
+
 template <class Visitor, Is<std::monostate> Object>
 void describe(Visitor&, Object&) {}
 
@@ -245,6 +286,10 @@ inline constexpr const char* generatorNames[] = {"",      "floor",  "ground", "b
                                                  "rope",  "jelly",  "blob",   "polygon", "wheel",
                                                  "chain", "bridge", "cloth",  "wall"};
 static_assert(std::size(generatorNames) == std::variant_size_v<Generator>);
+/// How fields are called in files, and the parts of keysOf(), in the order of Field's alternatives.
+inline constexpr const char* fieldNames[] = {"uniform", "radial", "wind"};
+inline constexpr const char* fieldParts[] = {"uniformField", "radialField", "windField"};
+static_assert(std::size(fieldNames) == std::variant_size_v<Field>);
 inline constexpr const char* kindNames[] = {"dynamic", "kinematic", "fixed"};
 
 }  // namespace sulfur::scene

@@ -34,7 +34,8 @@ struct ZoneCheck {
     }
     void operator()(const CircleZone& zone) const {
         requirePoint(zone.centre, "zone: centre");
-        detail::requireRange(zone.radius, 1e-9, detail::maxCoordinate, "zone: radius");
+        detail::requireRange(static_cast<double>(zone.radius), 1e-9, detail::maxCoordinate,
+                             "zone: radius");
     }
 };
 

@@ -134,6 +134,25 @@ TEST(Capture, SeesNewAttachmentsAndWhereTheyAre) {
     }
 }
 
+TEST(Capture, SeesNewChangedAndRemovedFields) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    ASSERT_EQ(instance.fields.size(), 4u);
+    world.remove(instance.fields[1]);
+    world.set(instance.fields[0], sulfur::UniformField{.acceleration = {7, 0}});
+    world.add(sulfur::RadialField{.centre = {1, 2}, .falloff = 3});
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    ASSERT_EQ(captured.fields.size(), 4u);
+    EXPECT_EQ(std::get<sulfur::UniformField>(captured.fields[0].field).acceleration.x(), 7);
+    EXPECT_EQ(findExtra(captured.fields[0].extra.at(""), "flow")->json, "\"river\"");
+    const auto& round = std::get<sulfur::WindField>(captured.fields[1].field);
+    EXPECT_EQ(std::get<sulfur::CircleZone>(round.zone).centre, sulfur::Point(5, 6));
+    const auto& radial = std::get<sulfur::RadialField>(captured.fields[3].field);
+    EXPECT_EQ(radial.falloff, 3);
+    EXPECT_EQ(radial.reach, sulfur::infinite);
+}
+
 TEST(Capture, OfAWorldWithoutAScene) {
     World world;
     world.add(sulfur::shapes::floor({-5, 0}, {5, 0}));

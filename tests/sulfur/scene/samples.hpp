@@ -88,6 +88,15 @@ inline const std::string fullScene = R"({
   "attachments": [
     {"particle": ["r", 4], "body": "crate", "point": [0.25, -0.1], "hook": []}
   ],
+  "fields": [
+    {"type": "uniform", "zone": {"low": [-3, -2.5], "high": [3, 2], "tint": 1},
+     "acceleration": [0.5, 12], "mask": 6, "flow": "river"},
+    {"type": "radial", "centre": [20, 5], "strength": -30, "falloff": 1, "core": 0.5, "reach": 8,
+     "mask": 3},
+    {"type": "wind", "zone": {"centre": [5, 6], "radius": 4.5}, "velocity": [3, -1], "drag": 2.5,
+     "mask": 1},
+    {"type": "wind", "velocity": [0.25, 0]}
+  ],
   "level": {
     "spawn": [1, 2],
     "exit": {"id": "door", "at": [9, 9]}

@@ -70,6 +70,11 @@ const std::map<std::string, std::string> places{
     {"state", "/bodies/4/state"},
     {"connection", "/connections/0"},
     {"attachment", "/attachments/0"},
+    {"uniformField", "/fields/0"},
+    {"boxZone", "/fields/0/zone"},
+    {"radialField", "/fields/1"},
+    {"windField", "/fields/2"},
+    {"circleZone", "/fields/2/zone"},
 };
 
 TEST(Schema, EveryListedKeyIsReallyRead) {

@@ -15,6 +15,7 @@ struct Instance {
     std::map<std::string, BodyId, std::less<>> bodies;  ///< by id of the placement
     std::vector<JointId> connections;                   ///< in the order of the scene
     std::vector<AttachmentId> attachments;              ///< in the order of the scene
+    std::vector<FieldId> fields;                        ///< in the order of the scene
 
     /// The handle of a body, null when the scene has no such id.
     BodyId body(std::string_view id) const;
