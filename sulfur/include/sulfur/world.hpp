@@ -81,6 +81,8 @@ struct ConnectOptions {
 using Snapshot = std::vector<std::byte>;
 
 class World;
+class DebugDraw;
+struct DrawOptions;
 
 /// A body in a world: a handle with the world beside it. Copy it freely; it stays valid until the
 /// body is removed or the world is gone.
@@ -256,6 +258,11 @@ public:
     std::optional<RayHit> castRay(Point from, Point to, const QueryFilter& filter = {}) const;
     /// The particle nearest to a point and at most `reach` metres away.
     std::optional<ParticleId> nearestParticle(Point point, Real reach) const;
+
+    /// Shows everything to `to`; see draw.hpp. Throws Error when `options.alpha` is not in 0..1.
+    void draw(DebugDraw& to, const DrawOptions& options) const;
+    /// Shows everything with the default options.
+    void draw(DebugDraw& to) const;
 
     // --- state -----------------------------------------------------------------------------
 

@@ -5,25 +5,18 @@
 
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
+#include "solver/zones.hpp"
 
 namespace sulfur::detail {
 
 namespace {
-
-bool contains(const Zone& zone, const Point& p) {
-    if (const auto* box = std::get_if<BoxZone>(&zone))
-        return (p.array() >= box->low.array()).all() && (p.array() <= box->high.array()).all();
-    if (const auto* circle = std::get_if<CircleZone>(&zone))
-        return (p - circle->centre).norm() <= static_cast<double>(circle->radius);
-    return true;
-}
 
 bool contains(const RadialField& field, const Point& p) {
     return (p - field.centre).norm() <= static_cast<double>(field.reach);
 }
 template <class Zoned>
 bool contains(const Zoned& field, const Point& p) {
-    return contains(field.zone, p);
+    return detail::contains(field.zone, p);
 }
 
 Vec2 accelerationAt(const RadialField& field, const Point& p) {
