@@ -21,5 +21,7 @@ using ParticleId = Handle<struct ParticleTag>;
 using JointId = Handle<struct JointTag>;
 using BodyId = Handle<struct BodyTag>;
 using AttachmentId = Handle<struct AttachmentTag>;
+using FieldId = Handle<struct FieldTag>;
+using GrabId = Handle<struct GrabTag>;
 
 }  // namespace sulfur

@@ -11,6 +11,7 @@ enum class Stage : std::uint8_t {
     changes,
     broadPhase,
     forces,
+    fields,
     predict,
     narrowPhase,
     constraints,

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <sulfur/blueprint.hpp>
+#include <sulfur/draw.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>
+#include <sulfur/fields.hpp>
+#include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
+#include <sulfur/presets.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/shapes.hpp>
 #include <sulfur/statistics.hpp>

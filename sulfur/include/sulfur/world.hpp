@@ -1,6 +1,7 @@
 // The world: owns everything, one step() is one tick.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -9,6 +10,8 @@
 #include <sulfur/blueprint.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>
+#include <sulfur/fields.hpp>
+#include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
@@ -49,6 +52,14 @@ struct JointInfo {
     Real force = 0;  ///< N in the last tick, positive when it pulls
 };
 
+/// What an attachment is: its particle is held at the sum of weight_i times the place of support_i.
+struct AttachmentInfo {
+    ParticleId particle = {};
+    std::uint32_t count = 0;                  ///< of supports, 1 to 3
+    std::array<ParticleId, 3> supports = {};  ///< the first `count` are valid, the others null
+    std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
+};
+
 /// What a contact of the last tick was; for drawing and for the curious.
 struct ContactInfo {
     BodyId a = {}, b = {};
@@ -70,6 +81,8 @@ struct ConnectOptions {
 using Snapshot = std::vector<std::byte>;
 
 class World;
+class DebugDraw;
+struct DrawOptions;
 
 /// A body in a world: a handle with the world beside it. Copy it freely; it stays valid until the
 /// body is removed or the world is gone.
@@ -129,10 +142,28 @@ public:
     /// Holds a particle where it is, or lets it go.
     void setPinned(ParticleId particle, bool pinned);
 
+    /// Adds a force field. Throws Error when a number is out of the range that fields.hpp gives.
+    FieldId add(const Field& field);
+    /// Changes a field.
+    void set(FieldId id, const Field& field);
+    /// Removes a field.
+    void remove(FieldId field);
+
+    /// Pulls a particle of a dynamic body towards `target`, as a mouse does.
+    GrabId grab(ParticleId particle, Point target, const GrabOptions& options = {});
+    /// Pulls a point of a dynamic body, given in the frame of its blueprint as for attach().
+    GrabId grab(BodyId body, Vec2 localPoint, Point target, const GrabOptions& options = {});
+    /// Moves the target.
+    void setTarget(GrabId grab, Point target);
+    /// Lets go. A grab also ends when what it holds is removed.
+    void release(GrabId grab);
+
     bool contains(BodyId body) const;
     bool contains(ParticleId particle) const;
     bool contains(JointId joint) const;
     bool contains(AttachmentId attachment) const;
+    bool contains(FieldId field) const;
+    bool contains(GrabId grab) const;
 
     // --- looking ---------------------------------------------------------------------------
 
@@ -140,6 +171,14 @@ public:
     std::span<const BodyId> bodies() const;
     /// Joints between bodies, oldest first.
     std::vector<JointId> connections() const;
+    /// Attachments, oldest first.
+    std::vector<AttachmentId> attachments() const;
+    /// Fields, oldest first.
+    std::vector<FieldId> fields() const;
+    /// What a field is. Valid until it is changed or any field is added or removed.
+    const Field& field(FieldId id) const;
+    /// Grabs, oldest first.
+    std::vector<GrabId> grabs() const;
     Body body(BodyId body);
     /// Particles of a body in the order of its blueprint. Valid until it changes.
     std::span<const ParticleId> particles(BodyId body) const;
@@ -158,6 +197,8 @@ public:
 
     ParticleInfo info(ParticleId particle) const;
     JointInfo info(JointId joint) const;
+    AttachmentInfo info(AttachmentId attachment) const;
+    GrabInfo info(GrabId grab) const;
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
     /// clock: between the last two ticks' positions, so drawing lags by at most one tick.
@@ -219,6 +260,11 @@ public:
     std::optional<RayHit> castRay(Point from, Point to, const QueryFilter& filter = {}) const;
     /// The particle nearest to a point and at most `reach` metres away.
     std::optional<ParticleId> nearestParticle(Point point, Real reach) const;
+
+    /// Shows everything to `to`; see draw.hpp. Throws Error when `options.alpha` is not in 0..1.
+    void draw(DebugDraw& to, const DrawOptions& options) const;
+    /// Shows everything with the default options.
+    void draw(DebugDraw& to) const;
 
     // --- state -----------------------------------------------------------------------------
 

@@ -15,6 +15,8 @@ public:
         for (const auto& [id, body] : instance.bodies) oldIds_.emplace(body, id);
         for (std::size_t i = 0; i < base.connections.size() && i < instance.connections.size(); ++i)
             oldConnections_.emplace(instance.connections[i], &base.connections[i]);
+        for (std::size_t i = 0; i < base.attachments.size() && i < instance.attachments.size(); ++i)
+            oldAttachments_.emplace(instance.attachments[i], &base.attachments[i]);
     }
 
     Scene run() {
@@ -25,6 +27,7 @@ public:
         scene_.bodies.clear();
         scene_.connections.clear();
         scene_.attachments.clear();
+        scene_.fields.clear();
         // Bodies of the scene first, so that newer ones cannot take their ids.
         for (const bool old : {true, false}) {
             for (const BodyId body : world_.bodies())
@@ -32,6 +35,7 @@ public:
         }
         for (const JointId joint : world_.connections()) addConnection(joint);
         addAttachments();
+        addFields();
         return std::move(scene_);
     }
 
@@ -160,15 +164,54 @@ private:
         scene_.connections.push_back(std::move(connection));
     }
 
+    /// An attachment to a joint between bodies, or of a particle to its own body, is nothing that
+    /// a scene can say.
     void addAttachments() {
-        for (std::size_t i = 0; i < base_.attachments.size(); ++i) {
-            if (i >= instance_.attachments.size() || !world_.contains(instance_.attachments[i]))
-                continue;
-            const Attachment& attachment = base_.attachments[i];
-            if (scene_.body(attachment.particle.body) != nullptr &&
-                scene_.body(attachment.body) != nullptr)
-                scene_.attachments.push_back(attachment);
+        for (const AttachmentId id : world_.attachments()) {
+            const AttachmentInfo info = world_.info(id);
+            const BodyId body = world_.info(info.supports[0]).body;
+            bool elsewhere = world_.info(info.particle).body == body;
+            for (std::uint32_t k = 1; k < info.count; ++k)
+                elsewhere = elsewhere || world_.info(info.supports[k]).body != body;
+            if (elsewhere) continue;
+            Attachment attachment;
+            const auto old = oldAttachments_.find(id);
+            if (old != oldAttachments_.end()) attachment = *old->second;
+            attachment.particle = refs_.at(info.particle);
+            attachment.body = refs_.at(info.supports[0]).body;
+            if (old == oldAttachments_.end() || hasNewFrame(attachment.body))
+                attachment.point = pointOf(info);
+            scene_.attachments.push_back(std::move(attachment));
         }
+    }
+
+    void addFields() {
+        for (const FieldId id : world_.fields()) {
+            SceneField field;
+            const auto old = std::find(instance_.fields.begin(), instance_.fields.end(), id);
+            const auto place = static_cast<std::size_t>(old - instance_.fields.begin());
+            if (old != instance_.fields.end() && place < base_.fields.size())
+                field = base_.fields[place];
+            field.field = world_.field(id);
+            scene_.fields.push_back(std::move(field));
+        }
+    }
+
+    /// Whether the body has another blueprint now, so that places in the old one mean nothing.
+    bool hasNewFrame(const std::string& id) const {
+        const Placement* before = base_.body(id);
+        return before == nullptr || before->blueprint != scene_.body(id)->blueprint;
+    }
+
+    /// Where an attachment is in the frame of the blueprint of its supports.
+    Vec2 pointOf(const AttachmentInfo& info) const {
+        Vec2 point(0, 0);
+        for (std::uint32_t k = 0; k < info.count; ++k) {
+            const ParticleRef& ref = refs_.at(info.supports[k]);
+            const auto* prefab = scene_.prefab(scene_.body(ref.body)->blueprint);
+            point += info.weights[k] * prefab->blueprint.particles[ref.particle].position;
+        }
+        return point;
     }
 
     const World& world_;
@@ -177,6 +220,7 @@ private:
     Scene scene_;
     std::map<BodyId, std::string> oldIds_;
     std::map<JointId, const Connection*> oldConnections_;
+    std::map<AttachmentId, const Attachment*> oldAttachments_;
     std::map<ParticleId, ParticleRef> refs_;
 };
 

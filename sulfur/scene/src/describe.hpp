@@ -152,13 +152,144 @@ void describe(Visitor& v, Object& o) {
     v.material("material", o.material);
 }
 
+template <class Visitor, Is<shapes::PolygonOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::PolygonOptions d;
+    v.points("points", o.points, 3, 200, Limits::coordinate);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::WheelOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::WheelOptions d;
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.integer("segments", o.segments, d.segments, 3, 1000);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("rimRadius", o.rimRadius, d.rimRadius, largestRadius);
+    v.infinite("spokeStiffness", o.spokeStiffness, d.spokeStiffness, Limits::stiffness, "rigid");
+    v.number("spokeDamping", o.spokeDamping, d.spokeDamping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::ChainOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::ChainOptions d;
+    v.vec("from", o.from, d.from, Limits::coordinate);
+    v.vec("to", o.to, d.to, Limits::coordinate);
+    v.integer("links", o.links, d.links, 0, Limits::particles - 1);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.number("radius", o.radius, d.radius, 0, largestRadius);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.flag("pinFirst", o.pinFirst, d.pinFirst);
+    v.flag("pinLast", o.pinLast, d.pinLast);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::BridgeOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::BridgeOptions d;
+    v.vec("from", o.from, d.from, Limits::coordinate);
+    v.vec("to", o.to, d.to, Limits::coordinate);
+    v.integer("planks", o.planks, d.planks, 1, 10000);
+    v.number("sag", o.sag, d.sag, 0, Limits::coordinate);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::ClothOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::ClothOptions d;
+    v.size("size", o.size, d.size, largestSize);
+    v.integer("columns", o.columns, d.columns, 3, 1000);
+    v.integer("rows", o.rows, d.rows, 3, 1000);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.number("radius", o.radius, d.radius, 0, largestRadius);
+    v.flag("diagonals", o.diagonals, d.diagonals);
+    v.flag("pinCorners", o.pinCorners, d.pinCorners);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<shapes::WallOptions> Object>
+void describe(Visitor& v, Object& o) {
+    const shapes::WallOptions d;
+    v.size("size", o.size, d.size, largestSize);
+    v.integer("columns", o.columns, d.columns, 1, 999);
+    v.integer("rows", o.rows, d.rows, 1, 999);
+    v.positive("mass", o.mass, d.mass, Limits::mass);
+    v.positive("radius", o.radius, d.radius, largestRadius);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.flag("pinBottom", o.pinBottom, d.pinBottom);
+    v.material("material", o.material);
+}
+
+template <class Visitor, Is<BoxZone> Object>
+void describe(Visitor& v, Object& o) {
+    v.point("low", o.low);
+    v.point("high", o.high);
+}
+
+template <class Visitor, Is<CircleZone> Object>
+void describe(Visitor& v, Object& o) {
+    const CircleZone d;
+    v.point("centre", o.centre);
+    v.positive("radius", o.radius, d.radius, largestSize);
+}
+
+template <class Visitor, Is<UniformField> Object>
+void describe(Visitor& v, Object& o) {
+    const UniformField d;
+    v.zone("zone", o.zone);
+    v.vec("acceleration", o.acceleration, d.acceleration, 1e6);
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+}
+
+template <class Visitor, Is<RadialField> Object>
+void describe(Visitor& v, Object& o) {
+    const RadialField d;
+    v.point("centre", o.centre);
+    v.number("strength", o.strength, d.strength, -1e12, 1e12);
+    v.integer("falloff", o.falloff, d.falloff, 0, 4);
+    v.number("core", o.core, d.core, 1e-3, 1e6);
+    v.infinite("reach", o.reach, d.reach, 1e9, "unlimited");
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+}
+
+template <class Visitor, Is<WindField> Object>
+void describe(Visitor& v, Object& o) {
+    const WindField d;
+    v.zone("zone", o.zone);
+    v.vec("velocity", o.velocity, d.velocity, Limits::speed);
+    v.number("drag", o.drag, d.drag, 0, 10000);
+    v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
+}
+
 template <class Visitor, Is<std::monostate> Object>
 void describe(Visitor&, Object&) {}
 
 /// How generators are called in files, in the order of the alternatives of Generator.
-inline constexpr const char* generatorNames[] = {"",     "floor", "ground", "box",
-                                                 "ball", "rope",  "jelly",  "blob"};
+inline constexpr const char* generatorNames[] = {"",      "floor",  "ground", "box",     "ball",
+                                                 "rope",  "jelly",  "blob",   "polygon", "wheel",
+                                                 "chain", "bridge", "cloth",  "wall"};
 static_assert(std::size(generatorNames) == std::variant_size_v<Generator>);
+/// How fields are called in files, and the parts of keysOf(), in the order of Field's alternatives.
+inline constexpr const char* fieldNames[] = {"uniform", "radial", "wind"};
+inline constexpr const char* fieldParts[] = {"uniformField", "radialField", "windField"};
+static_assert(std::size(fieldNames) == std::variant_size_v<Field>);
 inline constexpr const char* kindNames[] = {"dynamic", "kinematic", "fixed"};
 
 }  // namespace sulfur::scene

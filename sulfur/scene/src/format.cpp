@@ -125,6 +125,14 @@ std::string formatAttachment(const Attachment& attachment) {
     return text.inLine();
 }
 
+std::string formatField(const SceneField& field) {
+    ObjectText text(field.extra, "");
+    text.add("type", json(std::string_view(fieldNames[field.field.index()])));
+    std::visit([&](const auto& one) { describe(text, one); }, field.field);
+    text.finish();
+    return text.inLine();
+}
+
 template <class Item, class Format>
 void addList(ObjectText& text, const char* key, const std::vector<Item>& list, Format format) {
     if (list.empty()) return;
@@ -155,6 +163,7 @@ std::string format(const Scene& scene) {
     addList(text, "bodies", scene.bodies, formatBody);
     addList(text, "connections", scene.connections, formatConnection);
     addList(text, "attachments", scene.attachments, formatAttachment);
+    addList(text, "fields", scene.fields, formatField);
     text.add(scene.extra);
     return text.inLines(0) + '\n';
 }

@@ -54,6 +54,14 @@ struct KeyVisitor {
         keys.push_back(key);
     }
     template <class Value>
+    void point(const char* key, Value&&) {
+        keys.push_back(key);
+    }
+    template <class Value>
+    void zone(const char* key, Value&&) {
+        keys.push_back(key);
+    }
+    template <class Value>
     void material(const char* key, Value&&) {
         keys.push_back(key);
     }
@@ -76,7 +84,7 @@ Table makeTable() {
     Table table{
         {"scene",
          {"format", "version", "title", "description", "world", "blueprints", "bodies",
-          "connections", "attachments"}},
+          "connections", "attachments", "fields"}},
         {"blueprintFile", {"format", "version", "name", "blueprint"}},
         {"explicit", {"kind", "particles", "joints", "material", "filter", "skin"}},
         {"skin", {"texture", "uv", "triangles"}},
@@ -92,6 +100,11 @@ Table makeTable() {
         {"material", described<Material>()},
         {"filter", described<Filter>()},
     };
+    table["boxZone"] = described<BoxZone>();
+    table["circleZone"] = described<CircleZone>();
+    table["uniformField"] = described<UniformField>({"type"});
+    table["radialField"] = described<RadialField>({"type"});
+    table["windField"] = described<WindField>({"type"});
     const KeyList shape{"shape", "kind", "filter", "skin"};
     table["floor"] = described<FloorOptions>(shape);
     table["ground"] = described<shapes::GroundOptions>(shape);
@@ -100,6 +113,12 @@ Table makeTable() {
     table["rope"] = described<shapes::RopeOptions>(shape);
     table["jelly"] = described<shapes::JellyOptions>(shape);
     table["blob"] = described<shapes::BlobOptions>(shape);
+    table["polygon"] = described<shapes::PolygonOptions>(shape);
+    table["wheel"] = described<shapes::WheelOptions>(shape);
+    table["chain"] = described<shapes::ChainOptions>(shape);
+    table["bridge"] = described<shapes::BridgeOptions>(shape);
+    table["cloth"] = described<shapes::ClothOptions>(shape);
+    table["wall"] = described<shapes::WallOptions>(shape);
     return table;
 }
 

@@ -21,6 +21,12 @@ struct Builder {
     Blueprint operator()(const shapes::RopeOptions& o) const { return shapes::rope(o); }
     Blueprint operator()(const shapes::JellyOptions& o) const { return shapes::jelly(o); }
     Blueprint operator()(const shapes::BlobOptions& o) const { return shapes::blob(o); }
+    Blueprint operator()(const shapes::PolygonOptions& o) const { return shapes::polygon(o); }
+    Blueprint operator()(const shapes::WheelOptions& o) const { return shapes::wheel(o); }
+    Blueprint operator()(const shapes::ChainOptions& o) const { return shapes::chain(o); }
+    Blueprint operator()(const shapes::BridgeOptions& o) const { return shapes::bridge(o); }
+    Blueprint operator()(const shapes::ClothOptions& o) const { return shapes::cloth(o); }
+    Blueprint operator()(const shapes::WallOptions& o) const { return shapes::wall(o); }
 };
 
 }  // namespace

@@ -92,13 +92,18 @@ void readSkin(Reader& reader, Prefab& prefab) {
 
 /// Refuses what would take much memory before it is made.
 void requireModest(const Node& node, const Generator& generator) {
-    const auto* jelly = std::get_if<shapes::JellyOptions>(&generator);
-    if (jelly == nullptr) return;
-    const auto particles =
-        static_cast<std::size_t>(jelly->columns) * static_cast<std::size_t>(jelly->rows);
-    if (particles > Limits::particles)
-        node.fail("columns times rows are " + std::to_string(particles) +
-                  " particles; allowed are at most " + std::to_string(Limits::particles));
+    const auto require = [&](int columns, int rows) {
+        const auto particles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+        if (particles > Limits::particles)
+            node.fail("columns times rows are " + std::to_string(particles) +
+                      " particles; allowed are at most " + std::to_string(Limits::particles));
+    };
+    if (const auto* jelly = std::get_if<shapes::JellyOptions>(&generator))
+        require(jelly->columns, jelly->rows);
+    if (const auto* cloth = std::get_if<shapes::ClothOptions>(&generator))
+        require(cloth->columns, cloth->rows);
+    if (const auto* wall = std::get_if<shapes::WallOptions>(&generator))
+        require(wall->columns + 1, wall->rows + 1);
 }
 
 template <std::size_t index>
@@ -119,6 +124,16 @@ void readGenerated(Reader& reader, std::string_view shape, Prefab& prefab) {
                   std::make_index_sequence<std::variant_size_v<Generator> - 1>());
     requireModest(reader.node(), prefab.generator);
     prefab.blueprint = build(prefab.generator);
+}
+
+template <std::size_t... indices>
+std::size_t chooseShape(const Node& shape, std::index_sequence<indices...>) {
+    return shape.choice({generatorNames[indices + 1]...});
+}
+
+/// The place of the named shape among those that files may name.
+std::size_t chooseShape(const Node& shape) {
+    return chooseShape(shape, std::make_index_sequence<std::size(generatorNames) - 1>());
 }
 
 /// Generators share a mass among particles, so that only the outcome can be judged.
@@ -144,8 +159,7 @@ Prefab readPrefab(const Node& node, const std::string& name) {
     const auto shape = node.find("shape");
     std::string part = "explicit";
     if (shape) {
-        const auto& n = generatorNames;
-        part = n[1 + shape->choice({n[1], n[2], n[3], n[4], n[5], n[6], n[7]})];
+        part = generatorNames[1 + chooseShape(*shape)];
     } else if (!node.find("particles")) {
         node.fail("has neither \"shape\" nor \"particles\"; needed is one of them");
     }

@@ -35,6 +35,9 @@ public:
         if (const auto list = reader.find("attachments")) {
             for (const auto& node : list->array(0, Limits::particles)) readAttachment(node);
         }
+        if (const auto list = reader.find("fields")) {
+            for (const auto& node : list->array(0, Limits::fields)) readField(node);
+        }
         reader.finish();
         scene_.extra = std::move(extra[""]);
     }
@@ -221,6 +224,13 @@ private:
         if (attachment.body == attachment.particle.body)
             node.fail("holds a particle at its own body; allowed is another body");
         scene_.attachments.push_back(std::move(attachment));
+    }
+
+    void readField(const Node& node) {
+        scene_.fields.push_back(scene::readField(node));
+        const auto* wind = std::get_if<WindField>(&scene_.fields.back().field);
+        if (wind && wind->drag > static_cast<Real>(scene_.settings.tickRate))
+            node.fail("drag is more than the world's tickRate; allowed is 0 to tickRate");
     }
 
     Scene& scene_;

@@ -42,6 +42,9 @@ public:
     void points(const char* key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 double limit);
     void material(const char* key, Material& value);
+    /// A place that must be there.
+    void point(const char* key, Point& value) { value = at(key).point(Limits::coordinate); }
+    void zone(const char* key, Zone& value);
 
     void filter(const char* key, Filter& value);
     void kind(const char* key, BodyKind& value);
@@ -69,6 +72,9 @@ private:
 /// Reads the members of a "blueprints" object or of a blueprint file. `name` becomes the
 /// blueprint's.
 Prefab readPrefab(const Node& node, const std::string& name);
+
+/// Reads an item of "fields". Its numbers are in range, but for what depends on the tick rate.
+SceneField readField(const Node& node);
 
 /// An id or a name: 1 to Limits::nameBytes bytes on one line.
 std::string readName(const Node& node);

@@ -92,6 +92,8 @@ std::vector<std::string> unknownKeys(const Scene& scene) {
     for (std::size_t i = 0; i < scene.attachments.size(); ++i)
         note(notes, scene.file, "attachments[" + std::to_string(i) + ']',
              {{"", scene.attachments[i].extra}});
+    for (std::size_t i = 0; i < scene.fields.size(); ++i)
+        note(notes, scene.file, "fields[" + std::to_string(i) + ']', scene.fields[i].extra);
     return notes;
 }
 

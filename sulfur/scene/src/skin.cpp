@@ -31,10 +31,19 @@ Triangles trianglesOf(const Generator& generator, const Blueprint& blueprint) {
     if (const auto* jelly = std::get_if<shapes::JellyOptions>(&generator))
         return lattice(static_cast<std::uint32_t>(jelly->columns),
                        static_cast<std::uint32_t>(jelly->rows));
+    if (const auto* cloth = std::get_if<shapes::ClothOptions>(&generator))
+        return lattice(static_cast<std::uint32_t>(cloth->columns),
+                       static_cast<std::uint32_t>(cloth->rows));
+    if (const auto* wall = std::get_if<shapes::WallOptions>(&generator))
+        return lattice(static_cast<std::uint32_t>(wall->columns + 1),
+                       static_cast<std::uint32_t>(wall->rows + 1));
     if (const auto* blob = std::get_if<shapes::BlobOptions>(&generator))
         return fan(static_cast<std::uint32_t>(blob->segments));
+    if (const auto* wheel = std::get_if<shapes::WheelOptions>(&generator))
+        return fan(static_cast<std::uint32_t>(wheel->segments));
     if (std::holds_alternative<shapes::BoxOptions>(generator)) {
-        // Four corners, and a particle in the middle unless the corners carry all of the mass.
+        // Four corners, and a particle in the middle or two at the sides if the corners do not
+        // carry all of the mass.
         if (blueprint.particles.size() == 5) return fan(4);
         return {{0, 1, 2}, {0, 2, 3}};
     }
@@ -48,12 +57,16 @@ Skin fitSkin(const Generator& generator, const Blueprint& blueprint, std::string
     skin.texture = std::move(texture);
     skin.triangles = trianglesOf(generator, blueprint);
     if (blueprint.particles.empty()) return skin;
-    Vec2 low = blueprint.particles.front().position;
-    Vec2 high = low;
-    for (const auto& particle : blueprint.particles) {
+    Vec2 low(infinite, infinite), high(-infinite, -infinite);
+    const auto include = [&](const ParticleSpec& particle) {
         low = low.cwiseMin(particle.position);
         high = high.cwiseMax(particle.position);
-    }
+    };
+    // What is in no triangle, such as the side particles of a thick box, is not in the picture.
+    for (const auto& triangle : skin.triangles)
+        for (const auto i : triangle) include(blueprint.particles[i]);
+    if (skin.triangles.empty())
+        for (const auto& particle : blueprint.particles) include(particle);
     const Vec2 size = high - low;
     for (const auto& particle : blueprint.particles) {
         // Where there is no extent, the middle of the picture; v points down.

@@ -138,7 +138,20 @@ void ObjectText::part(const char* key, const Object& value, bool always) {
     if (always || !text.empty()) add(key, text.inLine());
 }
 
+void ObjectText::zone(const char* key, const Zone& value) {
+    if (const auto* box = std::get_if<BoxZone>(&value)) part(key, *box, true);
+    if (const auto* circle = std::get_if<CircleZone>(&value)) {
+        static const ExtraTree none;
+        ObjectText text(extra_ != nullptr ? *extra_ : none, below(key));
+        text.point("centre", circle->centre);
+        text.add("radius", json(circle->radius));  // also where it is the usual one
+        text.finish();
+        add(key, text.inLine());
+    }
+}
+
 template void ObjectText::part(const char*, const Material&, bool);
 template void ObjectText::part(const char*, const Filter&, bool);
+template void ObjectText::part(const char*, const BoxZone&, bool);
 
 }  // namespace sulfur::scene

@@ -76,6 +76,8 @@ public:
         add(key, json(static_cast<long long>(value)));
     }
     void points(const char* key, const std::vector<Vec2>& value, std::size_t, std::size_t, double);
+    void point(const char* key, const Point& value) { add(key, pointJson(value)); }
+    void zone(const char* key, const Zone& value);
     void material(const char* key, const Material& value) { part(key, value, false); }
 
     /// A nested object that is left out when nothing in it is unusual, unless `always`.

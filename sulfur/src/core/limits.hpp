@@ -6,10 +6,24 @@
 namespace sulfur::detail {
 
 inline constexpr Real maxSpeed = 2000;          // m/s, per axis
+/// What the caller has torn apart (an attachment made over a distance, a length changed at once)
+/// comes together at this speed, not in one tick.
+inline constexpr double closingSpeed = 5;  // m/s
+
+/// The part of a constraint's error that a step of `duration` seconds leaves.
+inline double errorLeft(double error, double duration) {
+    const double most = closingSpeed * duration;
+    return error > most ? error - most : error < -most ? error + most : 0;
+}
+
 inline constexpr double maxCoordinate = 1e9;    // m
 inline constexpr double maxForce = 1e12;        // N
 inline constexpr double minMass = 1e-9;         // kg
 inline constexpr double maxMass = 1e12;         // kg
 inline constexpr double maxAcceleration = 1e6;  // m/s^2, gravity
+
+/// Of an attached or grabbed point, in distances of its supports: a point much farther away would
+/// magnify their rounding.
+inline constexpr double farthestSupport = 50;
 
 }  // namespace sulfur::detail

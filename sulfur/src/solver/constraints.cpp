@@ -3,6 +3,7 @@
 // In each sweep contacts come before joints, so that what a contact disturbs in a body is mended
 // in the same sweep; rigid joints come last, and trees, which are solved as a whole, last of all.
 #include "solver/constraint_kinds.hpp"
+#include "solver/grabs.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -10,12 +11,14 @@ namespace sulfur::detail {
 
 void solveConstraints(State& state) {
     clearMultipliers(state);
+    startGrabs(state);
     touchTrees(state);
     warmStartContacts(state);
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
         solveImplicitJoints(state);
         solveContacts(state);
         solveAttachments(state);
+        solveGrabs(state);
         solveRigidJoints(state);
         sweepTrees(state);
     }

@@ -10,6 +10,8 @@ namespace sulfur::detail {
 void applyChanges(State& state);
 /// Gathers the forces of explicit elastic joints into Particles::force.
 void gatherForces(State& state);
+/// Adds what force fields do to Particles::force.
+void applyFields(State& state);
 /// v += h (g + w f), air friction, d = h v.
 void predict(State& state);
 /// Finds the candidates again if a collider has left its skin.

@@ -23,6 +23,7 @@ void timed(State& state, Stage stage, Function&& run) {
 void step(State& state) {
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
+    timed(state, Stage::fields, applyFields);
     timed(state, Stage::predict, predict);
     timed(state, Stage::broadPhase, updateBroadPhase);
     timed(state, Stage::narrowPhase, findContacts);

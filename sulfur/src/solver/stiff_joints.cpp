@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/limits.hpp"
 #include "rigid/grip.hpp"
 #include "solver/constraint_kinds.hpp"
 
@@ -74,9 +75,11 @@ void solveRigid(State& state, std::uint32_t j) {
     const Ends ends(state, j);
     const Vec2 before = apartAtStart(state, j);
     const Vec2 apart = before + ends.moved(state);
-    const Real rest = joints.restLength[j];
     const Real start = before.norm(), length = apart.norm();
     if (start == 0 || length == 0) return;
+    const double torn = static_cast<double>(start - joints.restLength[j]);
+    const Real rest =
+        joints.restLength[j] + static_cast<Real>(errorLeft(torn, static_cast<double>(state.h)));
     const Vec2 now = apart / length;
     Vec2 direction = before / start;
     const Real w = ends.inverseMass(state, direction);

@@ -226,7 +226,7 @@ private:
 
     Outcome makeStep(double kick, double step, bool fallback) {
         predict(kick, step);
-        beginStep();
+        beginStep(step);
         if (fallback)
             for (std::size_t i = 1; i < count_; ++i) links_[i].lambda = {0, 0};
         else
@@ -282,12 +282,19 @@ private:
         return moved ? turned(unitVector(m.turning), before) : before;
     }
 
-    void beginStep() {
+    void beginStep(double step) {
         for (std::size_t i = 1; i < count_; ++i) {
             LinkData& link = links_[i];
             link.start = spanOf(i, false);
             link.length = link.start.apart.norm();
-            if (node(i).kind != LinkKind::joint) continue;
+            if (node(i).kind != LinkKind::joint) {
+                const double left = errorLeft(link.length, step);
+                const Point apart = left > 0 ? Point(left / link.length * link.start.apart)
+                                             : Point(0, 0);
+                link.left = {apart[0], apart[1]};
+                continue;
+            }
+            link.left[0] = link.elastic.rigid ? errorLeft(link.length - link.rest, step) : 0;
             link.inert = !(link.length > 1e-12);
             if (!link.inert) link.direction = link.start.apart / link.length;
         }
@@ -336,7 +343,8 @@ private:
             const Span now = spanOf(i, true);
             if (node(i).kind != LinkKind::joint) {
                 setMeeting<N>(row, fallback ? now : link.start, now);
-                worst = std::max(worst, now.apart.norm());
+                for (std::size_t r = 0; r < 2; ++r) row.value[r] -= link.left[r];
+                worst = std::max(worst, std::hypot(row.value[0], row.value[1]));
                 continue;
             }
             const double length = now.apart.norm();
@@ -346,7 +354,7 @@ private:
                            fallback ? direction : link.direction, direction);
             row.compliance = complianceOf(link.elastic);
             row.value[0] =
-                valueOf(link.elastic, length - link.rest, length - link.length, link.lambda[0]);
+                valueOf(link.elastic, length - link.rest - link.left[0], length - link.length, link.lambda[0]);
             worst = std::max(worst, std::abs(row.value[0]) / std::max(link.rest, 1e-3));
         }
         return worst;

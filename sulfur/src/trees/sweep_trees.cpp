@@ -112,7 +112,14 @@ private:
         const auto& met = state_.trees.met[tree_.first + i];
         if (n.kind != LinkKind::joint) {
             setMeeting<N>(link, now, now);
-            for (std::size_t r = 0; r < 2; ++r) link.value[r] -= met[r];
+            std::array<double, 2> wanted = met;
+            if (!tree_.alone) {
+                const Point apart = spanOf(i, false).apart;
+                const double gap = apart.norm();
+                const double left = errorLeft(gap, static_cast<double>(state_.h));
+                if (left > 0) wanted = {left / gap * apart[0], left / gap * apart[1]};
+            }
+            for (std::size_t r = 0; r < 2; ++r) link.value[r] -= wanted[r];
             return;
         }
         lengthNow_ = now.apart.norm();
@@ -147,7 +154,9 @@ private:
                       static_cast<double>(joints.explicitStiffness[j])) *
                      h * h;
         elastic.hb = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]) * h;
-        const double wanted = tree_.alone ? met : static_cast<double>(joints.restLength[j]);
+        const double rest = static_cast<double>(joints.restLength[j]);
+        const double wanted =
+            tree_.alone ? met : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
         link.compliance = complianceOf(elastic);
         link.value[0] =
             valueOf(elastic, lengthNow_ - wanted, lengthNow_ - (tree_.alone ? met : before),
@@ -205,6 +214,9 @@ void touchTrees(State& state) {
     trees.touched.assign(trees.list.size(), 0);
     for (const Contact& c : state.contacts)
         for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) touch(state, grip);
+    for (const Grab& grab : state.influences.grabs)
+        for (std::uint32_t k = 0; k < grab.count; ++k)
+            touch(state, gripOf(state, state.particleSlots.dense(grab.support[k])));
     for (const auto i : state.work.lonelyTrees) {
         if (trees.list[i].tied) trees.touched[i] = 1;
         if (trees.touched[i]) withSweeper(state, i, [](auto& s) { s.remember(); });

@@ -19,6 +19,10 @@ std::uint32_t indexOf(const State& state, JointId id);
 std::uint32_t indexOf(const State& state, BodyId id);
 std::uint32_t indexOf(const State& state, AttachmentId id);
 
+/// The particles of a body that hold a point of its blueprint's frame best, with their weights; the
+/// attachment's own particle and id are left open.
+Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point);
+
 /// Wakes the bodies of both ends, and makes the next tick notice changed joints.
 void jointChanged(State& state, std::uint32_t joint);
 void bodyChanged(State& state);

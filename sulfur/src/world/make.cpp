@@ -88,6 +88,8 @@ void validateConnection(const ConnectOptions& options, Real rest) {
                     "rest length is 0; a rigid or colliding joint needs more than 0");
 }
 
+}  // namespace
+
 /// The three particles of a body that hold a point best, with its weights: the two nearest to the
 /// point, and that third one which makes the triangle with them the least flat.
 Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point) {
@@ -130,8 +132,7 @@ Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point) {
     return held;
 }
 
-/// A point much farther away than its supports are from each other would magnify their rounding.
-constexpr double farthestSupport = 50;
+namespace {
 
 AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle) {
     for (const Real weight : held.weight)

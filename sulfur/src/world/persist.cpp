@@ -45,6 +45,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.jointSlots);
     a(state.bodySlots);
     a(state.attachmentSlots);
+    a(state.influences);
 }
 
 void archiveBodyMotion(Hasher& hasher, State& state) {
@@ -124,6 +125,10 @@ std::uint64_t World::hash() const {
     State& state = impl_->state;
     detail::archiveDecisive(hasher, state);
     detail::archiveBodyMotion(hasher, state);
+    if (!state.influences.empty()) {
+        hasher(state.influences.fields);
+        hasher(state.influences.grabs);
+    }
     return hasher.result;
 }
 

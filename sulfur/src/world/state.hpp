@@ -16,6 +16,7 @@
 #include "rigid/clusters.hpp"
 #include "trees/trees.hpp"
 #include "world/bodies.hpp"
+#include "world/influences.hpp"
 
 namespace sulfur::detail {
 
@@ -70,6 +71,7 @@ struct State {
     Trees trees;
     std::vector<BodyRecord> bodies;
     std::vector<BodyId> bodyIds;
+    Influences influences;
 
     Slots<ParticleId> particleSlots;
     Slots<JointId> jointSlots;

@@ -59,6 +59,8 @@ const char* name(Stage stage) {
             return "changes";
         case Stage::forces:
             return "forces";
+        case Stage::fields:
+            return "fields";
         case Stage::predict:
             return "predict";
         case Stage::broadPhase:

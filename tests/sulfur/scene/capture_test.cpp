@@ -97,6 +97,62 @@ TEST(Capture, SeesNewChangedAndRemovedBodies) {
     EXPECT_EQ(findExtra(captured.connections[0].extra, "colour")->json, "\"blue\"");
 }
 
+TEST(Capture, SeesNewAttachmentsAndWhereTheyAre) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    const auto hook = world.add(sulfur::shapes::ball(), {.position = {4, 9}});
+    world.attach(hook.front(), instance.body("lift"), {sulfur::Real(0.4), sulfur::Real(0.3)});
+    // By a joint of a body that then changes, so that it gets a frame of its own.
+    const auto crate = instance.body("crate");
+    const auto second = world.add(sulfur::shapes::ball(), {.position = {8, 3}});
+    world.attach(second.front(), world.joints(crate)[2], sulfur::Real(0.25));
+    world.remove(world.joints(crate)[5]);
+    // Nothing that a scene could say: a joint between bodies, and the particle's own body.
+    const auto third = world.add(sulfur::shapes::ball(), {.position = {8, 4}});
+    world.attach(third.front(), world.connections()[0], sulfur::Real(0.5));
+    world.attach(world.particles(crate)[0], world.joints(crate)[1], sulfur::Real(0.5));
+
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    ASSERT_EQ(captured.attachments.size(), 3u);
+    EXPECT_NEAR((captured.attachments[0].point - scene.attachments[0].point).norm(), 0, 1e-6);
+    EXPECT_EQ(findExtra(captured.attachments[0].extra, "hook")->json, "[]");
+    EXPECT_NEAR((captured.attachments[1].point - sulfur::Vec2(0.4f, 0.3f)).norm(), 0, 1e-6);
+
+    World again(captured.settings);
+    const auto copy = instantiate(captured, again);
+    const auto place = [](const World& from, sulfur::AttachmentId id) {
+        const auto info = from.info(id);
+        sulfur::Point sum(0, 0);
+        for (std::uint32_t k = 0; k < info.count; ++k)
+            sum += static_cast<double>(info.weights[k]) * from.position(info.supports[k]);
+        return sum;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto before = place(world, world.attachments()[i]);
+        EXPECT_NEAR((place(again, copy.attachments[i]) - before).norm(), 0, 1e-5) << i;
+    }
+}
+
+TEST(Capture, SeesNewChangedAndRemovedFields) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    ASSERT_EQ(instance.fields.size(), 4u);
+    world.remove(instance.fields[1]);
+    world.set(instance.fields[0], sulfur::UniformField{.acceleration = {7, 0}});
+    world.add(sulfur::RadialField{.centre = {1, 2}, .falloff = 3});
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    ASSERT_EQ(captured.fields.size(), 4u);
+    EXPECT_EQ(std::get<sulfur::UniformField>(captured.fields[0].field).acceleration.x(), 7);
+    EXPECT_EQ(findExtra(captured.fields[0].extra.at(""), "flow")->json, "\"river\"");
+    const auto& round = std::get<sulfur::WindField>(captured.fields[1].field);
+    EXPECT_EQ(std::get<sulfur::CircleZone>(round.zone).centre, sulfur::Point(5, 6));
+    const auto& radial = std::get<sulfur::RadialField>(captured.fields[3].field);
+    EXPECT_EQ(radial.falloff, 3);
+    EXPECT_EQ(radial.reach, sulfur::infinite);
+}
+
 TEST(Capture, OfAWorldWithoutAScene) {
     World world;
     world.add(sulfur::shapes::floor({-5, 0}, {5, 0}));

@@ -22,7 +22,7 @@ TEST(Read, GivesEveryMember) {
     EXPECT_EQ(scene.settings.tickRate, 240);
     EXPECT_FALSE(scene.settings.sleeping);
     EXPECT_EQ(scene.settings.gravity, sulfur::Vec2(Real(0.5), Real(-3.7)));
-    ASSERT_EQ(scene.blueprints.size(), 8u);
+    ASSERT_EQ(scene.blueprints.size(), 14u);
     const auto& plain = scene.prefab("plain")->blueprint;
     EXPECT_EQ(plain.kind, BodyKind::kinematic);
     EXPECT_EQ(plain.particles[0].mass, Real(0.1));
@@ -39,6 +39,18 @@ TEST(Read, GivesEveryMember) {
     EXPECT_EQ(scene.body("crate")->state->velocities[2].y(), Real(0.125));
     EXPECT_EQ(scene.connections[0].b.particle, 3u);
     EXPECT_EQ(scene.attachments[0].point.x(), Real(0.25));
+    ASSERT_EQ(scene.fields.size(), 4u);
+    const auto& river = std::get<sulfur::UniformField>(scene.fields[0].field);
+    EXPECT_EQ(std::get<sulfur::BoxZone>(river.zone).low, sulfur::Point(-3, -2.5));
+    EXPECT_EQ(river.acceleration.y(), 12);
+    EXPECT_EQ(river.mask, 6u);
+    const auto& radial = std::get<sulfur::RadialField>(scene.fields[1].field);
+    EXPECT_EQ(radial.strength, -30);
+    EXPECT_EQ(radial.falloff, 1);
+    EXPECT_EQ(radial.reach, 8);
+    const auto& wind = std::get<sulfur::WindField>(scene.fields[2].field);
+    EXPECT_EQ(std::get<sulfur::CircleZone>(wind.zone).radius, Real(4.5));
+    EXPECT_EQ(wind.drag, Real(2.5));
     EXPECT_EQ(scene.prefab("jelly")->blueprint.particles.size(), 15u);
     EXPECT_EQ(scene.prefab("jelly")->blueprint.skin->triangles.size(), 16u);
     EXPECT_EQ(scene.prefab("box")->blueprint.skin->triangles.size(), 2u);
@@ -150,10 +162,43 @@ const Mistake mistakes[] = {
     {R"({"shape": "jelly", "columns": 1})", "2 to 1000"},
     {R"({"shape": "jelly", "columns": 1000, "rows": 1000})", "1000000 particles"},
     {R"({"shape": "blob", "segments": 2})", "3 to 1000"},
+    {R"({"shape": "polygon", "points": [[0, 0], [1, 0]]})", "3"},
+    {R"({"shape": "polygon", "points": [[0, 0], [1, 1], [1, 0], [0, 1]]})", "touch"},
+    {R"({"shape": "wheel", "rimRadius": 0.4})", "radius"},
+    {R"({"shape": "bridge", "planks": 0})", "1 to 10000"},
+    {R"({"shape": "cloth", "columns": 1000, "rows": 1000})", "1000000 particles"},
+    {R"({"shape": "wall", "columns": 999, "rows": 999})", "1000000 particles"},
     {R"({"shape": "ground", "points": [[0, 0]]})", "2 to 20000"},
     {R"({"shape": "ground"})", "\"points\""},
 };
 INSTANTIATE_TEST_SUITE_P(Read, BadBlueprint, ::testing::ValuesIn(mistakes));
+
+class BadField : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BadField, IsRefused) {
+    const auto& [field, says] = GetParam();
+    const auto error =
+        errorOf(std::string(R"({"format": "sulfur-scene", "version": 1, "fields": [)") + "\n" +
+                field + "]}");
+    EXPECT_EQ(error.line(), 2) << error.what();
+    EXPECT_NE(error.message().find(says), std::string::npos) << error.what();
+}
+
+const Mistake wrongFields[] = {
+    {R"({"acceleration": [1, 0]})", "\"type\""},
+    {R"({"type": "magnet"})", "\"radial\""},
+    {R"({"type": "uniform", "acceleration": [0, 2e6]})", "1e+06"},
+    {R"({"type": "uniform", "zone": {}})", "\"low\""},
+    {R"({"type": "uniform", "zone": {"low": [0, 0]}})", "\"high\""},
+    {R"({"type": "uniform", "zone": {"low": [0, 0], "high": [1, 0]}})", "extent"},
+    {R"({"type": "wind", "zone": {"centre": [0, 0]}})", "\"radius\""},
+    {R"({"type": "wind", "zone": {"centre": [0, 0], "radius": 0}})", "more than 0"},
+    {R"({"type": "wind", "drag": 501})", "tickRate"},
+    {R"({"type": "radial"})", "\"centre\""},
+    {R"({"type": "radial", "centre": [0, 0], "falloff": 5})", "0 to 4"},
+    {R"({"type": "radial", "centre": [0, 0], "reach": 0})", "unlimited"},
+};
+INSTANTIATE_TEST_SUITE_P(Read, BadField, ::testing::ValuesIn(wrongFields));
 
 class BadBody : public ::testing::TestWithParam<Mistake> {};
 
@@ -232,7 +277,7 @@ TEST(Read, TruncatedAnywhereIsRefused) {
 
 TEST(Read, NotesUnknownKeys) {
     const auto notes = unknownKeys(parse(fullScene, "full.json"));
-    ASSERT_EQ(notes.size(), 11u);
+    ASSERT_EQ(notes.size(), 13u);
     EXPECT_EQ(notes[0],
               "full.json:7: object \"world\": unknown key \"wind\"; it is kept but means nothing "
               "here");

@@ -50,7 +50,26 @@ inline const std::string fullScene = R"({
               "radius": 0.05, "stiffness": 300, "damping": 2, "strength": 99,
               "material": {"restitution": 0.3}, "skin": {"texture": "j.png"}},
     "blob": {"shape": "blob", "radius": 0.6, "segments": 9, "mass": 1.5, "skinRadius": 0.04,
-             "stiffness": 700, "damping": 1, "material": {"restitution": 0.2}, "kind": "dynamic"}
+             "stiffness": 700, "damping": 1, "material": {"restitution": 0.2}, "kind": "dynamic"},
+    "polygon": {"shape": "polygon", "points": [[0, 0], [2, 0], [0.5, 0.5], [0, 2]], "mass": 1.25,
+                "radius": 0.04, "stiffness": 900, "damping": 3, "strength": 70,
+                "material": {"restitution": 0.6}},
+    "wheel": {"shape": "wheel", "radius": 0.7, "segments": 10, "mass": 2.25, "rimRadius": 0.05,
+              "spokeStiffness": 4000, "spokeDamping": 6, "strength": 800,
+              "material": {"restitution": 0.65}, "skin": {"texture": "w.png"}},
+    "chain": {"shape": "chain", "from": [0, 3], "to": [1, 4], "links": 5, "mass": 3, "radius": 0,
+              "strength": 4500, "pinFirst": true, "pinLast": true,
+              "material": {"staticFriction": 3}},
+    "bridge": {"shape": "bridge", "from": [-1, 2], "to": [3, 2.5], "planks": 7, "sag": 0.1,
+               "mass": 14, "radius": 0.07, "stiffness": 80000, "damping": 9, "strength": 6000,
+               "material": {"staticFriction": 1.5}},
+    "cloth": {"shape": "cloth", "size": [1, 1.5], "columns": 4, "rows": 6, "mass": 0.75,
+              "radius": 0.02, "diagonals": true, "pinCorners": false, "stiffness": 300,
+              "damping": 0.5, "strength": 90, "material": {"restitution": 0.05},
+              "skin": {"texture": "c.png"}},
+    "wall": {"shape": "wall", "size": [3, 2], "columns": 4, "rows": 2, "mass": 70, "radius": 0.03,
+             "stiffness": 1000000, "damping": 8, "strength": 900, "pinBottom": true,
+             "material": {"staticFriction": 0.95}, "skin": {"texture": "b.png"}}
   },
   "bodies": [
     {"id": "ground", "blueprint": "floor", "layer": 3},
@@ -68,6 +87,15 @@ inline const std::string fullScene = R"({
   ],
   "attachments": [
     {"particle": ["r", 4], "body": "crate", "point": [0.25, -0.1], "hook": []}
+  ],
+  "fields": [
+    {"type": "uniform", "zone": {"low": [-3, -2.5], "high": [3, 2], "tint": 1},
+     "acceleration": [0.5, 12], "mask": 6, "flow": "river"},
+    {"type": "radial", "centre": [20, 5], "strength": -30, "falloff": 1, "core": 0.5, "reach": 8,
+     "mask": 3},
+    {"type": "wind", "zone": {"centre": [5, 6], "radius": 4.5}, "velocity": [3, -1], "drag": 2.5,
+     "mask": 1},
+    {"type": "wind", "velocity": [0.25, 0]}
   ],
   "level": {
     "spawn": [1, 2],

@@ -60,10 +60,21 @@ const std::map<std::string, std::string> places{
     {"rope", "/blueprints/rope"},
     {"jelly", "/blueprints/jelly"},
     {"blob", "/blueprints/blob"},
+    {"polygon", "/blueprints/polygon"},
+    {"wheel", "/blueprints/wheel"},
+    {"chain", "/blueprints/chain"},
+    {"bridge", "/blueprints/bridge"},
+    {"cloth", "/blueprints/cloth"},
+    {"wall", "/blueprints/wall"},
     {"body", "/bodies/1"},
     {"state", "/bodies/4/state"},
     {"connection", "/connections/0"},
     {"attachment", "/attachments/0"},
+    {"uniformField", "/fields/0"},
+    {"boxZone", "/fields/0/zone"},
+    {"radialField", "/fields/1"},
+    {"windField", "/fields/2"},
+    {"circleZone", "/fields/2/zone"},
 };
 
 TEST(Schema, EveryListedKeyIsReallyRead) {

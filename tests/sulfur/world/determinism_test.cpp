@@ -33,7 +33,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifndef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 1400548920200539667u);
+    EXPECT_EQ(world.hash(), 10684164228903438143u);
 #endif
 }
 

@@ -138,5 +138,37 @@ TEST(Lifecycle, RandomCallsKeepTheInvariants) {
     }
 }
 
+TEST(Lifecycle, AttachmentsAreListedWithTheirSupports) {
+    World world;
+    const Body box = world.add(shapes::box());
+    const Body rope = world.add(shapes::rope({.from = {0, 3}, .to = {0, 1}, .links = 4}));
+    const AttachmentId first = world.attach(rope.back(), box, {Real(0.2), Real(0.1)});
+    const AttachmentId second = world.attach(rope.front(), world.joints(box)[1], Real(0.25));
+    ASSERT_EQ(world.attachments(), (std::vector{first, second}));
+
+    const AttachmentInfo held = world.info(first);
+    EXPECT_EQ(held.particle, rope.back());
+    ASSERT_EQ(held.count, 3u);
+    Point place(0, 0);
+    Real sum = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(world.info(held.supports[k]).body, box.id());
+        place += static_cast<double>(held.weights[k]) * world.position(held.supports[k]);
+        sum += held.weights[k];
+    }
+    EXPECT_NEAR(sum, 1, 1e-6);
+    EXPECT_NEAR((place - Point(0.2, 0.1)).norm(), 0, 1e-6);
+
+    const AttachmentInfo along = world.info(second);
+    EXPECT_EQ(along.count, 2u);
+    EXPECT_EQ(along.supports[1], world.info(world.joints(box)[1]).b);
+    EXPECT_EQ(along.weights[1], Real(0.25));
+    EXPECT_FALSE(along.supports[2]);
+
+    world.remove(first);
+    EXPECT_EQ(world.attachments(), std::vector{second});
+    EXPECT_THROW(world.info(first), Error);
+}
+
 }  // namespace
 }  // namespace sulfur

@@ -15,6 +15,7 @@ struct Instance {
     std::map<std::string, BodyId, std::less<>> bodies;  ///< by id of the placement
     std::vector<JointId> connections;                   ///< in the order of the scene
     std::vector<AttachmentId> attachments;              ///< in the order of the scene
+    std::vector<FieldId> fields;                        ///< in the order of the scene
 
     /// The handle of a body, null when the scene has no such id.
     BodyId body(std::string_view id) const;
@@ -27,10 +28,11 @@ struct Instance {
 /// that read() would accept; the world then holds a part of it.
 Instance instantiate(const Scene& scene, World& world);
 
-/// The state of a running world as a scene. Bodies of `instance` keep their id, their prefab while
-/// it still describes them, and their attachments; bodies that came later, broke or were changed
-/// get explicit blueprints of their own. `base` gives title, sections and all other unknown
-/// members. Attachments that were made after instantiate() are not seen.
+/// The state of a running world as a scene. Bodies of `instance` keep their id, and their prefab
+/// while it still describes them; bodies that came later, broke or were changed get explicit
+/// blueprints of their own. `base` gives title, sections and all other unknown members.
+/// Left out are attachments to a joint between bodies and those of a particle to its own body,
+/// which scenes cannot say.
 Scene capture(const World& world, const Scene& base = {}, const Instance& instance = {});
 
 }  // namespace sulfur::scene

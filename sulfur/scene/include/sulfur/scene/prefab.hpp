@@ -20,15 +20,17 @@ struct FloorOptions {
 /// The recipe of a generated blueprint; std::monostate: none, it is explicit.
 using Generator = std::variant<std::monostate, FloorOptions, shapes::GroundOptions,
                                shapes::BoxOptions, shapes::BallOptions, shapes::RopeOptions,
-                               shapes::JellyOptions, shapes::BlobOptions>;
+                               shapes::JellyOptions, shapes::BlobOptions, shapes::PolygonOptions,
+                               shapes::WheelOptions, shapes::ChainOptions, shapes::BridgeOptions,
+                               shapes::ClothOptions, shapes::WallOptions>;
 
 /// Runs the recipe. Throws sulfur::Error when a number is out of range, or when there is no
 /// recipe.
 Blueprint build(const Generator& generator);
 
-/// Dresses a generated box, jelly or blob: texture coordinates from its outline's bounding
-/// rectangle (collision radius left out) and the triangles between its particles. Other shapes
-/// get coordinates without triangles.
+/// Dresses a generated box, jelly, blob, wheel, cloth or wall: texture coordinates from its
+/// outline's bounding rectangle (collision radius left out) and the triangles between its
+/// particles. Other shapes get coordinates without triangles.
 Skin fitSkin(const Generator& generator, const Blueprint& blueprint, std::string texture);
 
 /// A blueprint as files hold it.

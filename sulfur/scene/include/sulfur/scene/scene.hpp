@@ -17,6 +17,7 @@ struct Limits {
     static constexpr std::size_t particles = 20'000;  ///< of all bodies, and of all blueprints
     static constexpr std::size_t joints = 60'000;     ///< the same, connections included
     static constexpr std::size_t bodies = 20'000;
+    static constexpr std::size_t fields = 1'000;
     static constexpr double coordinate = 1'000;        ///< metres, either way
     static constexpr double speed = 2'000;             ///< m/s
     static constexpr double smallestMass = 1e-9;       ///< kg, of a particle
@@ -71,6 +72,12 @@ struct Attachment {
     Extra extra;
 };
 
+/// A force field.
+struct SceneField {
+    Field field;
+    ExtraTree extra;
+};
+
 /// A whole scene file.
 struct Scene {
     std::string title;
@@ -80,6 +87,7 @@ struct Scene {
     std::vector<Placement> bodies;
     std::vector<Connection> connections;
     std::vector<Attachment> attachments;
+    std::vector<SceneField> fields;
     Extra settingsExtra;  ///< unknown members of "world"
     Extra extra;          ///< unknown top-level members, such as the game's "level"
     std::string file;     ///< what it was read from, for messages

@@ -1,0 +1,154 @@
+// Ready-made blueprints with an outline around a middle: box, ball, blob, wheel.
+#include <algorithm>
+#include <sulfur/shapes.hpp>
+
+#include "core/error_checks.hpp"
+#include "core/trigonometry.hpp"
+#include "parts.hpp"
+#include "solid.hpp"
+
+namespace sulfur::shapes {
+
+using detail::Bracing;
+using detail::join;
+using detail::requirePositive;
+using detail::requireRange;
+
+namespace {
+
+/// Thick capsules leave the corners so near to the middle that even all of the mass in them has
+/// too little inertia. Then the middle of the two short outer sides, where the capsules still
+/// cover it, carries the rest: with the share q in the corners at the distance |half|,
+///   q |half|^2 + (1 - q) (length / 2)^2 = gyration^2,
+/// and q is at least a third, because gyration^2 <= length^2 / 6.
+void addOutriggers(Blueprint& plan, Vec2 size, const detail::Solid& solid, const Bracing& bracing) {
+    const int axis = size.x() >= size.y() ? 0 : 1;
+    const double arm = static_cast<double>(size[axis]) / 2;
+    const double corner2 = plan.particles[0].position.cast<double>().squaredNorm();
+    const double q = (arm * arm - solid.gyration2()) / (arm * arm - corner2);
+    for (auto& corner : plan.particles) corner.mass = static_cast<Real>(solid.mass * q / 4);
+    for (const double sign : {-1.0, 1.0}) {
+        Point place(0, 0);
+        place[axis] = sign * arm;
+        const auto index = static_cast<std::uint32_t>(plan.particles.size());
+        plan.particles.push_back(
+            {.position = place.cast<Real>(), .mass = static_cast<Real>(solid.mass * (1 - q) / 2)});
+        for (std::uint32_t i = 0; i < 4; ++i) join(plan, i, index, 0, bracing);
+    }
+}
+
+void addCore(Blueprint& plan, const detail::Shares& shares, std::uint32_t outline,
+             const Bracing& spokes) {
+    for (std::uint32_t i = 0; i < outline; ++i) plan.particles[i].mass = shares.outline[i];
+    plan.particles.push_back({.position = shares.corePlace, .mass = shares.core});
+    for (std::uint32_t i = 0; i < outline; ++i) join(plan, i, outline, 0, spokes);
+}
+
+/// A ring of `count` particles joined by capsules, around a hub, with the inertia of a disc.
+struct Ring {
+    Real radius = 0;      // m, outer
+    Real skinRadius = 0;  // m
+    const char* skinName = "";
+    Real mass = 0;
+    std::uint32_t count = 0;
+    Bracing rim = {}, spokes = {};
+};
+
+void addRing(Blueprint& plan, const Ring& ring) {
+    const double radius = static_cast<double>(ring.radius) - static_cast<double>(ring.skinRadius);
+    std::vector<Point> places;
+    for (std::uint32_t i = 0; i < ring.count; ++i) {
+        places.emplace_back(radius * detail::unitVector(detail::fullTurn * i / ring.count));
+        plan.particles.push_back({.position = places.back().cast<Real>()});
+    }
+    const auto shares =
+        shareWithCore(detail::solidDisc(ring.radius, ring.mass), places,
+                      std::vector<double>(ring.count, 1 / static_cast<double>(ring.count)));
+    if (!shares) detail::refuseThickness(ring.skinName, ring.skinRadius);
+    for (std::uint32_t i = 0; i < ring.count; ++i)
+        join(plan, i, (i + 1) % ring.count, ring.skinRadius, ring.rim);
+    addCore(plan, *shares, ring.count, ring.spokes);
+}
+
+}  // namespace
+
+Blueprint box(const BoxOptions& options) {
+    requirePositive(static_cast<double>(options.radius), "radius");
+    requirePositive(static_cast<double>(options.mass), "mass");
+    detail::requireOuterSize(options.size, options.radius);
+    const Vec2 half = options.size / 2 - Vec2(options.radius, options.radius);
+    const Bracing bracing{options.stiffness, options.damping, options.strength};
+    Blueprint plan;
+    plan.name = "box";
+    plan.material = options.material;
+    std::vector<Point> places;
+    for (const Vec2& sign : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+        plan.particles.push_back({.position = half.cwiseProduct(sign), .mass = options.mass / 4});
+        places.emplace_back(plan.particles.back().position.cast<double>());
+    }
+    for (std::uint32_t i = 0; i < 4; ++i) join(plan, i, (i + 1) % 4, options.radius, bracing);
+    join(plan, 0, 2, 0, bracing);
+    join(plan, 1, 3, 0, bracing);
+    if (options.solidInertia) {
+        const auto solid = detail::solidRectangle(options.size, options.mass);
+        if (const auto shares = shareWithCore(solid, places, std::vector<double>(4, 0.25)))
+            addCore(plan, *shares, 4, bracing);
+        else
+            addOutriggers(plan, options.size, solid, bracing);
+    }
+    plan.validate();
+    return plan;
+}
+
+Blueprint ball(const BallOptions& options) {
+    requirePositive(static_cast<double>(options.radius), "radius");
+    Blueprint plan;
+    plan.name = "ball";
+    plan.material = options.material;
+    plan.particles.push_back({.mass = options.mass, .radius = options.radius});
+    plan.validate();
+    return plan;
+}
+
+Blueprint blob(const BlobOptions& options) {
+    requirePositive(static_cast<double>(options.skinRadius), "skin radius");
+    requirePositive(static_cast<double>(options.mass), "mass");
+    requireRange(static_cast<double>(options.radius), 2 * static_cast<double>(options.skinRadius),
+                 1e6, "radius");
+    requireRange(options.segments, 3, 1000, "segments");
+    Blueprint plan;
+    plan.name = "blob";
+    plan.material = options.material;
+    const auto count = static_cast<std::uint32_t>(options.segments);
+    const Bracing bracing{options.stiffness, options.damping, infinite};
+    addRing(plan, {options.radius, options.skinRadius, "skin radius", options.mass, count, bracing,
+                   bracing});
+    // Braces over one neighbour resist bending of the outline; with fewer than five segments
+    // they would repeat the outline.
+    if (count >= 5)
+        for (std::uint32_t i = 0; i < count; ++i) join(plan, i, (i + 2) % count, 0, bracing);
+    plan.validate();
+    return plan;
+}
+
+Blueprint wheel(const WheelOptions& options) {
+    requirePositive(static_cast<double>(options.rimRadius), "rim radius");
+    requirePositive(static_cast<double>(options.mass), "mass");
+    requireRange(static_cast<double>(options.radius), 2 * static_cast<double>(options.rimRadius),
+                 1e6, "radius");
+    requireRange(options.segments, 3, 1000, "segments");
+    Blueprint plan;
+    plan.name = "wheel";
+    plan.material = options.material;
+    addRing(plan, {options.radius,
+                   options.rimRadius,
+                   "rim radius",
+                   options.mass,
+                   static_cast<std::uint32_t>(options.segments),
+                   {infinite, 0, options.strength},
+                   {options.spokeStiffness, options.spokeDamping, options.strength}});
+    plan.validate();
+    return plan;
+}
+
+}  // namespace sulfur::shapes

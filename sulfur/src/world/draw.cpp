@@ -1,0 +1,146 @@
+// World: showing itself to a visitor.
+#include <sulfur/draw.hpp>
+
+#include "core/error_checks.hpp"
+#include "solver/zones.hpp"
+#include "world/impl.hpp"
+
+namespace sulfur {
+
+namespace {
+
+using detail::BodyRecord;
+using detail::none;
+using detail::State;
+
+/// One drawing of a world.
+class Drawing {
+public:
+    Drawing(const World& world, const State& state, DebugDraw& to, const DrawOptions& options)
+        : world_(world), state_(state), to_(to), options_(options) {}
+
+    void run() {
+        if (options_.fields)
+            for (const auto& record : state_.influences.fields)
+                to_.field({record.id, &record.field});
+        for (std::uint32_t i = 0; i < state_.bodies.size(); ++i)
+            if (anyInView(state_.bodies[i])) drawBody(i);
+        const auto& joints = state_.joints;
+        for (std::uint32_t j = 0; j < joints.size(); ++j) {
+            if (joints.body[j] != none) continue;
+            if (!inView(joints.a[j]) && !inView(joints.b[j])) continue;
+            drawCapsule(j);
+            drawJoint(j);
+        }
+        if (options_.attachments)
+            for (const auto& held : state_.attachments) drawAttachment(held);
+        if (options_.grabs)
+            for (const GrabId id : world_.grabs()) to_.grab({id, world_.info(id)});
+        if (options_.contacts)
+            for (const ContactInfo& contact : world_.contacts())
+                if (detail::contains(options_.view, contact.point)) to_.contact(contact);
+    }
+
+private:
+    Point place(std::uint32_t i) const {
+        const auto& p = state_.particles;
+        return p.position[i] - (1 - options_.alpha) * p.displacement[i].cast<double>();
+    }
+    bool inView(std::uint32_t i) const { return detail::contains(options_.view, place(i)); }
+    bool anyInView(const BodyRecord& body) const {
+        for (std::uint32_t k = 0; k < body.particles.size(); ++k)
+            if (inView(body.firstParticle + k)) return true;
+        return false;
+    }
+    bool asleep(std::uint32_t particle) const {
+        return state_.bodies[state_.particles.body[particle]].asleep;
+    }
+    BodyId ownerOf(std::uint32_t joint) const {
+        const auto body = state_.joints.body[joint];
+        return body == none ? BodyId{} : state_.bodies[body].id;
+    }
+
+    void drawBody(std::uint32_t index) {
+        const BodyRecord& body = state_.bodies[index];
+        if (options_.bodies) drawOutline(body);
+        for (const JointId id : body.joints) {
+            const auto j = state_.jointSlots.dense(id);
+            drawCapsule(j);
+            drawJoint(j);
+        }
+        for (std::uint32_t k = 0; k < body.particles.size(); ++k)
+            drawParticle(body.firstParticle + k);
+    }
+
+    /// The centre of mass moves in a tick as the mean of its particles does.
+    void drawOutline(const BodyRecord& body) {
+        const auto& p = state_.particles;
+        const Point origin = place(body.firstParticle);
+        DebugDraw::Body shown{body.id, body.kind, {0, 0}, origin, origin, body.asleep};
+        double mass = 0;
+        for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+            const auto i = body.firstParticle + k;
+            const Point at = place(i);
+            shown.low = shown.low.cwiseMin(at);
+            shown.high = shown.high.cwiseMax(at);
+            shown.centreOfMass += static_cast<double>(p.mass[i]) * (at - origin);
+            mass += static_cast<double>(p.mass[i]);
+        }
+        shown.centreOfMass = origin + shown.centreOfMass / mass;
+        to_.body(shown);
+    }
+
+    void drawParticle(std::uint32_t i) {
+        const auto& p = state_.particles;
+        const BodyId body = state_.bodies[p.body[i]].id;
+        if (options_.discs && p.radius[i] > 0)
+            to_.disc({p.id[i], body, place(i), p.radius[i], asleep(i)});
+        if (options_.particles)
+            to_.particle({p.id[i], body, place(i), p.velocity[i], p.pinned[i] != 0, asleep(i)});
+    }
+
+    void drawCapsule(std::uint32_t j) {
+        const auto& joints = state_.joints;
+        if (!options_.capsules || joints.radius[j] <= 0) return;
+        to_.capsule({joints.id[j], ownerOf(j), place(joints.a[j]), place(joints.b[j]),
+                     joints.radius[j], asleep(joints.a[j])});
+    }
+
+    void drawJoint(std::uint32_t j) {
+        const auto& joints = state_.joints;
+        if (!options_.joints) return;
+        to_.joint({joints.id[j], ownerOf(j), place(joints.a[j]), place(joints.b[j]),
+                   joints.force[j], joints.strength[j], joints.stiffness[j], asleep(joints.a[j])});
+    }
+
+    void drawAttachment(const detail::Attachment& held) {
+        std::array<Point, 3> supports;
+        Point point(0, 0);
+        bool seen = inView(held.particle);
+        for (std::uint32_t k = 0; k < held.count; ++k) {
+            supports[k] = place(held.support[k]);
+            point += static_cast<double>(held.weight[k]) * supports[k];
+            seen = seen || inView(held.support[k]);
+        }
+        if (seen)
+            to_.attachment({held.id, place(held.particle), point, {supports.data(), held.count}});
+    }
+
+    const World& world_;
+    const State& state_;
+    DebugDraw& to_;
+    const DrawOptions& options_;
+};
+
+}  // namespace
+
+void World::draw(DebugDraw& to, const DrawOptions& options) const {
+    detail::requireRange(options.alpha, 0, 1, "draw: alpha");
+    Drawing(*this, impl_->state, to, options).run();
+}
+
+void World::draw(DebugDraw& to) const {
+    draw(to, DrawOptions{});
+}
+
+}  // namespace sulfur
