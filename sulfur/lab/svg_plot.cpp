@@ -58,9 +58,10 @@ private:
         for (double y = plot_.yLow; y <= plot_.yHigh * 1.01; y *= 10) {
             line(left, py(y), right, py(y), "#d0d0d0");
             const std::string label =
-                y < 1e4 ? fmt::format("{:g}", y)
-                        : fmt::format("10<tspan dy=\"-6\" font-size=\"10\">{:g}</tspan>",
-                                      std::round(std::log10(y)));
+                y < 1e4 && y > 1e-4
+                    ? fmt::format("{:g}", y)
+                    : fmt::format("10<tspan dy=\"-6\" font-size=\"10\">{:g}</tspan>",
+                                  std::round(std::log10(y)));
             text(left - 8, py(y) + 5, "end", label);
         }
         for (const double x : plot_.xTicks) {

@@ -39,6 +39,7 @@ Experiments allExperiments();
 
 std::unique_ptr<Experiment> makeTable2();
 std::unique_ptr<Experiment> makeTable3();
+std::unique_ptr<Experiment> makeAccuracy();
 std::unique_ptr<Experiment> makeStability();
 
 }  // namespace sulfur::lab

@@ -4,7 +4,8 @@ namespace sulfur::lab {
 
 Experiments allExperiments() {
     Experiments all;
-    for (const auto make : {makeTable2, makeTable3, makeStability}) all.push_back(make());
+    for (const auto make : {makeTable2, makeTable3, makeAccuracy, makeStability})
+        all.push_back(make());
     return all;
 }
 

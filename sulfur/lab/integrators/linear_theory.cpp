@@ -22,10 +22,8 @@ public:
     void accelerations(const State& state, Vecs& out) const override {
         out.assign(1, -mu_ * (k_ * state.x[0] + b_ * state.v[0]));
     }
-    void jacobian(const State&, ChainJacobian& out) const override {
-        out.resize(1);
-        out.position.self[0] = -mu_ * k_ * Mat::Identity();
-        out.velocity.self[0] = -mu_ * b_ * Mat::Identity();
+    void jacobian(const State&, Jacobian& out) const override {
+        out.blocks = {{0, 0, -mu_ * k_ * Mat::Identity(), -mu_ * b_ * Mat::Identity()}};
     }
 
 private:
