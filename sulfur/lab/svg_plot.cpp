@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sulfur::lab {
@@ -26,7 +27,11 @@ public:
             "height=\"{1}\" font-family=\"sans-serif\" font-size=\"14\">\n"
             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
             width, height);
-        text(left, 34, "start", plot_.title, "font-size=\"17\" font-weight=\"bold\"");
+        // A long title is set smaller, so that it ends within the picture.
+        const double size =
+            std::min(17.0, 1.7 * (width - left) / static_cast<double>(plot_.title.size()));
+        text(left, 34, "start", plot_.title,
+             fmt::format("font-size=\"{:.1f}\" font-weight=\"bold\"", size));
         axes();
         for (const Series& series : plot_.series) draw(series);
         legend();
