@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "accuracy/scene.hpp"
@@ -179,7 +180,7 @@ AccuracyScene lattice(const SceneOptions&) {
 }
 
 AccuracyScene crate(const SceneOptions&) {
-    constexpr double omega = 4 * EIGEN_PI, half = 0.5, mass = 0.25;
+    constexpr double omega = 4 * std::numbers::pi, half = 0.5, mass = 0.25;
     AccuracyScene scene;
     scene.title = "A crate of 4 particles and 6 joints, 2 turns/s in free flight, 2 s";
     scene.reference = "analytic, uniform rotation";

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "battery/measure.hpp"
@@ -120,7 +121,7 @@ Row swingFrequency(int mode, const Setup& setup) {
                                        .masses = std::vector<double>(links + 1, mass),
                                        .lengths = std::vector<double>(links, length)}));
     Crossings crossings;
-    const auto ticks = std::lround(12 * 2 * EIGEN_PI / omega * setup.tickRate);
+    const auto ticks = std::lround(12 * 2 * std::numbers::pi / omega * setup.tickRate);
     for (long tick = 0; tick < ticks; ++tick) {
         world.step();
         double along = 0;
@@ -130,7 +131,7 @@ Row swingFrequency(int mode, const Setup& setup) {
     }
     return atMost(
         fmt::format("hanging rope of 40 links: error of swing frequency {} (share)", mode),
-        std::abs(2 * EIGEN_PI / crossings.period() / omega - 1), 5e-3);
+        std::abs(2 * std::numbers::pi / crossings.period() / omega - 1), 5e-3);
 }
 
 Row alternatingSprings(const Setup& setup) {

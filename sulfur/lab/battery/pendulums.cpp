@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "battery/measure.hpp"
 #include "battery/scenes.hpp"
@@ -32,7 +34,7 @@ Rows pendulum(double seconds, const Setup& setup) {
         crossings.add(world.time(), world.position(body.back()).x());
         energy = meter.add(world, body.particles()).value_or(energy);
     }
-    const double theory = periodFrom(EIGEN_PI / 2, std::sqrt(standardGravity));
+    const double theory = periodFrom(std::numbers::pi / 2, std::sqrt(standardGravity));
     const double budget = standardGravity;  // J, released from 0 to the lowest point
     const std::string name = fmt::format("pendulum from 90 degrees, {:g} s: ", seconds);
     return {atMost(name + "error of the period (share)", std::abs(crossings.period() / theory - 1),
@@ -43,7 +45,7 @@ Rows pendulum(double seconds, const Setup& setup) {
 
 Row solidPendulum(Vec2 size, Hinge hinge, const Setup& setup) {
     World world(still(setup, standardGravity));
-    const double radius = 0.02, mass = 1, angle = EIGEN_PI / 6;
+    const double radius = 0.02, mass = 1, angle = std::numbers::pi / 6;
     const Eigen::Vector2d outer = size.cast<double>();
     // Where the hinge is, seen from the centre.
     const Vec arm =
@@ -51,13 +53,15 @@ Row solidPendulum(Vec2 size, Hinge hinge, const Setup& setup) {
     Blueprint plan = shapes::box({.size = size, .mass = real(mass), .radius = real(radius)});
     plan.filter.mask = 0;
     // It hangs at rest with its centre below the hinge; it is released turned by `angle` from that.
-    const double turn = EIGEN_PI / 2 - std::atan2(arm.y(), arm.x()) + angle;
+    const double turn = std::numbers::pi / 2 - std::atan2(arm.y(), arm.x()) + angle;
     const Vec down(std::cos(turn) * arm.x() - std::sin(turn) * arm.y(),
                    std::sin(turn) * arm.x() + std::cos(turn) * arm.y());
     const Body body = world.add(plan, {.position = Point(-down), .angle = turn});
     if (hinge == Hinge::corner) {
         const auto corner = world.nearestParticle(Point(0, 0), real(0.001));
-        if (!corner) return atMost("solid pendulum without a corner particle", NAN, 0);
+        if (!corner)
+            return atMost("solid pendulum without a corner particle",
+                          std::numeric_limits<double>::quiet_NaN(), 0);
         world.setPinned(*corner, true);
     } else {
         Blueprint nail = ghost("nail");

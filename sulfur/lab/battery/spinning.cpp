@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "battery/measure.hpp"
 #include "battery/scenes.hpp"
@@ -37,7 +38,7 @@ Rows neverGrows(const std::string& name, World& world, Body body, double seconds
 Rows spinningCrate(double turnsPerSecond, double distance, double seconds, const Setup& setup) {
     World world(still(setup, 0));
     const Body body = world.add(crate(), {.position = Point(distance, distance)});
-    spin(world, body, 2 * EIGEN_PI * turnsPerSecond);
+    spin(world, body, 2 * std::numbers::pi * turnsPerSecond);
     world.step();
     const Motion first = motionOf(world, body.particles());
     run(world, seconds);
@@ -54,7 +55,7 @@ Rows spinningCrate(double turnsPerSecond, double distance, double seconds, const
 Rows fastCrate(double turnsPerSecond, double seconds, const Setup& setup) {
     World world(still(setup, 0));
     const Body body = world.add(crate());
-    spin(world, body, 2 * EIGEN_PI * turnsPerSecond);
+    spin(world, body, 2 * std::numbers::pi * turnsPerSecond);
     return neverGrows(fmt::format("crate, {:g} turns/s at {} Hz, {:g} s", turnsPerSecond,
                                   setup.tickRate, seconds),
                       world, body, seconds);

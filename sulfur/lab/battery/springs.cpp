@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -43,7 +44,7 @@ double amplitude(double x, double next, double angle) {
 Rows undampedSpring(double angle, int periods, const Setup& setup) {
     const double h = 1.0 / setup.tickRate;
     const double theory = 2 * std::asin(angle / 2);
-    const auto ticks = std::lround(periods * 2 * EIGEN_PI / theory);
+    const auto ticks = std::lround(periods * 2 * std::numbers::pi / theory);
     const auto x = release(angle * angle / (h * h), 0, ticks, setup);
     const auto found = fitOscillation(x, 0);
     const double first = amplitude(x[0], x[1], theory);

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sulfur::lab {
 
@@ -51,7 +52,7 @@ double growth(const IntegratorEntry& entry, const Mode& mode, double h) {
 bool isStable(const IntegratorEntry& entry, const ChainConstants& chain, double stiffness) {
     constexpr int modes = 64;
     for (int j = 1; j <= modes; ++j) {
-        const double sine = std::sin(EIGEN_PI / 2 * j / modes);
+        const double sine = std::sin(std::numbers::pi / 2 * j / modes);
         const Mode mode(chain, stiffness, 4 * sine * sine);
         if (!(growth(entry, mode, chain.duration) <= 1 + 1e-9)) return false;
     }

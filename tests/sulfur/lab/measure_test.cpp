@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "battery/measure.hpp"
 #include "battery/scenes.hpp"
@@ -24,7 +25,7 @@ TEST(Row, PassesOnlyANumberWithinItsBound) {
 TEST(Crossings, MeanPeriodOfASine) {
     Crossings crossings;
     for (int i = 0; i < 5000; ++i) crossings.add(0.01 * i, std::sin(2.5 * 0.01 * i + 1));
-    EXPECT_NEAR(crossings.period(), 2 * EIGEN_PI / 2.5, 1e-5);
+    EXPECT_NEAR(crossings.period(), 2 * std::numbers::pi / 2.5, 1e-5);
     EXPECT_TRUE(std::isnan(Crossings().period()));
 }
 
@@ -79,7 +80,7 @@ TEST(ChainReference, SwingsWithThePeriodOfTheEllipticIntegral) {
         chain.step(1e-3);
         crossings.add(1e-3 * (i + 1), chain.state().x[0].x());
     }
-    const double theory = 4 * std::comp_ellint_1(std::sin(EIGEN_PI / 4)) / std::sqrt(9.81);
+    const double theory = 4 * std::comp_ellint_1(std::sin(std::numbers::pi / 4)) / std::sqrt(9.81);
     EXPECT_NEAR(crossings.period() / theory, 1, 1e-6);
 }
 
