@@ -44,9 +44,11 @@ void Rope::accelerations(const State& state, Vecs& out) const {
 
 // With n = d / |d|, the derivative of k (|d| - l) n by d is k (1 - l / |d|) I + k l / |d| n n'.
 // That of the axial damper's direction is left out: Newton then converges a little more slowly.
-void Rope::jacobian(const State& state, ChainJacobian& out) const {
-    out.resize(size());
+void Rope::jacobian(const State& state, Jacobian& out) const {
+    out.blocks.clear();
+    const Mat air = -c_.airFriction / c_.mass * Mat::Identity();
     for (std::size_t i = 0; i < size(); ++i) {
+        out.add(i, i, Mat::Zero(), air);
         const Vec apart = i == 0 ? state.x[0] : Vec(state.x[i] - state.x[i - 1]);
         const double distance = apart.norm();
         if (!(distance > 0)) continue;
@@ -55,15 +57,11 @@ void Rope::jacobian(const State& state, ChainJacobian& out) const {
         const Mat dx = c_.stiffness / c_.mass * ((1 - slack) * Mat::Identity() + slack * nn);
         const Mat dv =
             c_.damping / c_.mass * (c_.damper == Damper::full ? Mat(Mat::Identity()) : nn);
-        out.position.self[i] -= dx;
-        out.velocity.self[i] -= dv + c_.airFriction / c_.mass * Mat::Identity();
+        out.add(i, i, -dx, -dv);
         if (i == 0) continue;
-        out.position.before[i] = dx;
-        out.velocity.before[i] = dv;
-        out.position.behind[i - 1] = dx;
-        out.velocity.behind[i - 1] = dv;
-        out.position.self[i - 1] -= dx;
-        out.velocity.self[i - 1] -= dv;
+        out.add(i, i - 1, dx, dv);
+        out.add(i - 1, i, dx, dv);
+        out.add(i - 1, i - 1, -dx, -dv);
     }
 }
 

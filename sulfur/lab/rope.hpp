@@ -31,7 +31,7 @@ public:
     std::size_t size() const override { return static_cast<std::size_t>(c_.particles) - 1; }
     Vec acceleration(std::size_t i, const Vec& x, const Vec& v, const State& others) const override;
     void accelerations(const State& state, Vecs& out) const override;
-    void jacobian(const State& state, ChainJacobian& out) const override;
+    void jacobian(const State& state, Jacobian& out) const override;
 
     /// Joules. Dampers and air only take energy away, so no motion of the rope has more than this:
     /// the energy of the start above that of the rope hanging at rest.

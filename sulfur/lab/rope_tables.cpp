@@ -7,10 +7,10 @@
 namespace sulfur::lab {
 
 RopeTableResult measure(const PaperTable& table, const RopeConstants& rope,
-                        const SearchOptions& search) {
+                        const std::vector<Damper>& dampers, const SearchOptions& search) {
     const auto& entries = integrators();
     const std::size_t columns = table.columns.size();
-    RopeTableResult result{&table, rope, search, {}};
+    RopeTableResult result{&table, rope, dampers, search, {}};
     result.rows.assign(entries.size(), std::vector<Cell>(columns));
     // The slow ones, which come last, are begun first.
     std::atomic<std::size_t> next = entries.size() * columns;
@@ -23,7 +23,10 @@ RopeTableResult measure(const PaperTable& table, const RopeConstants& rope,
             RopeConstants constants = rope;
             constants.damping = damping;
             Cell& cell = result.rows[row][column];
-            cell.found = findLimit(constants, entry, rate, search);
+            for (const Damper damper : dampers) {
+                constants.damper = damper;
+                cell.found.push_back(findLimit(constants, entry, rate, search));
+            }
             cell.theory = linearLimit(entry, {rope.mass, damping, 1 / rate}, search.highest);
             cell.paper = table.limit(entry.paperRow, column);
         }

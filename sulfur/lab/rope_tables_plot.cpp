@@ -37,7 +37,7 @@ std::string asSvg(const RopeTableResult& r) {
         Series series{entry.title, colourOf(entry), false, false, true, {}};
         series.dashed = entry.key.find("held") != std::string::npos || entry.key == "verlet";
         for (std::size_t i = 0; i < r.rows[row].size(); ++i) {
-            const auto& found = r.rows[row][i].found;
+            const auto& found = r.rows[row][i].found.front();
             if (found.stable >= plot.yLow && found.stable <= plot.yHigh)
                 series.points.emplace_back(xOf(i), found.stable);
         }

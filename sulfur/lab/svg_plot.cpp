@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sulfur::lab {
@@ -26,7 +27,11 @@ public:
             "height=\"{1}\" font-family=\"sans-serif\" font-size=\"14\">\n"
             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
             width, height);
-        text(left, 34, "start", plot_.title, "font-size=\"17\" font-weight=\"bold\"");
+        // A long title is set smaller, so that it ends within the picture.
+        const double size =
+            std::min(17.0, 1.7 * (width - left) / static_cast<double>(plot_.title.size()));
+        text(left, 34, "start", plot_.title,
+             fmt::format("font-size=\"{:.1f}\" font-weight=\"bold\"", size));
         axes();
         for (const Series& series : plot_.series) draw(series);
         legend();
@@ -58,9 +63,10 @@ private:
         for (double y = plot_.yLow; y <= plot_.yHigh * 1.01; y *= 10) {
             line(left, py(y), right, py(y), "#d0d0d0");
             const std::string label =
-                y < 1e4 ? fmt::format("{:g}", y)
-                        : fmt::format("10<tspan dy=\"-6\" font-size=\"10\">{:g}</tspan>",
-                                      std::round(std::log10(y)));
+                y < 1e4 && y > 1e-4
+                    ? fmt::format("{:g}", y)
+                    : fmt::format("10<tspan dy=\"-6\" font-size=\"10\">{:g}</tspan>",
+                                  std::round(std::log10(y)));
             text(left - 8, py(y) + 5, "end", label);
         }
         for (const double x : plot_.xTicks) {

@@ -1,22 +1,13 @@
 // Implicit Euler: v' = v + h a(x + h v', v'), x' = x + h v'.
 //
-// Solved for v' by Newton's method with step halving. Its matrix I - h da/dv - h^2 da/dx is block
-// tridiagonal for a chain, so that one elimination from end to end (Thomas) solves it.
-#include <Eigen/LU>
+// Solved for v' by Newton's method with step halving, with the matrix I - h da/dv - h^2 da/dx.
 #include <cmath>
 #include <limits>
 
+#include "integrators/implicit_matrix.hpp"
 #include "integrators/integrator.hpp"
 
 namespace sulfur::lab {
-
-void ChainJacobian::resize(std::size_t count) {
-    for (Blocks* blocks : {&position, &velocity}) {
-        blocks->before.assign(count, Mat::Zero());
-        blocks->self.assign(count, Mat::Zero());
-        blocks->behind.assign(count, Mat::Zero());
-    }
-}
 
 namespace {
 
@@ -27,7 +18,8 @@ public:
         place(state, h, guess_);
         double error = residual(system, state, h, guess_, rest_);
         for (int pass = 0; pass < maxPasses && error > tolerance; ++pass) {
-            solve(system, h);
+            system.jacobian(guess_, jacobian_);
+            matrix_.solve(jacobian_, h, rest_, step_);
             // An error that is not finite gives no direction: the criterion will see the state.
             if (!std::isfinite(error) || !improve(system, state, h, error)) break;
         }
@@ -73,36 +65,10 @@ private:
         return false;
     }
 
-    /// step_ = (I - h da/dv - h^2 da/dx)^-1 rest_ at the guess.
-    void solve(const System& system, double h) {
-        system.jacobian(guess_, jacobian_);
-        const auto count = rest_.size();
-        const auto& [position, velocity] = jacobian_;
-        const auto block = [h](const Mat& dx, const Mat& dv) -> Mat {
-            return -h * dv - h * h * dx;
-        };
-        inverse_.resize(count);
-        step_ = rest_;
-        for (std::size_t i = 0; i < count; ++i) {
-            Mat self = Mat::Identity() + block(position.self[i], velocity.self[i]);
-            if (i > 0) {
-                const Mat factor = block(position.before[i], velocity.before[i]) * inverse_[i - 1];
-                self -= factor * block(position.behind[i - 1], velocity.behind[i - 1]);
-                step_[i] -= factor * step_[i - 1];
-            }
-            inverse_[i] = self.inverse();
-        }
-        for (std::size_t i = count; i-- > 0;) {
-            if (i + 1 < count)
-                step_[i] -= block(position.behind[i], velocity.behind[i]) * step_[i + 1];
-            step_[i] = inverse_[i] * step_[i];
-        }
-    }
-
     State guess_, trial_;
     Vecs a_, rest_, trialRest_, step_;
-    ChainJacobian jacobian_;
-    std::vector<Mat> inverse_;
+    Jacobian jacobian_;
+    ImplicitMatrix matrix_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sulfur::lab {
 
@@ -22,10 +23,8 @@ public:
     void accelerations(const State& state, Vecs& out) const override {
         out.assign(1, -mu_ * (k_ * state.x[0] + b_ * state.v[0]));
     }
-    void jacobian(const State&, ChainJacobian& out) const override {
-        out.resize(1);
-        out.position.self[0] = -mu_ * k_ * Mat::Identity();
-        out.velocity.self[0] = -mu_ * b_ * Mat::Identity();
+    void jacobian(const State&, Jacobian& out) const override {
+        out.blocks = {{0, 0, -mu_ * k_ * Mat::Identity(), -mu_ * b_ * Mat::Identity()}};
     }
 
 private:
@@ -53,7 +52,7 @@ double growth(const IntegratorEntry& entry, const Mode& mode, double h) {
 bool isStable(const IntegratorEntry& entry, const ChainConstants& chain, double stiffness) {
     constexpr int modes = 64;
     for (int j = 1; j <= modes; ++j) {
-        const double sine = std::sin(EIGEN_PI / 2 * j / modes);
+        const double sine = std::sin(std::numbers::pi / 2 * j / modes);
         const Mode mode(chain, stiffness, 4 * sine * sine);
         if (!(growth(entry, mode, chain.duration) <= 1 + 1e-9)) return false;
     }

@@ -16,17 +16,21 @@ struct State {
     Vecs x, v;
 };
 
-/// How an acceleration changes with positions and velocities, in 2 x 2 blocks. A particle depends
-/// on itself, on the one before and on the one behind it only.
-struct ChainJacobian {
-    struct Blocks {
-        std::vector<Mat> before, self, behind;  ///< one each per particle
+/// How accelerations change with positions and velocities, in 2 x 2 blocks: those of particle `row`
+/// with particle `column`. What is not there is zero, and blocks at one place add up.
+struct Jacobian {
+    struct Block {
+        std::size_t row, column;
+        Mat position, velocity;
     };
-    Blocks position, velocity;
-    void resize(std::size_t count);
+    std::vector<Block> blocks;
+
+    void add(std::size_t row, std::size_t column, const Mat& position, const Mat& velocity) {
+        blocks.push_back({row, column, position, velocity});
+    }
 };
 
-/// Particles in a chain whose accelerations depend on positions and velocities.
+/// Particles whose accelerations depend on positions and velocities.
 class System {
 public:
     virtual ~System() = default;
@@ -35,8 +39,8 @@ public:
     /// others as in `others`.
     virtual Vec acceleration(std::size_t i, const Vec& x, const Vec& v,
                              const State& others) const = 0;
-    /// The derivatives of all accelerations at `state`.
-    virtual void jacobian(const State& state, ChainJacobian& out) const = 0;
+    /// Replaces `out` by the derivatives of all accelerations at `state`.
+    virtual void jacobian(const State& state, Jacobian& out) const = 0;
 
     /// All accelerations at `state`.
     virtual void accelerations(const State& state, Vecs& out) const {

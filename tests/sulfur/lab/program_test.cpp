@@ -36,8 +36,8 @@ const char* const quick = " --highest 200 --resolution 1 --seconds 2 --only-expl
 TEST(Program, ListsItsExperiments) {
     const auto outcome = lab("--list");
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.output.find("table2"), std::string::npos);
-    EXPECT_NE(outcome.output.find("table3"), std::string::npos);
+    for (const char* name : {"table2", "table3", "accuracy", "stability"})
+        EXPECT_NE(outcome.output.find(name), std::string::npos) << name;
 }
 
 TEST(Program, HasHelpAndVersion) {
@@ -48,8 +48,9 @@ TEST(Program, HasHelpAndVersion) {
 }
 
 TEST(Program, RefusesAWrongNameInOneSentence) {
-    for (const char* arguments :
-         {"table9", "", "table3 --damper sideways", "table3 --seconds -1"}) {
+    for (const char* arguments : {"table9", "", "table3 --damper sideways", "table3 --seconds -1",
+                                  "accuracy --scene nowhere", "stability --battery --group nothing",
+                                  "--csv --json table3", "table2 table3"}) {
         const auto outcome = lab(arguments);
         EXPECT_NE(outcome.status, 0) << arguments;
         EXPECT_EQ(outcome.output.rfind("sulfur_lab: ", 0), 0u) << outcome.output;
@@ -71,8 +72,11 @@ TEST(Program, WritesDataAndPicture) {
         std::filesystem::temp_directory_path() / ("sulfur_lab_test_" + std::to_string(::getpid()));
     const auto csv = lab(std::string("table3 --csv --plot '") + folder.string() + "'" + quick);
     EXPECT_EQ(csv.status, 0);
-    // A line of names, then 9 integrators at 5 rates.
-    EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 9 * 5);
+    // A line of names, then 9 integrators at 5 rates with 2 dampers.
+    EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 9 * 5 * 2);
+    const auto one = lab(std::string("table3 --csv --damper axial") + quick);
+    EXPECT_EQ(std::count(one.output.begin(), one.output.end(), '\n'), 1 + 9 * 5);
+    EXPECT_EQ(one.output.find(",paper,"), std::string::npos);
     std::ifstream stream(folder / "table3.svg");
     std::stringstream svg;
     svg << stream.rdbuf();
@@ -84,6 +88,26 @@ TEST(Program, WritesDataAndPicture) {
     EXPECT_EQ(json.status, 0);
     EXPECT_EQ(json.output.front(), '{');
     EXPECT_NE(json.output.find("\"integrator\": \"rk4-held\""), std::string::npos);
+}
+
+TEST(Program, RunsTheBatteryRowByRow) {
+    const auto text = lab("stability --battery --group fall");
+    EXPECT_EQ(text.status, 0) << text.output;
+    EXPECT_NE(text.output.find("rows pass."), std::string::npos);
+    const auto json = lab("stability --battery --group nonsense --json");
+    EXPECT_EQ(json.output.front(), '{');
+    EXPECT_NE(json.output.find("\"bound\": "), std::string::npos);
+}
+
+TEST(Program, DrawsErrorAgainstRunTime) {
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("sulfur_lab_accuracy_" + std::to_string(::getpid()));
+    const auto csv = lab("accuracy --quick --scene fall --csv --plot '" + folder.string() + "'");
+    EXPECT_EQ(csv.status, 0) << csv.output;
+    // Names, 3 settings of the library at 3 rates, 9 integrators at 4.
+    EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 3 * 3 + 9 * 4);
+    EXPECT_TRUE(std::filesystem::exists(folder / "accuracy_fall.svg"));
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Program, RefusesAPlaceForPicturesThatIsNone) {

@@ -1,0 +1,55 @@
+// A scene whose motion is known, for every method alike.
+#pragma once
+
+#include <string>
+#include <sulfur/blueprint.hpp>
+#include <vector>
+
+#include "spring_system.hpp"
+
+namespace sulfur::lab {
+
+/// A joint of a scene. An infinite stiffness is rigid.
+struct SceneJoint {
+    std::size_t a, b;
+    double stiffness;   ///< N/m
+    double damping;     ///< N s/m
+    double restLength;  ///< m
+};
+
+/// Particles and joints, how they start, and where some of them must be. The error of a method is
+/// the largest distance, in metres, of a watched particle from its reference at any of the sample
+/// times.
+struct AccuracyScene {
+    std::string key, title;
+    std::string reference;  ///< what it is, for people
+    std::string error;      ///< what is compared, for people
+    State start;
+    std::vector<double> masses;  ///< kg; 0: held where it is
+    std::vector<SceneJoint> joints;
+    double gravity = 0;       ///< m/s^2
+    double rigidStandIn = 0;  ///< N/m of the springs that stand for rigid joints where a method has
+                              ///< none
+    double interval = 0.1;    ///< s between samples; a whole number of ticks at every rate
+    std::vector<std::size_t> watched;  ///< particles
+    std::vector<Vecs> path;            ///< of the watched ones at interval, 2 interval, ...
+    double referenceError = 0;         ///< m
+
+    double seconds() const { return interval * static_cast<double>(path.size()); }
+    bool hasRigidJoints() const;
+    /// For integrators that know springs only.
+    SpringSystem springs() const;
+    /// For the library.
+    Blueprint blueprint() const;
+};
+
+struct SceneOptions {
+    double load = 100;  ///< of the rope, in masses of a link
+};
+
+/// The names of all scenes.
+const std::vector<std::string>& sceneKeys();
+/// `key` must be one of them. Computes the reference.
+AccuracyScene makeScene(const std::string& key, const SceneOptions& options);
+
+}  // namespace sulfur::lab

@@ -1,0 +1,174 @@
+#include "accuracy/show.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "svg_plot.hpp"
+
+namespace sulfur::lab {
+
+namespace {
+
+std::string cell(const WorkPoint& point) {
+    if (!std::isfinite(point.error)) return "exploded";
+    return fmt::format("{:.1e}@{:.1e}", point.error, point.cost);
+}
+
+/// The rates of the longest curve.
+std::vector<int> ratesOf(const WorkPrecision& scene) {
+    std::vector<int> rates;
+    for (const WorkCurve& curve : scene.curves) {
+        if (curve.points.size() <= rates.size()) continue;
+        rates.clear();
+        for (const WorkPoint& point : curve.points) rates.push_back(point.rate);
+    }
+    return rates;
+}
+
+/// The cheapest run of each kind that is no further off than `error`.
+std::string cheapest(const WorkPrecision& scene, double error) {
+    std::string text = fmt::format("  within {:g} m: ", error);
+    for (const bool ours : {true, false}) {
+        const WorkCurve* best = nullptr;
+        WorkPoint bestPoint;
+        for (const WorkCurve& curve : scene.curves) {
+            for (const WorkPoint& point : curve.points) {
+                if (curve.ours != ours || !(point.error <= error)) continue;
+                if (best && point.cost >= bestPoint.cost) continue;
+                best = &curve;
+                bestPoint = point;
+            }
+        }
+        text +=
+            best ? fmt::format("{} at {} Hz, {:.2e} s", best->title, bestPoint.rate, bestPoint.cost)
+                 : fmt::format("{}", ours ? "World not at all" : "no integrator");
+        if (ours) text += "; ";
+    }
+    return text + '\n';
+}
+
+}  // namespace
+
+std::string asText(const std::vector<WorkPrecision>& scenes, const CostOptions& options) {
+    std::string out = fmt::format(
+        "Error against run time. A cell is the error in metres @ the processor time in seconds for "
+        "the\nwhole scene, stepping only: the median of {} measurements of at least {:g} s. "
+        "Exploded: further\noff than {:g} m, or not finite. An empty cell was not run, because the "
+        "rate is not offered or a\nrun takes longer than {:g} s.\n",
+        options.repeats, options.least, explosion, options.most);
+    for (const WorkPrecision& work : scenes) {
+        const AccuracyScene& scene = work.scene;
+        out += fmt::format(
+            "\n{}: {}\nError: {} from the reference, the largest at any multiple of "
+            "{:g} s in {:g} s.\nReference: {}{}.\n",
+            scene.key, scene.title, scene.error, scene.interval, scene.seconds(), scene.reference,
+            scene.referenceError > 0 ? fmt::format(", itself within {:.1e} m", scene.referenceError)
+                                     : "");
+        if (scene.hasRigidJoints())
+            out += fmt::format(
+                "The World's joints are rigid; for the integrators, which know "
+                "springs only, springs of {:.3g} N/m stand for them.\n",
+                scene.rigidStandIn);
+        out += fmt::format("{:<22}", "rate (Hz)");
+        for (const int rate : ratesOf(work)) out += fmt::format("{:>16}", rate);
+        for (const WorkCurve& curve : work.curves) {
+            out += fmt::format("\n{:<22}", curve.title);
+            for (const WorkPoint& point : curve.points) out += fmt::format("{:>16}", cell(point));
+        }
+        out += "\nThe cheapest:\n";
+        for (const double error : {0.1, 0.01, 0.001, 0.0001}) out += cheapest(work, error);
+    }
+    return out;
+}
+
+std::string asCsv(const std::vector<WorkPrecision>& scenes) {
+    std::string out = "scene,method,rate_hz,error_m,cpu_s,scene_s,reference_error_m\n";
+    for (const WorkPrecision& work : scenes)
+        for (const WorkCurve& curve : work.curves)
+            for (const WorkPoint& point : curve.points)
+                out += fmt::format("{},{},{},{},{},{},{}\n", work.scene.key, curve.key, point.rate,
+                                   point.error, point.cost, work.scene.seconds(),
+                                   work.scene.referenceError);
+    return out;
+}
+
+std::string asJson(const std::vector<WorkPrecision>& scenes) {
+    // JSON knows neither NaN nor infinity.
+    const auto number = [](double value) {
+        return std::isfinite(value) ? fmt::format("{}", value) : std::string("null");
+    };
+    std::string out = "{\n  \"scenes\": [";
+    const char* sceneSeparator = "\n";
+    for (const WorkPrecision& work : scenes) {
+        out += fmt::format(
+            "{}    {{\"scene\": \"{}\", \"title\": \"{}\", \"reference\": \"{}\", "
+            "\"referenceError\": {}, \"seconds\": {}, \"points\": [",
+            sceneSeparator, work.scene.key, work.scene.title, work.scene.reference,
+            work.scene.referenceError, work.scene.seconds());
+        sceneSeparator = ",\n";
+        const char* separator = "\n";
+        for (const WorkCurve& curve : work.curves) {
+            for (const WorkPoint& point : curve.points) {
+                out += fmt::format(
+                    "{}      {{\"method\": \"{}\", \"rate\": {}, \"error\": {}, "
+                    "\"cpuSeconds\": {}}}",
+                    separator, curve.key, point.rate, number(point.error), number(point.cost));
+                separator = ",\n";
+            }
+        }
+        out += "\n    ]}";
+    }
+    return out + "\n  ]\n}\n";
+}
+
+std::string asSvg(const WorkPrecision& work) {
+    static const std::map<std::string, const char*> colours{
+        {"world-1", "#27ae60"},  {"world-4", "#117a65"}, {"world-16", "#0b3d2e"},
+        {"euler", "#c0392b"},    {"suvat", "#d68910"},   {"rk2", "#7d8c1f"},
+        {"rk2-held", "#7d8c1f"}, {"rk4", "#2471a3"},     {"rk4-held", "#2471a3"},
+        {"nsv", "#6c3483"},      {"verlet", "#a569bd"},  {"implicit", "#707070"}};
+    Plot plot;
+    plot.title = work.scene.title;
+    plot.xTitle = "processor time for the scene (s), stepping only";
+    plot.yTitle = "error (m)";
+    plot.xLogarithmic = true;
+    double least = 1e9, most = 1e-9, low = 1, high = 1e-9;
+    for (const WorkCurve& curve : work.curves) {
+        Series series{curve.title, colours.at(curve.key), false, curve.ours, true, {}};
+        series.dashed = curve.key.find("held") != std::string::npos;
+        for (const WorkPoint& point : curve.points) {
+            if (!std::isfinite(point.error) || !(point.error > 0)) continue;
+            series.points.emplace_back(point.cost, point.error);
+            least = std::min(least, point.cost);
+            most = std::max(most, point.cost);
+            low = std::min(low, point.error);
+            high = std::max(high, point.error);
+        }
+        plot.series.push_back(std::move(series));
+    }
+    for (double x = std::floor(std::log10(least)); x <= std::ceil(std::log10(most)); ++x)
+        plot.xTicks.push_back(std::pow(10, x));
+    // Below this it is rounding.
+    plot.yLow = std::pow(10, std::floor(std::log10(std::max(low, 1e-12))));
+    plot.yHigh = std::pow(10, std::ceil(std::log10(high)));
+    for (Series& series : plot.series)
+        std::erase_if(series.points, [&](const auto& p) { return p.second < plot.yLow; });
+    plot.series.push_back({"reference: " + std::string(work.scene.reference.starts_with("analytic")
+                                                           ? "analytic"
+                                                           : "converged RK4"),
+                           "none",
+                           false,
+                           false,
+                           false,
+                           {}});
+    if (work.scene.hasRigidJoints())
+        plot.series.push_back({"springs stand for rigid joints,", "none", false, false, false, {}});
+    if (work.scene.hasRigidJoints())
+        plot.series.push_back({"except in World", "none", false, false, false, {}});
+    return draw(plot);
+}
+
+}  // namespace sulfur::lab

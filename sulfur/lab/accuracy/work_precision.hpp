@@ -1,0 +1,43 @@
+// Error against run time.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "accuracy/subjects.hpp"
+
+namespace sulfur::lab {
+
+struct CostOptions {
+    double least = 2e-3;  ///< s of processor time that one measurement lasts at least
+    int repeats = 5;      ///< measurements; their median counts
+    double most = 1;      ///< s: a subject goes no further in its rates when a run takes longer
+};
+
+/// One method at one rate.
+struct WorkPoint {
+    int rate = 0;      ///< Hz
+    double error = 0;  ///< m, as AccuracyScene says; infinite when it exploded (see explosion)
+    double cost = std::numeric_limits<double>::quiet_NaN();  ///< s of processor time for the scene,
+                                                             ///< stepping only; NaN when exploded
+};
+
+/// An error beyond this, m, or one that is not finite, is an explosion: no scene is that large.
+inline constexpr double explosion = 10;
+
+struct WorkCurve {
+    std::string key, title;
+    bool ours = false;
+    std::vector<WorkPoint> points;
+};
+
+struct WorkPrecision {
+    AccuracyScene scene;
+    std::vector<WorkCurve> curves;
+};
+
+WorkPrecision measureWorkPrecision(AccuracyScene scene, const std::vector<Subject>& subjects,
+                                   const CostOptions& options);
+
+}  // namespace sulfur::lab

@@ -1,0 +1,56 @@
+// accuracy: work-precision diagrams.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "accuracy/show.hpp"
+#include "experiments/experiment.hpp"
+
+namespace sulfur::lab {
+
+namespace {
+
+class Accuracy final : public Experiment {
+public:
+    std::string name() const override { return "accuracy"; }
+    std::string description() const override {
+        return "work-precision diagrams: error against run time, scene by scene";
+    }
+
+    void declare(CLI::App& app) override {
+        app.add_option("--scene", scenes_, "Only these scenes")->check(CLI::IsMember(sceneKeys()));
+        app.add_option("--load", options_.load, "Load of the rope, in masses of a link")
+            ->check(CLI::Range(1.0, 1e6))
+            ->capture_default_str();
+        app.add_flag("--quick", quick_, "Fewer rates and shorter measurements");
+    }
+
+    Report run() override {
+        CostOptions cost;
+        if (quick_) cost = {.least = 2e-4, .repeats = 3, .most = 0.1};
+        const auto subjects = accuracySubjects(quick_);
+        std::vector<WorkPrecision> results;
+        for (const std::string& key : sceneKeys()) {
+            const bool wanted =
+                scenes_.empty() || std::find(scenes_.begin(), scenes_.end(), key) != scenes_.end();
+            if (wanted)
+                results.push_back(measureWorkPrecision(makeScene(key, options_), subjects, cost));
+        }
+        Report report{asText(results, cost), asCsv(results), asJson(results)};
+        for (const WorkPrecision& work : results)
+            report.pictures.push_back({"accuracy_" + work.scene.key + ".svg", asSvg(work)});
+        return report;
+    }
+
+private:
+    std::vector<std::string> scenes_;
+    SceneOptions options_;
+    bool quick_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> makeAccuracy() {
+    return std::make_unique<Accuracy>();
+}
+
+}  // namespace sulfur::lab

@@ -1,0 +1,12 @@
+#include "experiments/experiment.hpp"
+
+namespace sulfur::lab {
+
+Experiments allExperiments() {
+    Experiments all;
+    for (const auto make : {makeTable2, makeTable3, makeAccuracy, makeStability})
+        all.push_back(make());
+    return all;
+}
+
+}  // namespace sulfur::lab

@@ -1,0 +1,91 @@
+// stability: heat maps of the integrators, and the battery of the library.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "battery/battery.hpp"
+#include "battery/show.hpp"
+#include "experiments/experiment.hpp"
+#include "stability/stability_map.hpp"
+
+namespace sulfur::lab {
+
+namespace {
+
+class Stability final : public Experiment {
+public:
+    std::string name() const override { return "stability"; }
+    std::string description() const override {
+        return "largest stable stiffness over rate and damping; --battery: the library's tests";
+    }
+
+    void declare(CLI::App& app) override {
+        app.add_flag("--battery", battery_, "Run the battery; fails when a row does");
+        const std::map<std::string, Damper> dampers{{"paper", Damper::full},
+                                                    {"axial", Damper::axial}};
+        app.add_option("--damper", map_.rope.damper,
+                       "Of the heat maps; paper: on the whole relative velocity (default); axial: "
+                       "along the spring")
+            ->transform(CLI::CheckedTransformer(dampers));
+        std::vector<std::string> names;
+        for (const IntegratorEntry& entry : integrators()) names.push_back(entry.key);
+        app.add_option("--integrator", integrators_, "Only heat maps of these")
+            ->check(CLI::IsMember(names));
+        app.add_flag("--quick", quick_, "Coarser heat maps");
+        std::vector<std::string> keys;
+        for (const BatteryGroup& group : batteryGroups()) keys.push_back(group.key);
+        app.add_option("--group", groups_, "Only these groups of the battery")
+            ->check(CLI::IsMember(keys));
+        app.add_option("--sweeps", setup_.sweeps, "Passes over the constraints in a tick")
+            ->check(CLI::Range(1, 100))
+            ->capture_default_str();
+        app.add_option("--rate", setup_.tickRate, "Hz, where a scene says no other")
+            ->check(CLI::Range(60, 10000))
+            ->capture_default_str();
+    }
+
+    Report run() override { return battery_ ? runBattery() : drawMaps(); }
+
+private:
+    Report drawMaps() {
+        if (quick_) {
+            map_.rates = 6;
+            map_.dampings = 5;
+        }
+        std::vector<StabilityMap> maps;
+        for (const IntegratorEntry& entry : integrators())
+            if (wanted(integrators_, entry.key)) maps.push_back(measureStabilityMap(entry, map_));
+        Report report{asText(maps, map_), asCsv(maps), asJson(maps)};
+        for (const StabilityMap& map : maps)
+            report.pictures.push_back({"stability_" + map.key + ".svg", asSvg(map)});
+        return report;
+    }
+
+    Report runBattery() {
+        std::vector<GroupResult> results;
+        for (const BatteryGroup& group : batteryGroups())
+            if (wanted(groups_, group.key))
+                results.push_back({group.key, group.title, group.run(setup_)});
+        return {.text = asText(results, setup_),
+                .csv = asCsv(results),
+                .json = asJson(results, setup_),
+                .passed = allPassed(results)};
+    }
+
+    /// Whether `key` is among the named ones, or none is named.
+    static bool wanted(const std::vector<std::string>& named, const std::string& key) {
+        return named.empty() || std::find(named.begin(), named.end(), key) != named.end();
+    }
+
+    bool battery_ = false, quick_ = false;
+    std::vector<std::string> groups_, integrators_;
+    StabilityMapOptions map_;
+    Setup setup_;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> makeStability() {
+    return std::make_unique<Stability>();
+}
+
+}  // namespace sulfur::lab

@@ -1,0 +1,90 @@
+// The work-precision diagrams: their references and their errors.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "accuracy/show.hpp"
+#include "accuracy/work_precision.hpp"
+#include "integrators/integrator.hpp"
+
+namespace {
+
+using namespace sulfur::lab;
+
+Subject only(const std::string& key, std::vector<int> rates) {
+    for (Subject subject : accuracySubjects(true)) {
+        if (subject.key != key) continue;
+        subject.rates = std::move(rates);
+        return subject;
+    }
+    throw std::out_of_range(key);
+}
+
+constexpr CostOptions oneMeasurement{.least = 0, .repeats = 1, .most = 100};
+
+std::vector<double> errors(const AccuracyScene& scene, const Subject& subject) {
+    const WorkPrecision work = measureWorkPrecision(scene, {subject}, oneMeasurement);
+    std::vector<double> found;
+    for (const WorkPoint& point : work.curves.front().points) found.push_back(point.error);
+    return found;
+}
+
+TEST(Accuracy, SuvatAndTheWorldFallExactly) {
+    const auto scene = makeScene("fall", {});
+    EXPECT_LT(errors(scene, only("suvat", {60})).front(), 1e-12);
+    EXPECT_LT(errors(scene, only("world-4", {60})).front(), 1e-4);
+    EXPECT_GT(errors(scene, only("euler", {60})).front(), 1e-2);
+}
+
+TEST(Accuracy, ErrorsShrinkWithTheOrder) {
+    const auto scene = makeScene("spring", {});
+    const auto order = [&](const std::string& key) {
+        const auto found = errors(scene, only(key, {500, 1000}));
+        return std::log2(found[0] / found[1]);
+    };
+    EXPECT_NEAR(order("rk4"), 4, 0.2);
+    EXPECT_NEAR(order("rk2"), 2, 0.2);
+    EXPECT_NEAR(order("euler"), 1, 0.2);
+}
+
+TEST(Accuracy, StiffSpringsConvergeToTheRigidReference) {
+    auto scene = makeScene("double", {});
+    EXPECT_LT(scene.referenceError, 1e-9);
+    const double soft = errors(scene, only("rk4", {20000})).front();
+    scene.rigidStandIn *= 10;
+    const double stiff = errors(scene, only("rk4", {20000})).front();
+    EXPECT_LT(soft, 1e-3);
+    EXPECT_NEAR(stiff / soft, 0.1, 0.03);
+}
+
+TEST(Accuracy, AnExplosionIsNoPoint) {
+    const auto work =
+        measureWorkPrecision(makeScene("crate", {}), {only("euler", {500})}, oneMeasurement);
+    EXPECT_TRUE(std::isinf(work.curves.front().points.front().error));
+    EXPECT_TRUE(std::isnan(work.curves.front().points.front().cost));
+    EXPECT_NE(asText({work}, oneMeasurement).find("exploded"), std::string::npos);
+}
+
+TEST(Accuracy, EverySceneHasAReferenceAndWatchedParticles) {
+    for (const std::string& key : sceneKeys()) {
+        const auto scene = makeScene(key, {});
+        EXPECT_FALSE(scene.reference.empty()) << key;
+        EXPECT_FALSE(scene.error.empty()) << key;
+        EXPECT_GE(scene.path.size(), 10u) << key;
+        EXPECT_LT(scene.referenceError, 1e-6) << key;
+        for (const auto& places : scene.path) EXPECT_EQ(places.size(), scene.watched.size()) << key;
+        EXPECT_NO_THROW(scene.blueprint().validate()) << key;
+        EXPECT_EQ(scene.hasRigidJoints(), scene.rigidStandIn > 0) << key;
+    }
+}
+
+TEST(Accuracy, OffersEveryIntegratorAndThreeSettingsOfOurs) {
+    std::set<std::string> keys;
+    for (const Subject& subject : accuracySubjects(false)) keys.insert(subject.key);
+    for (const auto& entry : integrators()) EXPECT_TRUE(keys.count(entry.key)) << entry.key;
+    EXPECT_TRUE(keys.count("world-1") && keys.count("world-4") && keys.count("world-16"));
+}
+
+}  // namespace
