@@ -76,6 +76,7 @@ struct Attachment {
     std::uint32_t count = 0;  // of supports
     std::array<std::uint32_t, 3> support{none, none, none};
     std::array<Real, 3> weight{0, 0, 0};
+    Vec2 force{0, 0};  // N on the particle in the last tick
     AttachmentId id;
 
     template <class Archive>
@@ -84,6 +85,7 @@ struct Attachment {
         a(count);
         a(support);
         a(weight);
+        a(force);
         a(id);
     }
 };

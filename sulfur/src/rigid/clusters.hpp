@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <sulfur/math.hpp>
 #include <vector>
 
 #include "core/slots.hpp"
 
 namespace sulfur::detail {
+
+class Truss;
 
 /// A rigid component. It turns about its centre of mass, or about its one pinned particle; with
 /// two pinned particles it stays where it is.
@@ -35,8 +38,9 @@ struct Cluster {
     Vec2 shift{0, 0};                          // m, correction that becomes no velocity
     double twist = 0;                          // rad, the same
 
-    std::uint8_t stirred = 1;  // somebody changed the velocities of its particles
-    std::uint8_t watched = 0;  // has joints that may break
+    std::uint8_t stirred = 1;            // somebody changed the velocities of its particles
+    std::uint8_t watched = 0;            // has joints that may break
+    std::shared_ptr<const Truss> truss;  // of a watched one, once it was needed; never archived
 
     template <class Archive>
     void archive(Archive& a) {
@@ -72,12 +76,14 @@ struct Hinge {
     std::uint32_t cluster = none;  // the other one
     std::uint32_t particle = none;
     Point place{0, 0};  // m, of the particle in the frame of `cluster`
+    Vec2 force{0, 0};   // N on `cluster` in the last tick
 
     template <class Archive>
     void archive(Archive& a) {
         a(cluster);
         a(particle);
         a(place);
+        a(force);
     }
 };
 

@@ -151,8 +151,13 @@ private:
                 list->erase(std::unique(list->begin(), list->end()), list->end());
             }
             if (!addCluster(body, particles[set], shared[set])) continue;
-            for (std::size_t i = 0; i < label.size(); ++i)
-                if (label[i] == set) state_.joints.inCluster[frame.joints[i]] = 1;
+            for (std::size_t i = 0; i < label.size(); ++i) {
+                if (label[i] != set) continue;
+                const auto j = frame.joints[i];
+                state_.joints.inCluster[j] = 1;
+                state_.joints.force[j] = 0;
+                if (state_.joints.strength[j] != infinite) next_.list.back().watched = 1;
+            }
         }
     }
 

@@ -15,7 +15,7 @@ Vec2 toClose(const State& state, const Vec2& gap) {
 }
 
 /// C = x_p - sum of weight_i x_i = 0 in both axes at once.
-void solve(State& state, const Attachment& held) {
+void solve(State& state, Attachment& held) {
     const auto& x = state.particles.position;
     HeldPoint point;
     point.add(gripOf(state, held.particle), 1);
@@ -25,10 +25,12 @@ void solve(State& state, const Attachment& held) {
         error += held.weight[k] * (x[held.particle] - x[held.support[k]]).cast<Real>();
     }
     error = toClose(state, error) + point.displacement(state);
-    point.push(state, -solve2(point.mobility(state), error));
+    const Vec2 impulse = -solve2(point.mobility(state), error);
+    held.force += impulse / (state.h * state.h);
+    point.push(state, impulse);
 }
 
-void solve(State& state, const Hinge& hinge) {
+void solve(State& state, Hinge& hinge) {
     const Cluster& c = state.clusters.list[hinge.cluster];
     const Point arm = turned(c.heading, hinge.place);
     HeldPoint point;
@@ -36,7 +38,9 @@ void solve(State& state, const Hinge& hinge) {
     point.add(gripOf(state, hinge.particle), -1);
     const Vec2 apart = (c.centre + arm - state.particles.position[hinge.particle]).cast<Real>();
     const Vec2 error = toClose(state, apart) + point.displacement(state);
-    point.push(state, -solve2(point.mobility(state), error));
+    const Vec2 impulse = -solve2(point.mobility(state), error);
+    hinge.force += impulse / (state.h * state.h);
+    point.push(state, impulse);
 }
 
 }  // namespace

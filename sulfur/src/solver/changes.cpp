@@ -43,9 +43,11 @@ void listClusters(State& state) {
     WorkLists& work = state.work;
     work.awakeClusters.clear();
     work.clusters.clear();
+    work.watchedClusters.clear();
     for (std::uint32_t c = 0; c < state.clusters.list.size(); ++c) {
         if (!state.movable(state.clusters.list[c].body)) continue;
         work.awakeClusters.push_back(c);
+        if (state.clusters.list[c].watched) work.watchedClusters.push_back(c);
         if (state.trees.ofCluster[c] == none) work.clusters.push_back(c);
     }
 }
@@ -81,12 +83,13 @@ void listJoints(State& state) {
                        &work.stiffJoints, &work.breakableJoints})
         list->clear();
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
+            work.breakableJoints.push_back(j);
         if (!takesPart(state, j)) continue;
         if (joints.kind[j] != JointKind::rigid &&
             (joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0))
             work.explicitJoints.push_back(j);
         if (joints.kind[j] != JointKind::explicitElastic) work.stiffJoints.push_back(j);
-        if (joints.strength[j] != infinite) work.breakableJoints.push_back(j);
     }
     for (const auto j : state.structure.sweptJoints) {
         if (!takesPart(state, j)) continue;

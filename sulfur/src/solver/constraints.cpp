@@ -2,6 +2,7 @@
 //
 // In each sweep contacts come before joints, so that what a contact disturbs in a body is mended
 // in the same sweep; rigid joints come last, and trees, which are solved as a whole, last of all.
+#include "rigid/loads.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/grabs.hpp"
 #include "solver/stages.hpp"
@@ -26,6 +27,7 @@ void solveConstraints(State& state) {
     rememberContacts(state);
     recordTreeForces(state);
     recordForces(state);
+    recoverLoads(state);
 }
 
 }  // namespace sulfur::detail

@@ -5,6 +5,7 @@
 #include "core/trigonometry.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/find_clusters.hpp"
+#include "rigid/loads.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -95,6 +96,7 @@ void predict(State& state) {
     driveKinematicBodies(state);
     predictClusters(state);
     stepTrees(state);
+    noteLoads(state);
     spreadDisplacements(state);
 }
 

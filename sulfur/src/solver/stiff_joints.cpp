@@ -104,6 +104,8 @@ void solveRigidJoints(State& state) {
 void clearMultipliers(State& state) {
     for (const auto j : state.work.implicitJoints) state.joints.lambda[j] = 0;
     for (const auto j : state.work.rigidJoints) state.joints.lambda[j] = 0;
+    for (const auto i : state.work.attachments) state.attachments[i].force = Vec2(0, 0);
+    for (const auto i : state.work.hinges) state.clusters.hinges[i].force = Vec2(0, 0);
 }
 
 void recordForces(State& state) {

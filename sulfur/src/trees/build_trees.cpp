@@ -201,12 +201,15 @@ private:
         return static_cast<std::uint32_t>(trees_.nodes.size()) - tree.first;
     }
 
-    /// Adds the end `to` of an edge as a child of node `parent`, which holds its end `from`.
-    void addChild(std::uint32_t i, const EdgeEnd& from, const EdgeEnd& to, std::uint32_t parent) {
+    /// Adds the far end of an edge as a child of node `parent`, which holds the other one.
+    void addChild(std::uint32_t i, bool fromB, std::uint32_t parent) {
+        const Edge& edge = graph_.edges[i];
+        const EdgeEnd &from = fromB ? edge.b : edge.a, &to = fromB ? edge.a : edge.b;
         TreeNode n = nodeFor(to);
+        n.turned = fromB ? 0 : 1;
         n.parent = parent;
-        n.kind = graph_.edges[i].kind;
-        n.link = graph_.edges[i].link;
+        n.kind = edge.kind;
+        n.link = edge.link;
         n.here = to.end;
         n.there = from.end;
         trees_.nodes.push_back(n);
@@ -249,7 +252,7 @@ private:
         const auto grow = [&](std::uint32_t i, bool rootIsB, std::uint32_t parent) {
             if (used_[i]) return;
             const Edge& e = graph_.edges[i];
-            addChild(i, rootIsB ? e.b : e.a, rootIsB ? e.a : e.b, parent);
+            addChild(i, rootIsB, parent);
             vertex.push_back(rootIsB ? e.a.vertex : e.b.vertex);
         };
         if (root.vertex == none) {
@@ -300,9 +303,7 @@ private:
         const Edge& edge = graph_.edges[path[0].edge];
         trees_.nodes.push_back(nodeFor(path[0].forward ? edge.a : edge.b));
         for (const Step step : path) {
-            const Edge& e = graph_.edges[step.edge];
-            addChild(step.edge, step.forward ? e.a : e.b, step.forward ? e.b : e.a,
-                     sizeOf(tree) - 1);
+            addChild(step.edge, !step.forward, sizeOf(tree) - 1);
         }
         finish(tree);
     }

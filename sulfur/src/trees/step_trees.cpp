@@ -59,6 +59,7 @@ struct LinkData {
     Point direction{0, 0};  // when the step began
     Span start;
     double length = 0;                    // when the step began
+    std::array<double, 2> left{0, 0};     // of the error, what this step need not close
     std::array<double, 2> lambda{0, 0};   // of this step
     std::array<double, 2> impulse{0, 0};  // sum of lambda / step, kg m/s
     double guess = 0;                     // N, tension that was seen last
@@ -289,8 +290,8 @@ private:
             link.length = link.start.apart.norm();
             if (node(i).kind != LinkKind::joint) {
                 const double left = errorLeft(link.length, step);
-                const Point apart = left > 0 ? Point(left / link.length * link.start.apart)
-                                             : Point(0, 0);
+                const Point apart =
+                    left > 0 ? Point(left / link.length * link.start.apart) : Point(0, 0);
                 link.left = {apart[0], apart[1]};
                 continue;
             }
@@ -353,8 +354,8 @@ private:
             setDistance<N>(row, fallback ? now : link.start, now,
                            fallback ? direction : link.direction, direction);
             row.compliance = complianceOf(link.elastic);
-            row.value[0] =
-                valueOf(link.elastic, length - link.rest - link.left[0], length - link.length, link.lambda[0]);
+            row.value[0] = valueOf(link.elastic, length - link.rest - link.left[0],
+                                   length - link.length, link.lambda[0]);
             worst = std::max(worst, std::abs(row.value[0]) / std::max(link.rest, 1e-3));
         }
         return worst;
@@ -419,8 +420,13 @@ private:
         for (std::size_t i = 0; i < count_; ++i) storeNode(i);
         for (std::size_t i = 1; i < count_; ++i) {
             const TreeNode& n = node(i);
+            const auto& impulse = links_[i].impulse;
             if (n.kind == LinkKind::joint)
-                state_.joints.lambda[n.link] = static_cast<Real>(links_[i].impulse[0] * tick());
+                state_.joints.lambda[n.link] = static_cast<Real>(impulse[0] * tick());
+            else
+                forceOf(state_, n) =
+                    (Point(impulse[0], impulse[1]) * ((n.turned ? -1 : 1) / tick()))
+                        .template cast<Real>();
         }
     }
 

@@ -5,6 +5,7 @@
 // one rigid joint among others: along its directions at the tick's start.
 #include <algorithm>
 
+#include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/grip.hpp"
 #include "trees/geometry.hpp"
@@ -235,7 +236,14 @@ void recordTreeForces(State& state) {
     const auto record = [&](const Tree& tree) {
         for (auto k = tree.first + 1; k < tree.last; ++k) {
             const TreeNode& n = trees.nodes[k];
-            if (n.kind != LinkKind::joint) continue;
+            if (n.kind != LinkKind::joint) {
+                const Vec2 pushed(static_cast<Real>(trees.lambda[k][0]),
+                                  static_cast<Real>(trees.lambda[k][1]));
+                Vec2& force = forceOf(state, n);
+                if (!tree.alone) force = Vec2(0, 0);
+                force += Real(n.turned ? -1 : 1) / (state.h * state.h) * pushed;
+                continue;
+            }
             const Real swept = static_cast<Real>(trees.lambda[k][0]);
             joints.lambda[n.link] = tree.alone ? joints.lambda[n.link] + swept : swept;
         }

@@ -26,6 +26,12 @@ void updateTreeVelocities(State& state);
 /// Velocities of trees that are about to be found anew: back to the middle of a whole tick.
 void dissolveTrees(State& state);
 
+/// The force of an attachment or hinge, N on its first end.
+inline Vec2& forceOf(State& state, const TreeNode& node) {
+    return node.kind == LinkKind::hinge ? state.clusters.hinges[node.link].force
+                                        : state.attachments[node.link].force;
+}
+
 /// Duration of the last step (s) that moved this particle.
 double lastStepOf(const State& state, std::uint32_t particle);
 

@@ -38,6 +38,7 @@ struct TreeNode {
     std::uint32_t parent = none;  // node, counted from the tree's first; the root has none
     LinkKind kind = LinkKind::joint;
     std::uint32_t link = none;  // index of the joint, attachment or hinge
+    std::uint8_t turned = 0;    // this node is the second end of an attachment or hinge
     LinkEnd here, there;        // at this node and at the parent
 
     template <class Archive>
@@ -47,6 +48,7 @@ struct TreeNode {
         a(parent);
         a(kind);
         a(link);
+        a(turned);
         a(here);
         a(there);
     }

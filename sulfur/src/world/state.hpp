@@ -48,9 +48,10 @@ struct WorkLists {
     std::vector<Range> points;  // of these, the ones in no cluster
     std::vector<Range> free;    // of these, the ones in no tree that moves alone
     std::vector<std::uint32_t> awakeClusters;
-    std::vector<std::uint32_t> clusters;     // of these, the ones in no tree that moves alone
-    std::vector<std::uint32_t> lonelyTrees;  // that move alone
-    std::vector<std::uint32_t> lines;        // trees that are solved in the sweeps
+    std::vector<std::uint32_t> clusters;         // of these, the ones in no tree that moves alone
+    std::vector<std::uint32_t> watchedClusters;  // of these, the ones with joints that may break
+    std::vector<std::uint32_t> lonelyTrees;      // that move alone
+    std::vector<std::uint32_t> lines;            // trees that are solved in the sweeps
     std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints;  // the latter two swept
     std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
     std::vector<std::uint32_t> breakableJoints;
@@ -86,8 +87,9 @@ struct State {
     WorkLists work;
     BroadPhase broad;
     std::vector<Contact> contacts;
-    std::vector<ContactMemory> contactMemory;                  // of the last tick, sorted
-    std::vector<std::uint64_t> touching;                       // pairs of bodies in contact, sorted
+    std::vector<Vec2> loads;                   // N on members of watched clusters in this tick
+    std::vector<ContactMemory> contactMemory;  // of the last tick, sorted
+    std::vector<std::uint64_t> touching;       // pairs of bodies in contact, sorted
     std::vector<std::uint64_t> touchingNow, touchingReported;  // scratch
     Events events;
     Statistics statistics;

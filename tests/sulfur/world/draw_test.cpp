@@ -48,7 +48,7 @@ struct Drawn : testing::Test {
     AttachmentId hook = world.attach(rope.back(), box, {0, Real(0.3)});
     FieldId wind = world.add(WindField{});
     GrabId held = world.grab(box[0], {0, 1});
-    Drawn() { test::run(world, 0.2); }
+    Drawn() { test::run(world, 0.4); }
 };
 
 TEST_F(Drawn, EverythingIsShownWhereItIs) {
