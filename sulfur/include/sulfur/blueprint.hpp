@@ -1,5 +1,6 @@
-// The plan of a body: plain data, the one currency between the ready-made shapes, scene files,
-// the editor, prefabs and the game.
+/// \file
+/// The plan of a body: plain data, the one currency between the ready-made shapes, scene files,
+/// the editor, prefabs and the game.
 #pragma once
 
 #include <array>
@@ -48,13 +49,13 @@ enum class BodyKind : std::uint8_t {
 
 /// Everything that World::add needs to know to make a body.
 struct Blueprint {
-    std::string name = {};
-    BodyKind kind = BodyKind::dynamic;
-    std::vector<ParticleSpec> particles = {};
-    std::vector<JointSpec> joints = {};
-    Material material = {};
-    Filter filter = {};
-    std::optional<Skin> skin = std::nullopt;
+    std::string name = {};                     ///< for people and files
+    BodyKind kind = BodyKind::dynamic;         ///< who moves it
+    std::vector<ParticleSpec> particles = {};  ///< at least one
+    std::vector<JointSpec> joints = {};        ///< between them
+    Material material = {};                    ///< of its surface
+    Filter filter = {};                        ///< what it collides with
+    std::optional<Skin> skin = std::nullopt;   ///< what it wears
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least
     /// one particle, every number finite and in its range, every index in range, no joint from a

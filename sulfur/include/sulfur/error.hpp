@@ -1,4 +1,5 @@
-// How the library refuses nonsense.
+/// \file
+/// How the library refuses nonsense.
 #pragma once
 
 #include <stdexcept>
@@ -20,7 +21,9 @@ enum class ErrorCode {
 /// sentence: what is wrong, where, and what is allowed. The world is then unchanged.
 class Error : public std::runtime_error {
 public:
+    /// An error with its message for people.
     Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+    /// What kind of mistake it was.
     ErrorCode code() const { return code_; }
 
 private:

@@ -1,4 +1,5 @@
-// What happened during the last tick.
+/// \file
+/// What happened during the last tick.
 #pragma once
 
 #include <sulfur/ids.hpp>
@@ -9,7 +10,8 @@ namespace sulfur {
 
 /// Two bodies began to touch.
 struct ContactBegun {
-    BodyId a = {}, b = {};
+    BodyId a = {};      ///< the body whose particle touches
+    BodyId b = {};      ///< the other
     Point point{0, 0};  ///< metres
     Vec2 normal{0, 0};  ///< unit length, from b towards a
     Real speed = 0;     ///< m/s at which they approached, >= 0
@@ -19,14 +21,14 @@ struct ContactBegun {
 struct JointBroken {
     JointId joint = {};  ///< no longer valid; for comparison only
     BodyId body = {};    ///< null for a joint between bodies
-    Point point{0, 0};
-    Real force = 0;  ///< newtons at which it broke
+    Point point{0, 0};   ///< metres: its middle
+    Real force = 0;      ///< newtons at which it broke
 };
 
 /// Events of one tick, in a fixed order; overwritten by the next World::step.
 struct Events {
-    std::vector<ContactBegun> contactsBegun = {};
-    std::vector<JointBroken> jointsBroken = {};
+    std::vector<ContactBegun> contactsBegun = {};  ///< bodies that began to touch
+    std::vector<JointBroken> jointsBroken = {};    ///< joints that broke
 };
 
 }  // namespace sulfur

@@ -1,4 +1,5 @@
-// Handles to what lives in a World.
+/// \file
+/// Handles to what lives in a World.
 #pragma once
 
 #include <compare>
@@ -10,18 +11,20 @@ namespace sulfur {
 /// one: a stale handle is recognised and refused. The default-constructed handle is null.
 template <class Tag>
 struct Handle {
-    std::uint32_t index = 0;  ///< slot, counted from 1; 0 is null
-    std::uint32_t generation = 0;
+    std::uint32_t index = 0;       ///< slot, counted from 1; 0 is null
+    std::uint32_t generation = 0;  ///< of the slot
 
+    /// Whether it is not null; what it refers to may be gone all the same.
     explicit operator bool() const { return index != 0; }
+    /// An order without meaning, for maps.
     friend auto operator<=>(const Handle&, const Handle&) = default;
 };
 
-using ParticleId = Handle<struct ParticleTag>;
-using JointId = Handle<struct JointTag>;
-using BodyId = Handle<struct BodyTag>;
-using AttachmentId = Handle<struct AttachmentTag>;
-using FieldId = Handle<struct FieldTag>;
-using GrabId = Handle<struct GrabTag>;
+using ParticleId = Handle<struct ParticleTag>;      ///< a particle
+using JointId = Handle<struct JointTag>;            ///< a joint
+using BodyId = Handle<struct BodyTag>;              ///< a body
+using AttachmentId = Handle<struct AttachmentTag>;  ///< an attachment; see World::attach
+using FieldId = Handle<struct FieldTag>;            ///< a force field
+using GrabId = Handle<struct GrabTag>;              ///< a grab; see World::grab
 
 }  // namespace sulfur

@@ -1,4 +1,5 @@
-// How the surface of a body behaves, and what it collides with.
+/// \file
+/// How the surface of a body behaves, and what it collides with.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,18 @@ struct Material {
     Real kineticFriction = Real(0.5);  ///< coefficient, >= 0
     Real restitution = 0;              ///< 0 (no rebound) to 1 (full rebound)
 
+    /// Member by member.
     friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// Which bodies collide: both must have a category in the other's mask. Bodies that share a
 /// group other than 0 always collide when it is positive and never when it is negative.
 struct Filter {
-    std::uint32_t category = 1;
-    std::uint32_t mask = 0xffffffffu;
-    std::int32_t group = 0;
+    std::uint32_t category = 1;        ///< bits: what the body is
+    std::uint32_t mask = 0xffffffffu;  ///< bits: what it collides with
+    std::int32_t group = 0;            ///< 0: no group
 
+    /// Member by member.
     friend bool operator==(const Filter&, const Filter&) = default;
 };
 

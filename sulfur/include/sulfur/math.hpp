@@ -1,7 +1,8 @@
-// Numbers and vectors of the public interface.
-//
-// Units are SI everywhere: metres, kilograms, seconds, newtons; y points up; angles are radians,
-// counter-clockwise.
+/// \file
+/// Numbers and vectors of the public interface.
+///
+/// Units are SI everywhere: metres, kilograms, seconds, newtons; y points up; angles are radians,
+/// counter-clockwise.
 #pragma once
 
 #include <Eigen/Core>

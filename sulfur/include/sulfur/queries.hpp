@@ -1,4 +1,5 @@
-// Questions about the geometry of a world.
+/// \file
+/// Questions about the geometry of a world.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +10,13 @@ namespace sulfur {
 
 /// Restricts a query to bodies whose filter has a category in `mask`.
 struct QueryFilter {
-    std::uint32_t mask = 0xffffffffu;
-    BodyId ignore = {};  ///< a body that the query passes through; null: none
+    std::uint32_t mask = 0xffffffffu;  ///< bits of Filter::category
+    BodyId ignore = {};                ///< a body that the query passes through; null: none
 };
 
 /// Where a ray met a surface.
 struct RayHit {
-    BodyId body = {};
+    BodyId body = {};          ///< what was hit
     JointId joint = {};        ///< the capsule that was hit; null when a disc was
     ParticleId particle = {};  ///< the disc that was hit, or the capsule's nearer end
     Point point{0, 0};         ///< on the surface, metres

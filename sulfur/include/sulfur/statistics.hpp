@@ -1,4 +1,5 @@
-// Counters and timings of the last tick, stage by stage.
+/// \file
+/// Counters and timings of the last tick, stage by stage.
 #pragma once
 
 #include <array>
@@ -26,10 +27,10 @@ const char* name(Stage stage);
 
 /// What the last tick did. Times are filled only while World::setProfiling is on.
 struct Statistics {
-    std::uint32_t particles = 0;
-    std::uint32_t joints = 0;
-    std::uint32_t bodies = 0;
-    std::uint32_t awakeParticles = 0;
+    std::uint32_t particles = 0;       ///< in the world
+    std::uint32_t joints = 0;          ///< in the world
+    std::uint32_t bodies = 0;          ///< in the world
+    std::uint32_t awakeParticles = 0;  ///< of bodies that move
     std::uint32_t explicitJoints = 0;  ///< elastic, integrated by NSV alone
     std::uint32_t implicitJoints = 0;  ///< elastic, at least in part beyond the explicit range
     std::uint32_t rigidJoints = 0;     ///< solved as constraints: none inside a rigid component
@@ -39,8 +40,9 @@ struct Statistics {
     std::uint32_t chainSteps = 0;      ///< steps that these took in the last tick, in all
     std::uint32_t chainFallbacks = 0;  ///< of these, those that had to give up SHAKE directions
     std::uint32_t candidates = 0;      ///< pairs that the narrow phase looked at
-    std::uint32_t contacts = 0;
-    std::uint64_t broadPhases = 0;  ///< since the world was made
+    std::uint32_t contacts = 0;        ///< that the narrow phase found
+    std::uint64_t broadPhases = 0;     ///< since the world was made
+    /// By Stage; zero unless profiling is on.
     std::array<double, static_cast<std::size_t>(Stage::count)> seconds{};
 };
 

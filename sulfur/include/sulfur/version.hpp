@@ -1,4 +1,5 @@
-// The version of the library.
+/// \file
+/// The version of the library.
 #pragma once
 
 namespace sulfur {

@@ -1,4 +1,5 @@
-// The world: owns everything, one step() is one tick.
+/// \file
+/// The world: owns everything, one step() is one tick.
 #pragma once
 
 #include <array>
@@ -32,29 +33,30 @@ struct WorldSettings {
 
 /// What a particle is at the moment.
 struct ParticleInfo {
-    BodyId body = {};
+    BodyId body = {};      ///< whose it is
     Point position{0, 0};  ///< metres
     Vec2 velocity{0, 0};   ///< m/s; see World::velocity
     Real mass = 0;         ///< kg
     Real radius = 0;       ///< m
-    bool pinned = false;
+    bool pinned = false;   ///< whether it is held where it is
 };
 
 /// What a joint is at the moment.
 struct JointInfo {
-    BodyId body = {};  ///< null for a joint between bodies
-    ParticleId a = {}, b = {};
-    Real restLength = 0;
-    Real stiffness = 0;
-    Real damping = 0;
-    Real radius = 0;
-    Real strength = 0;
-    Real force = 0;  ///< N in the last tick, positive when it pulls
+    BodyId body = {};     ///< null for a joint between bodies
+    ParticleId a = {};    ///< one end
+    ParticleId b = {};    ///< the other end
+    Real restLength = 0;  ///< m
+    Real stiffness = 0;   ///< N/m
+    Real damping = 0;     ///< N s/m
+    Real radius = 0;      ///< m
+    Real strength = 0;    ///< N
+    Real force = 0;       ///< N in the last tick, positive when it pulls
 };
 
 /// What an attachment is: its particle is held at the sum of weight_i times the place of support_i.
 struct AttachmentInfo {
-    ParticleId particle = {};
+    ParticleId particle = {};                 ///< what is held
     std::uint32_t count = 0;                  ///< of supports, 1 to 3
     std::array<ParticleId, 3> supports = {};  ///< the first `count` are valid, the others null
     std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
@@ -62,8 +64,9 @@ struct AttachmentInfo {
 
 /// What a contact of the last tick was; for drawing and for the curious.
 struct ContactInfo {
-    BodyId a = {}, b = {};
-    Point point{0, 0};
+    BodyId a = {};      ///< the body whose particle touches
+    BodyId b = {};      ///< the body whose capsule or disc is touched
+    Point point{0, 0};  ///< metres
     Vec2 normal{0, 0};  ///< unit, from b towards a
     Real impulse = 0;   ///< N s along the normal in the last tick
 };
@@ -89,15 +92,24 @@ struct DrawOptions;
 class Body {
 public:
     Body() = default;
+    /// A body of `world`, which must outlive it.
     Body(World& world, BodyId id) : world_(&world), id_(id) {}
 
+    /// Its handle.
     BodyId id() const { return id_; }
-    operator BodyId() const { return id_; }  // NOLINT: a body is its id wherever an id is wanted
+    /// Its handle: a body is its id wherever an id is wanted.
+    operator BodyId() const { return id_; }  // NOLINT: meant to be implicit
+    /// Its particles; see World::particles.
     std::span<const ParticleId> particles() const;
+    /// Its joints; see World::joints.
     std::span<const JointId> joints() const;
+    /// The number of its particles.
     std::size_t size() const { return particles().size(); }
+    /// The particle at place `i` of its blueprint, less than size().
     ParticleId operator[](std::size_t i) const { return particles()[i]; }
+    /// The first particle.
     ParticleId front() const { return particles().front(); }
+    /// The last particle.
     ParticleId back() const { return particles().back(); }
 
 private:
@@ -116,6 +128,7 @@ private:
 /// documented range. The world is then unchanged.
 class World {
 public:
+    /// An empty world. Throws Error when a setting is out of its range.
     explicit World(const WorldSettings& settings = {});
     ~World();
     World(World&&) = delete;  // Body refers to its world
@@ -158,11 +171,17 @@ public:
     /// Lets go. A grab also ends when what it holds is removed.
     void release(GrabId grab);
 
+    /// Whether a handle is valid: neither null nor of something that was removed.
     bool contains(BodyId body) const;
+    /// Whether a handle is valid.
     bool contains(ParticleId particle) const;
+    /// Whether a handle is valid.
     bool contains(JointId joint) const;
+    /// Whether a handle is valid.
     bool contains(AttachmentId attachment) const;
+    /// Whether a handle is valid.
     bool contains(FieldId field) const;
+    /// Whether a handle is valid.
     bool contains(GrabId grab) const;
 
     // --- looking ---------------------------------------------------------------------------
@@ -179,26 +198,43 @@ public:
     const Field& field(FieldId id) const;
     /// Grabs, oldest first.
     std::vector<GrabId> grabs() const;
+    /// The body of a handle.
     Body body(BodyId body);
     /// Particles of a body in the order of its blueprint. Valid until it changes.
     std::span<const ParticleId> particles(BodyId body) const;
     /// Joints of a body in the order of its blueprint, without those that are gone.
     std::span<const JointId> joints(BodyId body) const;
+    /// The name of its blueprint. References of this and the next are valid until bodies are
+    /// added or removed.
     const std::string& name(BodyId body) const;
+    /// Who moves a body.
     BodyKind kind(BodyId body) const;
+    /// The surface of a body.
     const Material& material(BodyId body) const;
+    /// What a body collides with.
     const Filter& filter(BodyId body) const;
+    /// What a body wears.
     const std::optional<Skin>& skin(BodyId body) const;
+    /// What setUserData() left there; 0 at first.
     std::uint64_t userData(BodyId body) const;
+    /// The mass-weighted mean place of its particles, metres.
     Point centreOfMass(BodyId body) const;
+    /// The mass-weighted mean velocity of its particles, m/s.
     Vec2 meanVelocity(BodyId body) const;
+    /// The mass of all its particles, kg, pinned ones included.
     Real mass(BodyId body) const;
+    /// Whether a body sleeps: it rests and costs nothing until something wakes it.
     bool asleep(BodyId body) const;
 
+    /// What a particle is.
     ParticleInfo info(ParticleId particle) const;
+    /// What a joint is.
     JointInfo info(JointId joint) const;
+    /// What an attachment is.
     AttachmentInfo info(AttachmentId attachment) const;
+    /// What a grab is.
     GrabInfo info(GrabId grab) const;
+    /// Where a particle is, metres.
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
     /// clock: between the last two ticks' positions, so drawing lags by at most one tick.
@@ -215,21 +251,35 @@ public:
 
     // --- changing --------------------------------------------------------------------------
 
+    /// m/s^2, each axis up to 1e6 either way. A change wakes everything.
     void setGravity(Vec2 gravity);
+    /// m/s^2.
     Vec2 gravity() const;
+    /// 1/s, 0 to the tick rate; see WorldSettings::airFriction.
     void setAirFriction(Real airFriction);
+    /// 1/s.
     Real airFriction() const;
+    /// Changes the surface of a body.
     void setMaterial(BodyId body, const Material& material);
+    /// Changes what a body collides with.
     void setFilter(BodyId body, const Filter& filter);
+    /// Leaves a number with a body, for the caller's use; it is no part of hash().
     void setUserData(BodyId body, std::uint64_t data);
+    /// N/m, 0 to `infinite`.
     void setStiffness(JointId joint, Real stiffness);
+    /// N s/m, 0 to 1e12.
     void setDamping(JointId joint, Real damping);
+    /// Metres, 0 to 1e9; above 0 for a joint that is rigid or collides.
     void setRestLength(JointId joint, Real restLength);
+    /// N, 0 to `infinite`.
     void setStrength(JointId joint, Real strength);
+    /// kg, 1e-9 to 1e12.
     void setMass(ParticleId particle, Real mass);
     /// Moves a particle without giving it velocity.
     void setPosition(ParticleId particle, Point position);
+    /// m/s, each axis up to 2000 either way. Not for fixed bodies; nothing for pinned particles.
     void setVelocity(ParticleId particle, Vec2 velocity);
+    /// The same for all particles of a body.
     void setVelocity(BodyId body, Vec2 velocity);
     /// Adds a force, in newtons, that acts during the next tick only.
     void applyForce(ParticleId particle, Vec2 force);
@@ -245,11 +295,15 @@ public:
 
     /// Advances by exactly one tick.
     void step();
+    /// Ticks since the world was made.
     std::uint64_t ticks() const;
     double time() const;        ///< seconds since the world was made
     Real tickDuration() const;  ///< seconds
+    /// What the world was made with; gravity and air friction as they are now.
     const WorldSettings& settings() const;
+    /// What happened in the last tick. Valid until the next.
     const Events& events() const;
+    /// What the last tick did.
     const Statistics& statistics() const;
     /// Whether statistics() also measures the time of each stage. It does not affect results.
     void setProfiling(bool on);

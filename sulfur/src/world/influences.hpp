@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <sulfur/fields.hpp>
 #include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
@@ -56,6 +57,8 @@ struct Influences {
     Slots<GrabId> grabSlots;
 
     bool empty() const { return fields.empty() && grabs.empty(); }
+    /// The first broken invariant, or "".
+    std::string validate() const;
 
     template <class Archive>
     void archive(Archive& a) {

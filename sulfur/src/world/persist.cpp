@@ -151,7 +151,7 @@ void World::restore(const Snapshot& snapshot) {
     auto fresh = std::make_unique<Impl>();
     detail::archiveAll(reader, fresh->state);
     const std::string broken = detail::validateParticles(fresh->state);
-    if (!reader.finished() || !broken.empty())
+    if (!reader.finished() || !broken.empty() || !fresh->state.influences.validate().empty())
         throw Error(ErrorCode::badSnapshot,
                     "the snapshot is damaged; allowed is one that "
                     "World::snapshot made");
@@ -163,7 +163,7 @@ std::string World::validate() const {
     for (const auto check :
          {detail::validateParticles, detail::validateJoints, detail::validateBodies})
         if (std::string broken = check(impl_->state); !broken.empty()) return broken;
-    return {};
+    return impl_->state.influences.validate();
 }
 
 }  // namespace sulfur

@@ -154,5 +154,28 @@ TEST(Grab, BelongsToTheState) {
     EXPECT_EQ(world.hash(), other.hash());
 }
 
+TEST(Grab, InADamagedSnapshotIsRefusedOrHarmless) {
+    World world;
+    const Body box = world.add(shapes::box());
+    world.grab(box, {Real(0.1), 0}, {1, 1});
+    world.add(WindField{.zone = CircleZone{{0, 0}, 2}});
+    const Snapshot good = world.snapshot();
+    // The end of a snapshot is about fields and grabs.
+    int refused = 0;
+    for (std::size_t back = 1; back <= 210; ++back) {
+        Snapshot bad = good;
+        bad[bad.size() - back] ^= std::byte{0x41};
+        World other;
+        try {
+            other.restore(bad);
+        } catch (const Error& error) {
+            EXPECT_EQ(static_cast<int>(error.code()), static_cast<int>(ErrorCode::badSnapshot));
+            ++refused;
+        }
+        EXPECT_EQ(other.validate(), "") << back;
+    }
+    EXPECT_GT(refused, 30);
+}
+
 }  // namespace
 }  // namespace sulfur

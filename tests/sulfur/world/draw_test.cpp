@@ -43,7 +43,8 @@ struct Drawn : testing::Test {
     Body floor = world.add(shapes::floor({-5, 0}, {5, 0}));
     Body box = world.add(shapes::box(), {.position = {0, 0.56}});
     Body ball = world.add(shapes::ball({.radius = Real(0.3)}), {.position = {2, 0.35}});
-    Body rope = world.add(shapes::rope({.from = {0, 4}, .to = {0, 2}, .links = 4}));
+    Body rope = world.add(shapes::rope({.from = {0, 4}, .to = {0, Real(0.86)}, .links = 4}));
+    Body pebble = world.add(shapes::ball({.radius = Real(0.2)}), {.position = {-4, 0.25}});
     JointId tie = world.connect(rope.front(), ball[0], {.radius = Real(0.01)});
     AttachmentId hook = world.attach(rope.back(), box, {0, Real(0.3)});
     FieldId wind = world.add(WindField{});
@@ -54,7 +55,7 @@ struct Drawn : testing::Test {
 TEST_F(Drawn, EverythingIsShownWhereItIs) {
     Recorder seen;
     world.draw(seen);
-    ASSERT_EQ(seen.bodies.size(), 4u);
+    ASSERT_EQ(seen.bodies.size(), 5u);
     EXPECT_EQ(seen.bodies[0].kind, BodyKind::fixed);
     EXPECT_EQ(seen.bodies[1].id, box.id());
     EXPECT_NEAR((seen.bodies[1].centreOfMass - world.centreOfMass(box)).norm(), 0, 1e-9);
@@ -66,13 +67,13 @@ TEST_F(Drawn, EverythingIsShownWhereItIs) {
     EXPECT_EQ(seen.bodies[1].low, low);
     EXPECT_EQ(seen.bodies[1].high, high);
 
-    ASSERT_EQ(seen.particles.size(), 2 + 5 + 1 + 5u);
+    ASSERT_EQ(seen.particles.size(), 2 + 5 + 1 + 5 + 1u);
     for (const auto& p : seen.particles) {
         EXPECT_EQ(p.place, world.position(p.id));
         EXPECT_EQ(p.velocity, world.velocity(p.id));
         EXPECT_EQ(p.body, world.info(p.id).body);
     }
-    ASSERT_EQ(seen.discs.size(), 1u);
+    ASSERT_EQ(seen.discs.size(), 2u);
     EXPECT_EQ(seen.discs[0].radius, Real(0.3));
 
     ASSERT_EQ(seen.joints.size(), 1 + 10 + 4 + 1u);
@@ -119,7 +120,7 @@ TEST_F(Drawn, OptionsLeaveThingsOut) {
                        .attachments = false,
                        .fields = false,
                        .grabs = false});
-    EXPECT_EQ(discs.count(), 1u);
+    EXPECT_EQ(discs.count(), 2u);
 }
 
 TEST_F(Drawn, OnlyWhatIsInViewIsShown) {

@@ -1,4 +1,5 @@
-// All of sulfur::scene.
+/// \file
+/// All of sulfur::scene.
 #pragma once
 
 #include <sulfur/scene/document.hpp>

@@ -1,5 +1,6 @@
-// A JSON text that knows its lines: what scenes, blueprints and every other file of strangers are
-// read through.
+/// \file
+/// A JSON text that knows its lines: what scenes, blueprints and every other file of strangers are
+/// read through.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ public:
     /// `line` 0: the file as a whole; `object` empty: no object in particular.
     ReadError(std::string file, int line, std::string object, std::string message);
 
-    const std::string& file() const { return file_; }
+    const std::string& file() const { return file_; }        ///< as it was given
     int line() const { return line_; }                       ///< counted from 1; 0: the whole file
     const std::string& object() const { return object_; }    ///< an id, a name or a path; may be ""
     const std::string& message() const { return message_; }  ///< what() without the above
@@ -37,9 +38,9 @@ private:
 
 /// What a text may be at most. Everything beyond is refused before it costs memory or time.
 struct DocumentLimits {
-    std::size_t bytes = std::size_t{4} << 20;
-    std::size_t values = 1'000'000;  ///< numbers, strings, arrays, ... in all
-    int depth = 32;                  ///< arrays and objects inside each other
+    std::size_t bytes = std::size_t{4} << 20;  ///< of the text
+    std::size_t values = 1'000'000;            ///< numbers, strings, arrays, ... in all
+    int depth = 32;                            ///< arrays and objects inside each other
 };
 
 /// Where a text comes from, for messages.
@@ -49,13 +50,16 @@ struct Origin {
     std::string object;  ///< name of the text's outermost value, when it is a part of a file
 };
 
+/// What kind of JSON value it is.
 enum class ValueType : std::uint8_t { null, boolean, number, string, array, object };
 
 /// One value of a Document. A small handle: copy it freely; valid while its document is alive.
 /// Every function that cannot do what it promises throws ReadError with the value's line.
 class Node {
 public:
+    /// What kind of value it is.
     ValueType type() const;
+    /// Where it begins in its file, counted from 1.
     int line() const;
     /// The value exactly as it is written in the file.
     std::string_view text() const;
@@ -66,6 +70,7 @@ public:
     /// "is 7; allowed is 0 to 3".
     [[noreturn]] void fail(const std::string& problem) const;
 
+    /// True or false.
     bool boolean() const;
     /// A finite number from `low` to `high`.
     double number(double low, double high) const;
@@ -81,6 +86,7 @@ public:
     std::size_t choice(std::initializer_list<std::string_view> words) const;
     /// `[x, y]`, both within -limit to limit.
     Vec2 vec2(double limit) const;
+    /// The same in double precision.
     Point point(double limit) const;
 
     /// The members of an array that has `least` to `most` of them.
@@ -121,7 +127,9 @@ public:
     /// Reads and parses a file; throws ReadError also when it cannot be read.
     static Document read(const std::filesystem::path& file, const DocumentLimits& limits = {});
 
+    /// The outermost value.
     Node root() const;
+    /// Where the text came from.
     const Origin& origin() const;
 
 private:

@@ -1,4 +1,5 @@
-// What a reader does not know: kept, so that it can be written back.
+/// \file
+/// What a reader does not know: kept, so that it can be written back.
 #pragma once
 
 #include <map>
@@ -10,7 +11,7 @@ namespace sulfur::scene {
 
 /// A member of a JSON object that sulfur::scene has no use for.
 struct ExtraMember {
-    std::string key;
+    std::string key;   ///< its name
     std::string json;  ///< the value exactly as it was written
     int line = 0;      ///< of the file it was read from, counted from 1
 };

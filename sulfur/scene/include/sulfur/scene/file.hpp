@@ -1,4 +1,5 @@
-// Scenes and blueprints to and from files. The format is version 1 of scene.schema.json.
+/// \file
+/// Scenes and blueprints to and from files. The format is version 1 of scene.schema.json.
 #pragma once
 
 #include <filesystem>
@@ -17,6 +18,7 @@ public:
 
 /// Reads a scene, checking all of it first: instantiate() takes what comes back. Throws ReadError.
 Scene read(const std::filesystem::path& file);
+/// The same from a text; `fileName` is for messages.
 Scene parse(std::string_view text, std::string fileName);
 
 /// The scene as the text of a file. parse(format(s)) gives s again, number for number, and
@@ -30,8 +32,11 @@ void write(const Scene& scene, const std::filesystem::path& file);
 
 /// The same for one blueprint in a file of its own.
 Prefab readBlueprint(const std::filesystem::path& file);
+/// The same from a text; `fileName` is for messages.
 Prefab parseBlueprint(std::string_view text, std::string fileName);
+/// The text of a blueprint file.
 std::string format(const Prefab& prefab);
+/// Writes a blueprint file, as write() does a scene.
 void writeBlueprint(const Prefab& prefab, const std::filesystem::path& file);
 
 /// Writes any text in this safe way: new file, fsync, rename, one backup. Throws WriteError.

@@ -1,4 +1,5 @@
-// From a scene to a running world, and back.
+/// \file
+/// From a scene to a running world, and back.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// A named blueprint in a file: explicit, or made by one of the ready-made shapes.
+/// \file
+/// A named blueprint in a file: explicit, or made by one of the ready-made shapes.
 #pragma once
 
 #include <string>
@@ -11,10 +12,10 @@ namespace sulfur::scene {
 
 /// shapes::floor's parameters as one thing.
 struct FloorOptions {
-    Vec2 from{-10, 0};
-    Vec2 to{10, 0};
+    Vec2 from{-10, 0};         ///< metres
+    Vec2 to{10, 0};            ///< metres
     Real radius = Real(0.05);  ///< metres, > 0: half the thickness
-    Material material;
+    Material material;         ///< of the surface
 };
 
 /// The recipe of a generated blueprint; std::monostate: none, it is explicit.
@@ -42,7 +43,7 @@ struct Prefab {
     Generator generator;
     /// The skin was made by fitSkin: only its texture is written.
     bool skinFitted = false;
-    ExtraTree extra;
+    ExtraTree extra;  ///< unknown members
 };
 
 /// A prefab made by `generator`, with a fitted skin when `texture` is not empty.

@@ -1,4 +1,5 @@
-// A scene: everything that a world begins with, as plain data.
+/// \file
+/// A scene: everything that a world begins with, as plain data.
 #pragma once
 
 #include <optional>
@@ -14,10 +15,10 @@ namespace sulfur::scene {
 
 /// Bounds of what a file may contain.
 struct Limits {
-    static constexpr std::size_t particles = 20'000;  ///< of all bodies, and of all blueprints
-    static constexpr std::size_t joints = 60'000;     ///< the same, connections included
-    static constexpr std::size_t bodies = 20'000;
-    static constexpr std::size_t fields = 1'000;
+    static constexpr std::size_t particles = 20'000;   ///< of all bodies, and of all blueprints
+    static constexpr std::size_t joints = 60'000;      ///< the same, connections included
+    static constexpr std::size_t bodies = 20'000;      ///< of a scene
+    static constexpr std::size_t fields = 1'000;       ///< of a scene
     static constexpr double coordinate = 1'000;        ///< metres, either way
     static constexpr double speed = 2'000;             ///< m/s
     static constexpr double smallestMass = 1e-9;       ///< kg, of a particle
@@ -39,62 +40,66 @@ struct BodyState {
 
 /// One body: an instance of a prefab.
 struct Placement {
-    std::string id;         ///< unique in the scene; stays the same when others come and go
-    std::string blueprint;  ///< name of a prefab of the scene
-    Pose pose;
-    Vec2 velocity{0, 0};  ///< of the whole body at the start
-    /// Where given, instead of what the prefab says.
-    std::optional<BodyKind> kind;
-    std::optional<Material> material;
-    std::optional<Filter> filter;
-    std::optional<BodyState> state;  ///< instead of pose and velocity
-    ExtraTree extra;
+    std::string id;                ///< unique in the scene; stays the same when others come and go
+    std::string blueprint;         ///< name of a prefab of the scene
+    Pose pose;                     ///< where the blueprint's frame is
+    Vec2 velocity{0, 0};           ///< of the whole body at the start
+    std::optional<BodyKind> kind;  ///< where given, instead of what the prefab says
+    std::optional<Material> material;  ///< where given, instead of what the prefab says
+    std::optional<Filter> filter;      ///< where given, instead of what the prefab says
+    std::optional<BodyState> state;    ///< instead of pose and velocity
+    ExtraTree extra;                   ///< unknown members
 };
 
 /// A particle of a body of the scene.
 struct ParticleRef {
-    std::string body;  ///< id of a placement
-    std::uint32_t particle = 0;
+    std::string body;            ///< id of a placement
+    std::uint32_t particle = 0;  ///< its place in the body's blueprint
 };
 
 /// A joint between two bodies.
 struct Connection {
-    ParticleRef a, b;
-    ConnectOptions options;
-    Extra extra;
+    ParticleRef a;           ///< one end
+    ParticleRef b;           ///< the other end
+    ConnectOptions options;  ///< what it is made of
+    Extra extra;             ///< unknown members
 };
 
 /// A particle that is held at a point of a body.
 struct Attachment {
-    ParticleRef particle;
-    std::string body;  ///< id of a placement
-    Vec2 point{0, 0};  ///< metres, in the frame of the body's blueprint
-    Extra extra;
+    ParticleRef particle;  ///< what is held
+    std::string body;      ///< id of a placement
+    Vec2 point{0, 0};      ///< metres, in the frame of the body's blueprint
+    Extra extra;           ///< unknown members
 };
 
 /// A force field.
 struct SceneField {
-    Field field;
-    ExtraTree extra;
+    Field field;      ///< what it is
+    ExtraTree extra;  ///< unknown members
 };
 
 /// A whole scene file.
 struct Scene {
-    std::string title;
-    std::string description;
-    WorldSettings settings;
-    std::vector<Prefab> blueprints;
-    std::vector<Placement> bodies;
-    std::vector<Connection> connections;
-    std::vector<Attachment> attachments;
-    std::vector<SceneField> fields;
-    Extra settingsExtra;  ///< unknown members of "world"
-    Extra extra;          ///< unknown top-level members, such as the game's "level"
-    std::string file;     ///< what it was read from, for messages
+    std::string title;                    ///< for people
+    std::string description;              ///< for people
+    WorldSettings settings;               ///< what its world is made with
+    std::vector<Prefab> blueprints;       ///< each name once
+    std::vector<Placement> bodies;        ///< each id once
+    std::vector<Connection> connections;  ///< joints between bodies
+    std::vector<Attachment> attachments;  ///< particles held at bodies
+    std::vector<SceneField> fields;       ///< force fields
+    Extra settingsExtra;                  ///< unknown members of "world"
+    Extra extra;                          ///< unknown top-level members, such as the game's "level"
+    std::string file;                     ///< what it was read from, for messages
 
+    /// The prefab of a name, or null.
     const Prefab* prefab(std::string_view name) const;
+    /// The prefab of a name, or null.
     Prefab* prefab(std::string_view name);
+    /// The body of an id, or null.
     const Placement* body(std::string_view id) const;
+    /// The body of an id, or null.
     Placement* body(std::string_view id);
     /// `base` if no body has this id, otherwise base2, base3, ...
     std::string freeId(const std::string& base) const;
