@@ -25,10 +25,26 @@ struct JointBroken {
     Real force = 0;      ///< newtons at which it broke
 };
 
+/// A body whose joints broke has fallen apart: what no joint of its own connects any more became a
+/// body of its own, with the same material, filter, name and user data.
+struct BodySplit {
+    BodyId body = {};   ///< the heaviest part, which keeps the old handle
+    BodyId piece = {};  ///< the new one
+};
+
+/// A particle lost its last joint and has no radius of its own, so it is gone.
+struct ParticleLost {
+    ParticleId particle = {};  ///< no longer valid; for comparison only
+    BodyId body = {};          ///< whose it was; no longer valid if that was its last particle
+    Point point{0, 0};         ///< metres: where it was
+};
+
 /// Events of one tick, in a fixed order; overwritten by the next World::step.
 struct Events {
     std::vector<ContactBegun> contactsBegun = {};  ///< bodies that began to touch
     std::vector<JointBroken> jointsBroken = {};    ///< joints that broke
+    std::vector<BodySplit> bodiesSplit = {};       ///< bodies that fell apart
+    std::vector<ParticleLost> particlesLost = {};  ///< particles left without a joint
 };
 
 }  // namespace sulfur

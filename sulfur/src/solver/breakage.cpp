@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "solver/stages.hpp"
+#include "world/split.hpp"
 
 namespace sulfur::detail {
 
@@ -22,15 +23,24 @@ JointBroken describe(const State& state, std::uint32_t j) {
 
 void breakJoints(State& state) {
     state.events.jointsBroken.clear();
+    state.events.bodiesSplit.clear();
+    state.events.particlesLost.clear();
     const Joints& joints = state.joints;
     for (const auto j : state.work.breakableJoints)
         if (std::abs(joints.force[j]) > joints.strength[j])
             state.events.jointsBroken.push_back(describe(state, j));
     if (state.events.jointsBroken.empty()) return;
     Removal removal(state);
-    for (const JointBroken& broken : state.events.jointsBroken)
-        removal.joints[state.jointSlots.dense(broken.joint)] = true;
+    std::vector<ParticleId> ends;
+    for (const JointBroken& broken : state.events.jointsBroken) {
+        const auto j = state.jointSlots.dense(broken.joint);
+        removal.joints[j] = true;
+        if (joints.body[j] == none) continue;
+        ends.push_back(state.particles.id[joints.a[j]]);
+        ends.push_back(state.particles.id[joints.b[j]]);
+    }
     compact(state, removal);
+    splitBodies(state, ends);
 }
 
 }  // namespace sulfur::detail

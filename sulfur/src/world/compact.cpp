@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "trees/tree_solver.hpp"
+#include "world/skins.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -68,6 +69,8 @@ void squeezeBodies(State& state, const Removal& removal) {
     state.bodyIds.clear();
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
         BodyRecord& body = state.bodies[i];
+        cutSkin(body,
+                [&](std::size_t k) { return state.particleSlots.contains(body.particles[k]); });
         std::erase_if(body.particles,
                       [&](ParticleId id) { return !state.particleSlots.contains(id); });
         std::erase_if(body.joints, [&](JointId id) { return !state.jointSlots.contains(id); });
@@ -87,22 +90,25 @@ void squeezeParticles(State& state, const Removal& removal,
     }
 }
 
-void squeezeJoints(State& state, const Removal& removal, const std::vector<std::uint32_t>& newBody,
-                   const std::vector<std::uint32_t>& newParticle) {
+void squeezeJoints(State& state, const Removal& removal,
+                   const std::vector<std::uint32_t>& newBody) {
     Joints& joints = state.joints;
     joints.forEachArray([&](auto& list) { squeeze(list, removal.joints); });
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
-        joints.a[j] = newParticle[joints.a[j]];
-        joints.b[j] = newParticle[joints.b[j]];
         if (joints.body[j] != none) joints.body[j] = newBody[joints.body[j]];
         state.jointSlots.move(joints.id[j], j);
     }
 }
 
+void squeezeAttachments(State& state, const Removal& removal) {
+    squeeze(state.attachments, removal.attachments);
+    for (std::uint32_t i = 0; i < state.attachments.size(); ++i)
+        state.attachmentSlots.move(state.attachments[i].id, i);
+}
+
 /// Clusters of bodies that changed are dropped; they are found again with the structure.
 void squeezeClusters(State& state, const Removal& removal,
-                     const std::vector<std::uint32_t>& newBody,
-                     const std::vector<std::uint32_t>& newParticle) {
+                     const std::vector<std::uint32_t>& newBody) {
     const Clusters before = std::move(state.clusters);
     state.clusters = {};
     Clusters& after = state.clusters;
@@ -112,45 +118,56 @@ void squeezeClusters(State& state, const Removal& removal,
         if (removal.bodies[cluster.body]) continue;
         cluster.body = newBody[cluster.body];
         if (state.bodies[cluster.body].clustersStale) continue;
-        const auto first = static_cast<std::uint32_t>(after.members.size());
-        for (auto k = cluster.first; k < cluster.last; ++k) {
-            after.members.push_back(newParticle[before.members[k]]);
-            after.places.push_back(before.places[k]);
-        }
-        cluster.first = first;
+        const auto from = cluster.first, to = cluster.last;
+        cluster.first = static_cast<std::uint32_t>(after.members.size());
+        after.members.insert(after.members.end(), before.members.begin() + from,
+                             before.members.begin() + to);
+        after.places.insert(after.places.end(), before.places.begin() + from,
+                            before.places.begin() + to);
         cluster.last = static_cast<std::uint32_t>(after.members.size());
         newCluster[c] = static_cast<std::uint32_t>(after.list.size());
         after.list.push_back(cluster);
     }
-    for (const Hinge& hinge : before.hinges)
-        if (newCluster[hinge.cluster] != none)
-            after.hinges.push_back(
-                {newCluster[hinge.cluster], newParticle[hinge.particle], hinge.place});
+    for (Hinge hinge : before.hinges) {
+        if (newCluster[hinge.cluster] == none) continue;
+        hinge.cluster = newCluster[hinge.cluster];
+        after.hinges.push_back(hinge);
+    }
     for (auto& cluster : state.particles.cluster)
         if (cluster != none) cluster = newCluster[cluster];
 }
 
-void squeezeContactMemory(State& state, const std::vector<std::uint32_t>& newParticle) {
-    for (ContactMemory& m : state.contactMemory)
-        for (auto* p : {&m.particle, &m.a, &m.b}) *p = newParticle[*p];
-    std::erase_if(state.contactMemory, [](const ContactMemory& m) {
-        return m.particle == none || m.a == none || m.b == none;
-    });
-}
+}  // namespace
 
-void squeezeAttachments(State& state, const Removal& removal,
-                        const std::vector<std::uint32_t>& newParticle) {
-    squeeze(state.attachments, removal.attachments);
-    for (std::uint32_t i = 0; i < state.attachments.size(); ++i) {
-        Attachment& held = state.attachments[i];
-        held.particle = newParticle[held.particle];
-        for (std::uint32_t k = 0; k < held.count; ++k)
-            held.support[k] = newParticle[held.support[k]];
-        state.attachmentSlots.move(held.id, i);
+void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex) {
+    const auto renumber = [&](std::uint32_t& i) {
+        if (i != none) i = newIndex[i];
+    };
+    for (auto* ends : {&state.joints.a, &state.joints.b})
+        std::for_each(ends->begin(), ends->end(), renumber);
+    for (Attachment& held : state.attachments) {
+        renumber(held.particle);
+        std::for_each(held.support.begin(), held.support.end(), renumber);
+    }
+    std::for_each(state.clusters.members.begin(), state.clusters.members.end(), renumber);
+    for (Hinge& hinge : state.clusters.hinges) renumber(hinge.particle);
+    std::for_each(state.fresh.begin(), state.fresh.end(), renumber);
+    std::erase(state.fresh, none);
+    const auto gone = [](const auto& c) {
+        return c.particle == none || c.a == none || c.b == none;
+    };
+    for (ContactMemory& m : state.contactMemory)
+        for (auto* p : {&m.particle, &m.a, &m.b}) renumber(*p);
+    std::erase_if(state.contactMemory, gone);
+    std::sort(state.contactMemory.begin(), state.contactMemory.end());
+    for (Contact& c : state.contacts)
+        for (auto* p : {&c.particle, &c.a, &c.b}) renumber(*p);
+    std::erase_if(state.contacts, gone);
+    for (Contact& c : state.contacts) {
+        c.bodyA = state.particles.body[c.particle];
+        c.bodyB = state.particles.body[c.a];
     }
 }
-
-}  // namespace
 
 void compact(State& state, Removal& removal) {
     dissolveTrees(state);
@@ -161,17 +178,14 @@ void compact(State& state, Removal& removal) {
     const auto newParticle = renumber(removal.particles);
     const bool particlesGo = std::find(removal.particles.begin(), removal.particles.end(), true) !=
                              removal.particles.end();
+    squeezeJoints(state, removal, newBody);
+    squeezeAttachments(state, removal);
+    squeezeBodies(state, removal);
+    squeezeClusters(state, removal, newBody);
     if (particlesGo) {
         squeezeParticles(state, removal, newBody);
-        for (auto& i : state.fresh) i = newParticle[i];
-        std::erase(state.fresh, none);
-        state.contacts.clear();
-        squeezeContactMemory(state, newParticle);
+        renumberParticles(state, newParticle);
     }
-    squeezeJoints(state, removal, newBody, newParticle);
-    squeezeAttachments(state, removal, newParticle);
-    squeezeBodies(state, removal);
-    squeezeClusters(state, removal, newBody, newParticle);
     state.structure.stale = true;
     state.broad.collidersStale = true;
 }

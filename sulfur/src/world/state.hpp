@@ -113,6 +113,10 @@ struct Removal {
 };
 void compact(State& state, Removal& removal);
 
+/// All that names particles by their index follows them to new ones, except the arrays themselves.
+/// Trees must have been dissolved. `none`: the particle is gone.
+void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex);
+
 /// Gives the particles of a body the inverse masses that its kind, their masses and pins demand.
 void restoreInverseMass(State& state, std::uint32_t body);
 

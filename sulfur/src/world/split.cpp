@@ -1,0 +1,183 @@
+#include "world/split.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/disjoint_sets.hpp"
+#include "world/skins.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Particles of a body that its joints connect, in groups; by the lowest particle of each.
+using Groups = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
+Groups groupsOf(const State& state, std::uint32_t index) {
+    const BodyRecord& body = state.bodies[index];
+    DisjointSets sets(body.particles.size());
+    for (const JointId id : body.joints) {
+        const auto j = state.jointSlots.dense(id);
+        sets.unite(state.joints.a[j] - body.firstParticle, state.joints.b[j] - body.firstParticle);
+    }
+    Groups groups;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k)
+        groups[sets.find(k)].push_back(body.firstParticle + k);
+    return groups;
+}
+
+double massOf(const State& state, const std::vector<std::uint32_t>& particles) {
+    double sum = 0;
+    for (const auto i : particles) sum += static_cast<double>(state.particles.mass[i]);
+    return sum;
+}
+
+/// Whether something else than the joints of its body holds a particle.
+bool isHeld(const State& state, std::uint32_t particle) {
+    const Joints& joints = state.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (joints.a[j] == particle || joints.b[j] == particle) return true;
+    return std::any_of(
+        state.attachments.begin(), state.attachments.end(), [&](const Attachment& held) {
+            return held.particle == particle || std::find(held.support.begin(), held.support.end(),
+                                                          particle) != held.support.end();
+        });
+}
+
+bool isLost(const State& state, const std::vector<std::uint32_t>& group) {
+    return group.size() == 1 && state.particles.radius[group[0]] == 0 && !isHeld(state, group[0]);
+}
+
+/// The pieces that the broken joints have set free, in the order of their particles. Groups at
+/// which nothing broke were apart before and stay.
+struct Breakup {
+    std::vector<std::vector<std::uint32_t>> pieces;
+    std::vector<std::uint32_t> lost;
+};
+
+Breakup breakUp(const State& state, std::uint32_t body, const std::vector<std::uint32_t>& ends) {
+    Groups groups = groupsOf(state, body);
+    if (groups.size() < 2) return {};
+    const auto heaviest =
+        std::max_element(groups.begin(), groups.end(), [&](const auto& a, const auto& b) {
+            return massOf(state, a.second) < massOf(state, b.second);
+        });
+    Breakup result;
+    for (auto& [lowest, group] : groups) {
+        const bool broke = std::any_of(group.begin(), group.end(), [&](std::uint32_t i) {
+            return std::binary_search(ends.begin(), ends.end(), i);
+        });
+        if (!broke) continue;
+        if (isLost(state, group))
+            result.lost.push_back(group[0]);
+        else if (lowest != heaviest->first)
+            result.pieces.push_back(group);
+    }
+    return result;
+}
+
+/// Makes a piece a body at the end of the list. Its particles still stand among those of the body
+/// that it broke from; see reorderParticles().
+void makePiece(State& state, std::uint32_t from, const std::vector<std::uint32_t>& group) {
+    const auto index = static_cast<std::uint32_t>(state.bodies.size());
+    BodyRecord piece = state.bodies[from];
+    piece.id = state.bodySlots.insert(index);
+    piece.clustersStale = true;
+    cutSkin(piece, [&](std::size_t k) {
+        return std::binary_search(group.begin(), group.end(),
+                                  piece.firstParticle + static_cast<std::uint32_t>(k));
+    });
+    piece.particles.clear();
+    piece.joints.clear();
+    for (const auto i : group) {
+        piece.particles.push_back(state.particles.id[i]);
+        state.particles.body[i] = index;
+    }
+    for (const JointId id : state.bodies[from].joints) {
+        const auto j = state.jointSlots.dense(id);
+        if (state.particles.body[state.joints.a[j]] != index) continue;
+        piece.joints.push_back(id);
+        state.joints.body[j] = index;
+    }
+    state.bodies.push_back(std::move(piece));
+    state.bodyIds.push_back(state.bodies.back().id);
+    state.events.bodiesSplit.push_back({state.bodies[from].id, state.bodies.back().id});
+}
+
+/// Takes from a body what has become part of its pieces.
+void shrink(State& state, std::uint32_t index) {
+    BodyRecord& body = state.bodies[index];
+    cutSkin(body,
+            [&](std::size_t k) { return state.particles.body[body.firstParticle + k] == index; });
+    std::erase_if(body.particles, [&](ParticleId id) {
+        return state.particles.body[state.particleSlots.dense(id)] != index;
+    });
+    std::erase_if(body.joints, [&](JointId id) {
+        return state.joints.body[state.jointSlots.dense(id)] != index;
+    });
+    body.clustersStale = true;
+}
+
+/// Puts the particles of every body beside each other again, bodies in their order.
+void reorderParticles(State& state) {
+    std::vector<std::uint32_t> order;
+    order.reserve(state.particles.size());
+    for (BodyRecord& body : state.bodies) {
+        const auto first = static_cast<std::uint32_t>(order.size());
+        for (const ParticleId id : body.particles) order.push_back(state.particleSlots.dense(id));
+        body.firstParticle = first;
+    }
+    std::vector<std::uint32_t> newIndex(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) newIndex[order[i]] = i;
+    state.particles.forEachArray([&](auto& list) {
+        auto moved = list;
+        for (std::size_t i = 0; i < order.size(); ++i) moved[i] = list[order[i]];
+        list = std::move(moved);
+    });
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        state.particleSlots.move(state.particles.id[i], i);
+    renumberParticles(state, newIndex);
+}
+
+}  // namespace
+
+void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
+    std::vector<std::uint32_t> ends, broken;
+    for (const ParticleId id : brokenEnds) {
+        ends.push_back(state.particleSlots.dense(id));
+        broken.push_back(state.particles.body[ends.back()]);
+    }
+    for (auto* list : {&ends, &broken}) {
+        std::sort(list->begin(), list->end());
+        list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    Removal removal(state);
+    bool anyLost = false, anySplit = false;
+    for (const auto body : broken) {
+        const Breakup result = breakUp(state, body, ends);
+        for (const auto i : result.lost) {
+            removal.particles[i] = anyLost = true;
+            state.events.particlesLost.push_back(
+                {state.particles.id[i], state.bodies[body].id, state.particles.position[i]});
+        }
+        for (const auto& group : result.pieces) makePiece(state, body, group);
+        anySplit |= !result.pieces.empty();
+        if (!result.pieces.empty()) shrink(state, body);
+    }
+    std::vector<ParticleId> lost;
+    for (std::size_t i = 0; i < removal.particles.size(); ++i)
+        if (removal.particles[i]) lost.push_back(state.particles.id[i]);
+    if (anySplit) reorderParticles(state);
+    if (!anyLost) return;
+    Removal gone(state);
+    for (const ParticleId id : lost) gone.particles[state.particleSlots.dense(id)] = true;
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        const BodyRecord& body = state.bodies[i];
+        const auto from = gone.particles.begin() + body.firstParticle;
+        const auto to = from + static_cast<std::ptrdiff_t>(body.particles.size());
+        gone.bodies[i] = std::find(from, to, false) == to;
+    }
+    compact(state, gone);
+}
+
+}  // namespace sulfur::detail

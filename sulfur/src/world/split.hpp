@@ -1,0 +1,13 @@
+// Bodies that fall apart.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// After joints between the given particles broke: what their bodies' joints no longer connect
+/// becomes bodies of its own, and a particle without joints and radius goes. Tells so in
+/// State::events.
+void splitBodies(State& state, const std::vector<ParticleId>& ends);
+
+}  // namespace sulfur::detail
