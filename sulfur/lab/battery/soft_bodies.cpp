@@ -69,7 +69,7 @@ RandomLatticeResult releaseLattice(const RandomLattice& options, const Setup& se
         budget += static_cast<double>(world.info(id).mass) *
                   (v.squaredNorm() / 2 + standardGravity * (x.y() + x.norm()));
     }
-    const double start = world.energy();
+    const double start = world.energy();  // at rest length: no joint is stretched
     EnergyMeter meter;
     double gain = -1;
     for (int second = 0; second < std::lround(options.seconds); ++second) {
@@ -77,7 +77,7 @@ RandomLatticeResult releaseLattice(const RandomLattice& options, const Setup& se
         long count = 0;
         for (int tick = 0; tick < setup.tickRate; ++tick) {
             world.step();
-            const auto energy = meter.add(world, body.particles());
+            const auto energy = meter.add(world, body);
             if (!energy) continue;
             sum += *energy;
             ++count;
