@@ -165,7 +165,7 @@ std::string asSvg(const WorkPrecision& work) {
                            false,
                            {}});
     if (work.scene.hasRigidJoints())
-        plot.series.push_back({"springs stand for rigid joints,", "none", false, false, false, {}});
+        plot.series.push_back({"springs for rigid joints,", "none", false, false, false, {}});
     if (work.scene.hasRigidJoints())
         plot.series.push_back({"except in World", "none", false, false, false, {}});
     return draw(plot);

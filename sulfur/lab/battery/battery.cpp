@@ -30,8 +30,8 @@ Rows fall(const Setup& setup) {
 
 Rows springs(const Setup& setup) {
     Rows rows;
-    for (const double angle : {0.01, 0.1, 0.5, 1.0, 1.5, 1.7})
-        append(rows, undampedSpring(angle, 100, setup));
+    for (const double share : {0.01, 0.1, 0.5, 0.999})
+        append(rows, undampedSpring(share * explicitRange(setup), 100, setup));
     rows.push_back(dampedSpring(100, 0.2, setup));
     rows.push_back(dampedSpring(100, 2, setup));
     rows.push_back(dampedSpring(1e4, 2, setup));

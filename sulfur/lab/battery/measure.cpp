@@ -49,16 +49,26 @@ double worst(double a, double b) {
     return std::isnan(a) || a > b ? a : b;
 }
 
-std::optional<double> EnergyMeter::add(const World& world, std::span<const ParticleId> particles) {
-    double kinetic = 0;
-    for (const ParticleId id : particles) {
+std::optional<double> EnergyMeter::add(const World& world, Body body) {
+    const Vec gravity = world.gravity().cast<double>();
+    double kinetic = 0, potential = 0;
+    for (const ParticleId id : body.particles()) {
         const ParticleInfo p = world.info(id);
-        if (!p.pinned)
-            kinetic += static_cast<double>(p.mass) / 2 * p.velocity.cast<double>().squaredNorm();
+        if (p.pinned) continue;
+        const double mass = static_cast<double>(p.mass);
+        kinetic += mass / 2 * p.velocity.cast<double>().squaredNorm();
+        potential -= mass * gravity.dot(p.position);
+    }
+    for (const JointId id : body.joints()) {
+        const JointInfo joint = world.info(id);
+        if (joint.stiffness == infinite) continue;
+        const double stretch = (world.position(joint.b) - world.position(joint.a)).norm() -
+                               static_cast<double>(joint.restLength);
+        potential += static_cast<double>(joint.stiffness) / 2 * stretch * stretch;
     }
     std::optional<double> result;
     if (potential_ && kinetic_) result = *potential_ + (*kinetic_ + kinetic) / 2;
-    potential_ = world.energy() - kinetic;
+    potential_ = potential;
     kinetic_ = kinetic;
     return result;
 }

@@ -30,14 +30,15 @@ bool allFinite(const World& world, std::span<const ParticleId> particles);
 /// The larger one; NaN if either is (std::max drops it silently).
 double worst(double a, double b);
 
-/// The energy of a world, J, tick by tick: what World::energy says at the end of a tick has the
-/// velocities of the middle of that tick with the positions of its end. Here the kinetic energy is
-/// the mean of that of the ticks before and after.
+/// The energy of a body with elastic joints, J, at the end of a tick: its kinetic part is the mean
+/// of that of the ticks before and after. World::energy looks at the middle of a step instead,
+/// which suits rigid joints; but there a turning joint is a little shorter than at the ends of the
+/// step, which counts for much where the joint is stiff.
 class EnergyMeter {
 public:
-    /// Call after every tick. Returns the energy at the end of the tick before, from the third
+    /// Call after every tick. Returns the energy at the end of the tick before, from the second
     /// call on; nothing before that.
-    std::optional<double> add(const World& world, std::span<const ParticleId> particles);
+    std::optional<double> add(const World& world, Body body);
 
 private:
     std::optional<double> potential_, kinetic_;

@@ -30,10 +30,8 @@ class EnergyRange {
 public:
     EnergyRange(double budget, int tickRate)
         : budget_(budget), window_(std::max(1, tickRate / 20)) {}
-    void add(const World& world, Body body) {
-        const auto energy = meter_.add(world, body.particles());
-        if (!energy) return;
-        sum_ += *energy;
+    void add(const World& world) {
+        sum_ += world.energy();
         if (++count_ < window_) return;
         const double mean = sum_ / count_ / budget_;
         lost = worst(lost, -mean);
@@ -43,7 +41,6 @@ public:
     double lost = 0, gained = 0;
 
 private:
-    EnergyMeter meter_;
     double budget_, sum_ = 0;
     int window_, count_ = 0;
 };
@@ -88,7 +85,7 @@ Rows releaseRope(const RopeRelease& options, const Setup& setup) {
             const double now = (world.position(body[j + 1]) - world.position(body[j])).norm();
             stretch = worst(stretch, std::abs(now / options.linkLength - 1));
         }
-        if (options.accurate) energy.add(world, body);
+        if (options.accurate) energy.add(world);
         const auto n = static_cast<std::size_t>(tick);
         if (n < way.states.size())
             away = worst(away, (world.position(body.back()) - way.states[n].x.back()).norm());

@@ -19,7 +19,7 @@ struct RopeRelease {
 /// Rows:
 /// - the largest |length / rest length - 1| of any link after any tick; bound stretchBound;
 /// - how many particles are not finite in the end: none;
-/// and, when accurate, with the energy averaged over 0.05 s (its kinetic part as EnergyMeter says),
+/// and, when accurate, with the energy averaged over 0.05 s (as World::energy says),
 /// as a share of the weight times the way from the start to hanging straight down:
 /// - the largest energy lost, at most 5 %, and gained, at most 2 %;
 /// - the largest distance of the load from a converged reference (ChainReference) until it turns

@@ -31,9 +31,8 @@ struct RandomLatticeResult {
 };
 RandomLatticeResult releaseLattice(const RandomLattice& options, const Setup& setup);
 
-/// Releases a lattice for each combination, at each rate. One row for what is not finite (none),
-/// and one for each rate and stiffness for the largest gain of energy (at most 10 %), naming the
-/// mass ratio where it was.
+/// Releases lattices with `seeds` seeds for each combination, at each rate. One row a combination
+/// for the largest gain of energy, at most 10 %, and one for the runs that are not finite: none.
 struct RandomLattices {
     std::vector<double> stiffness;
     std::vector<double> massRatios;

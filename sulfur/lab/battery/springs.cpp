@@ -17,14 +17,19 @@ namespace {
 
 constexpr double length = 1, stretch = 0.1;  // m
 
+/// A particle of 1 kg on a spring.
+Blueprint spring(double stiffness, double damping) {
+    return chain({.places = {Vec(0, 0), Vec(length + stretch, 0)},
+                  .masses = {1, 1},
+                  .lengths = {length},
+                  .stiffness = {stiffness},
+                  .damping = damping});
+}
+
 /// How much longer than its rest length the spring is after each tick, from its release on.
 std::vector<double> release(double stiffness, double damping, long ticks, const Setup& setup) {
     World world(still(setup, 0));
-    const Body body = world.add(chain({.places = {Vec(0, 0), Vec(length + stretch, 0)},
-                                       .masses = {1, 1},
-                                       .lengths = {length},
-                                       .stiffness = {stiffness},
-                                       .damping = damping}));
+    const Body body = world.add(spring(stiffness, damping));
     std::vector<double> samples;
     for (long i = 0; i <= ticks; ++i) {
         samples.push_back(world.position(body.back()).x() - length);
@@ -41,6 +46,22 @@ double amplitude(double x, double next, double angle) {
 
 }  // namespace
 
+double explicitRange(const Setup& setup) {
+    const double h = 1.0 / setup.tickRate;
+    const auto isExplicit = [&](double angle) {
+        World world(still(setup, 0));
+        world.add(spring(angle * angle / (h * h), 0));
+        world.step();
+        return world.statistics().explicitJoints == 1 && world.statistics().implicitJoints == 0;
+    };
+    double low = 0, high = 2;
+    for (int i = 0; i < 20; ++i) {
+        const double middle = (low + high) / 2;
+        (isExplicit(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
 Rows undampedSpring(double angle, int periods, const Setup& setup) {
     const double h = 1.0 / setup.tickRate;
     const double theory = 2 * std::asin(angle / 2);
@@ -49,7 +70,7 @@ Rows undampedSpring(double angle, int periods, const Setup& setup) {
     const auto found = fitOscillation(x, 0);
     const double first = amplitude(x[0], x[1], theory);
     const double last = amplitude(x[x.size() - 2], x.back(), theory);
-    const std::string name = fmt::format("undamped spring, omega h = {:g}: ", angle);
+    const std::string name = fmt::format("undamped spring, omega h = {:.3g}: ", angle);
     return {atMost(name + fmt::format("change of amplitude in {} periods (share)", periods),
                    std::abs(last / first - 1), 1e-3),
             atMost(name + "error of 2 asin(omega h / 2) / h (share)",

@@ -5,9 +5,12 @@
 
 namespace sulfur::lab {
 
-/// Swings without damping for `periods`, with omega h = `angle` (0.01 to 1.7: explicit at every
-/// rate). Relative loss (or gain) of amplitude, at most 0.1 %; relative error of the frequency
-/// against that of leapfrog, 2 asin(omega h / 2) / h, at most 0.1 %.
+/// The largest omega h at which a spring without damping is integrated by NSV alone (0 to 2).
+double explicitRange(const Setup& setup);
+
+/// Swings without damping for `periods`, with omega h = `angle`, which should be in the explicit
+/// range. Relative change of amplitude, at most 0.1 %; relative error of the frequency against that
+/// of leapfrog, 2 asin(omega h / 2) / h, at most 0.1 %.
 Rows undampedSpring(double angle, int periods, const Setup& setup);
 
 /// A particle of 1 kg on a spring of `stiffness` N/m with `damping` N s/m below critical. Relative

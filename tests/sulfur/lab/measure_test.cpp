@@ -67,7 +67,7 @@ TEST(EnergyMeter, SeesNoneLostInAFreeFall) {
     EnergyMeter meter;
     for (int i = 0; i < 500; ++i) {
         world.step();
-        if (const auto energy = meter.add(world, body.particles())) {
+        if (const auto energy = meter.add(world, body)) {
             ASSERT_NEAR(*energy, 0, 1e-3);
         }
     }

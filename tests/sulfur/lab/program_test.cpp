@@ -74,7 +74,8 @@ TEST(Program, WritesDataAndPicture) {
     EXPECT_EQ(csv.status, 0);
     // A line of names, then 9 integrators at 5 rates with 2 dampers.
     EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 9 * 5 * 2);
-    const auto one = lab(std::string("table3 --csv --damper axial") + quick);
+    const auto one = lab(std::string("table3 --csv --damper axial --highest 100") +
+                         " --resolution 1 --seconds 2");
     EXPECT_EQ(std::count(one.output.begin(), one.output.end(), '\n'), 1 + 9 * 5);
     EXPECT_EQ(one.output.find(",paper,"), std::string::npos);
     std::ifstream stream(folder / "table3.svg");
@@ -84,7 +85,7 @@ TEST(Program, WritesDataAndPicture) {
     EXPECT_NE(svg.str().find("paper: NSV/IE"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder / "table3.svg.new"));
     std::filesystem::remove_all(folder);
-    const auto json = lab(std::string("table2 --json") + quick);
+    const auto json = lab(std::string("table2 --json --damper paper") + quick);
     EXPECT_EQ(json.status, 0);
     EXPECT_EQ(json.output.front(), '{');
     EXPECT_NE(json.output.find("\"integrator\": \"rk4-held\""), std::string::npos);
