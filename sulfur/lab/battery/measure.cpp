@@ -62,9 +62,12 @@ std::optional<double> EnergyMeter::add(const World& world, Body body) {
     for (const JointId id : body.joints()) {
         const JointInfo joint = world.info(id);
         if (joint.stiffness == infinite) continue;
-        const double stretch = (world.position(joint.b) - world.position(joint.a)).norm() -
-                               static_cast<double>(joint.restLength);
-        potential += static_cast<double>(joint.stiffness) / 2 * stretch * stretch;
+        if (joint.stiffness == 0) continue;
+        // By its force, not by its stretch: of a joint of 1e12 N/m, the rounding of a length and
+        // what the sweeps leave of its error would count as mountains of energy, which it never
+        // gives to anything.
+        const double force = static_cast<double>(joint.force);
+        potential += force * force / 2 / static_cast<double>(joint.stiffness);
     }
     std::optional<double> result;
     if (potential_ && kinetic_) result = *potential_ + (*kinetic_ + kinetic) / 2;

@@ -15,7 +15,7 @@ namespace sulfur::lab {
 
 namespace {
 
-constexpr double length = 1, stretch = 0.1;  // m
+constexpr double length = 1, stretch = 0.005;  // m
 
 /// A particle of 1 kg on a spring.
 Blueprint spring(double stiffness, double damping) {

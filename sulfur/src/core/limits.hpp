@@ -5,7 +5,13 @@
 
 namespace sulfur::detail {
 
-inline constexpr Real maxSpeed = 2000;          // m/s, per axis
+inline constexpr double maxSpeed = 2000;  // m/s, per axis
+
+/// A velocity, cut to what a particle may have.
+inline Point limited(const Point& velocity) {
+    return velocity.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+}
+
 /// What the caller has torn apart (an attachment made over a distance, a length changed at once)
 /// comes together at this speed, not in one tick.
 inline constexpr double closingSpeed = 5;  // m/s

@@ -14,13 +14,9 @@ Point perpendicular(const Point& v) {
     return {-v[1], v[0]};
 }
 
-Vec2 limited(const Vec2& velocity) {
-    return velocity.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
-}
-
 /// No member may be faster than any particle may.
 double limitedSpin(const Cluster& c, double spin) {
-    const double most = static_cast<double>(maxSpeed) / c.reach;
+    const double most = maxSpeed / c.reach;
     return std::clamp(spin, -most, most);
 }
 
@@ -32,11 +28,11 @@ void adopt(const State& state, Cluster& cluster) {
     for (std::uint32_t k = cluster.first; k < cluster.last; ++k) {
         const auto i = state.clusters.members[k];
         if (p.pinned[i]) continue;
-        const Point mv = static_cast<double>(p.mass[i]) * p.velocity[i].cast<double>();
+        const Point mv = static_cast<double>(p.mass[i]) * p.velocity[i];
         momentum += mv;
         angular += cross(turned(cluster.heading, state.clusters.places[k]), mv);
     }
-    cluster.velocity = (cluster.freeInverseMass * momentum).cast<Real>();
+    cluster.velocity = cluster.freeInverseMass * momentum;
     cluster.spin = cluster.freeInverseInertia * angular;
     cluster.stirred = 0;
 }
@@ -53,10 +49,9 @@ struct AirFriction {
 
 void predictCluster(State& state, Cluster& c, const AirFriction& air) {
     const ClusterLoad load = loadOf(state, c);
-    c.velocity =
-        limited((air.keep * c.velocity.cast<double>() + air.push * load.acceleration).cast<Real>());
+    c.velocity = limited(air.keep * c.velocity + air.push * load.acceleration);
     c.spin = limitedSpin(c, air.keep * c.spin + air.push * load.turning);
-    c.displacement = c.predicted = state.h * c.velocity;
+    c.displacement = c.predicted = (static_cast<double>(state.h) * c.velocity).cast<Real>();
     c.angle = c.predictedAngle = static_cast<double>(state.h) * c.spin;
     updateTurn(c);
 }
@@ -71,7 +66,7 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
     double torque = cross(turned(c.heading, c.massCentre), weight);
     for (std::uint32_t k = c.first; k < c.last; ++k) {
         const auto i = state.clusters.members[k];
-        const Point f = p.force[i].cast<double>();
+        const Point& f = p.force[i];
         force += f;
         torque += cross(p.arm[i].cast<double>(), f);
     }
@@ -97,17 +92,18 @@ void spreadDisplacements(State& state) {
             const auto m = state.clusters.members[k];
             const Vec2& arm = p.arm[m];
             p.displacement[m] = c.displacement + c.sine * Vec2(-arm[1], arm[0]) - c.versine * arm;
-            p.force[m] = Vec2(0, 0);
+            p.force[m] = Point(0, 0);
         }
     }
 }
 
 void updateClusterVelocities(State& state) {
-    const Real rate = 1 / state.h;
+    const double h = static_cast<double>(state.h);
     for (const auto i : state.work.awakeClusters) {
         Cluster& c = state.clusters.list[i];
-        c.velocity = limited(c.velocity + rate * (c.displacement - c.predicted));
-        c.spin = limitedSpin(c, c.spin + static_cast<double>(rate) * (c.angle - c.predictedAngle));
+        const Vec2 change = c.displacement - c.predicted;
+        c.velocity = limited(c.velocity + change.cast<double>() / h);
+        c.spin = limitedSpin(c, c.spin + (c.angle - c.predictedAngle) / h);
     }
 }
 
@@ -132,7 +128,6 @@ void moveClusters(State& state) {
         c.centre = c.centre.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
         c.shift = Vec2(0, 0);
         c.twist = 0;
-        const Point velocity = c.velocity.cast<double>();
         for (std::uint32_t k = c.first; k < c.last; ++k) {
             const auto i = state.clusters.members[k];
             const Point arm = turned(c.heading, state.clusters.places[k]);
@@ -140,7 +135,7 @@ void moveClusters(State& state) {
             p.displacement[i] = (place - p.position[i]).cast<Real>();
             p.position[i] = place;
             p.arm[i] = arm.cast<Real>();
-            p.velocity[i] = limited((velocity + c.spin * perpendicular(arm)).cast<Real>());
+            p.velocity[i] = limited(c.velocity + c.spin * perpendicular(arm));
         }
     }
 }

@@ -29,7 +29,7 @@ struct Cluster {
     double freeInverseMass = 0;                // 1/kg while awake; 0 with a pinned particle
     double freeInverseInertia = 0;             // 1/(kg m^2) while awake; 0 with two of them
     Real inverseMass = 0, inverseInertia = 0;  // 0 while asleep
-    Vec2 velocity{0, 0};                       // m/s of the centre
+    Point velocity{0, 0};                      // m/s of the centre
 
     // This tick's motion.
     Vec2 displacement{0, 0}, predicted{0, 0};  // m, of the centre

@@ -232,7 +232,7 @@ void restoreClusterMasses(State& state, std::uint32_t body) {
         at->inverseMass = moves ? static_cast<Real>(at->freeInverseMass) : 0;
         at->inverseInertia = moves ? static_cast<Real>(at->freeInverseInertia) : 0;
         if (moves) continue;
-        at->velocity = Vec2(0, 0);
+        at->velocity = Point(0, 0);
         at->spin = 0;
     }
 }

@@ -89,18 +89,18 @@ inline void shift(State& state, const Grip& grip, const Vec2& impulse) {
 
 /// Velocity and its change by an impulse (N s), after the tick.
 inline Vec2 velocityOf(const State& state, const Grip& grip) {
-    if (grip.cluster == none) return state.particles.velocity[grip.particle];
+    if (grip.cluster == none) return state.particles.velocity[grip.particle].cast<Real>();
     const Cluster& c = state.clusters.list[grip.cluster];
-    return c.velocity + static_cast<Real>(c.spin) * perpendicular(grip.arm);
+    return c.velocity.cast<Real>() + static_cast<Real>(c.spin) * perpendicular(grip.arm);
 }
 inline void strike(State& state, const Grip& grip, const Vec2& impulse) {
     if (grip.cluster == none) {
         state.particles.velocity[grip.particle] +=
-            state.particles.inverseMass[grip.particle] * impulse;
+            (state.particles.inverseMass[grip.particle] * impulse).cast<double>();
         return;
     }
     Cluster& c = state.clusters.list[grip.cluster];
-    c.velocity += c.inverseMass * impulse;
+    c.velocity += (c.inverseMass * impulse).cast<double>();
     c.spin += static_cast<double>(c.inverseInertia * cross(grip.arm, impulse));
 }
 

@@ -181,7 +181,7 @@ void noteLoads(State& state) {
         const Cluster& c = state.clusters.list[index];
         for (auto k = c.first; k < c.last; ++k) {
             const auto i = state.clusters.members[k];
-            state.loads[i] = p.force[i] + p.mass[i] * state.settings.gravity;
+            state.loads[i] = p.force[i].cast<Real>() + p.mass[i] * state.settings.gravity;
         }
     }
 }

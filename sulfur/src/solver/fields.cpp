@@ -19,7 +19,7 @@ bool contains(const Zoned& field, const Point& p) {
     return detail::contains(field.zone, p);
 }
 
-Vec2 accelerationAt(const RadialField& field, const Point& p) {
+Point accelerationAt(const RadialField& field, const Point& p) {
     const Point inwards = field.centre - p;
     const double distance = inwards.norm();
     const double core = static_cast<double>(field.core);
@@ -27,8 +27,7 @@ Vec2 accelerationAt(const RadialField& field, const Point& p) {
     double size = static_cast<double>(field.strength);
     for (int i = 0; i < field.falloff; ++i) size /= held;
     // Below the core, the distance itself takes the field down to 0.
-    const Point acceleration = std::clamp(size, -maxAcceleration, maxAcceleration) / held * inwards;
-    return acceleration.cast<Real>();
+    return std::clamp(size, -maxAcceleration, maxAcceleration) / held * inwards;
 }
 
 /// Calls `act` with each particle of an awake dynamic body on which the field acts.
@@ -46,14 +45,14 @@ void forEachIn(State& state, const Kind& field, Act&& act) {
 
 void push(State& state, const UniformField& field) {
     forEachIn(state, field, [&](std::uint32_t i) {
-        state.particles.force[i] += state.particles.mass[i] * field.acceleration;
+        state.particles.force[i] += (state.particles.mass[i] * field.acceleration).cast<double>();
     });
 }
 
 void push(State& state, const RadialField& field) {
     forEachIn(state, field, [&](std::uint32_t i) {
-        state.particles.force[i] +=
-            state.particles.mass[i] * accelerationAt(field, state.particles.position[i]);
+        state.particles.force[i] += static_cast<double>(state.particles.mass[i]) *
+                                    accelerationAt(field, state.particles.position[i]);
     });
 }
 
@@ -63,13 +62,15 @@ void push(State& state, const RadialField& field) {
 /// to v*, a share up to 1 keeps every stable spring stable: with k = 1 - s, the limit of h^2 w^2
 /// rises from 4 to 2 (1 + k) / k.
 void drag(State& state, const WindField& field) {
-    const Real hc = state.h * field.drag;
-    const Real share = hc / (1 + std::max(hc / 2, hc - 1));
+    const double h = static_cast<double>(state.h), hc = h * static_cast<double>(field.drag);
+    const double share = hc / (1 + std::max(hc / 2, hc - 1));
+    const Point gravity = state.settings.gravity.cast<double>();
+    const Point wind = field.velocity.cast<double>();
     forEachIn(state, field, [&](std::uint32_t i) {
         Particles& p = state.particles;
-        const Vec2 acceleration = state.settings.gravity + p.inverseMass[i] * p.force[i];
-        const Vec2 reached = p.velocity[i] + state.h * acceleration;
-        p.force[i] += p.mass[i] / state.h * share * (field.velocity - reached);
+        const double w = static_cast<double>(p.inverseMass[i]);
+        const Point reached = p.velocity[i] + h * (gravity + w * p.force[i]);
+        p.force[i] += static_cast<double>(p.mass[i]) / h * share * (wind - reached);
     });
 }
 

@@ -20,12 +20,14 @@ void addElasticForce(State& state, std::uint32_t j) {
         return;
     }
     const Vec2 direction = apart / length;
-    const Real lengthening = direction.dot(particles.velocity[b] - particles.velocity[a]);
+    const Real lengthening =
+        direction.dot((particles.velocity[b] - particles.velocity[a]).cast<Real>());
     const Real pull = joints.explicitStiffness[j] * (length - joints.restLength[j]) +
                       joints.explicitDamping[j] * lengthening;
     joints.force[j] = pull;
-    particles.force[a] += pull * direction;
-    particles.force[b] -= pull * direction;
+    const Point force = (pull * direction).cast<double>();
+    particles.force[a] += force;
+    particles.force[b] -= force;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void solve(State& state, Grab& grab) {
     // No more than the strongest pull, nor than what takes the point to the fastest speed.
     Real most = h * h * grab.maxForce;
     const Real easiest = mobility.diagonal().maxCoeff();
-    if (easiest > 0) most = std::min(most, h * maxSpeed / easiest);
+    if (easiest > 0) most = std::min(most, h * static_cast<Real>(maxSpeed) / easiest);
     const Real size = wanted.stableNorm();
     const Vec2 impulse = size > most ? Vec2(most / size * wanted) : wanted;
     point.push(state, impulse - grab.impulse);

@@ -23,7 +23,8 @@ void driveTowardsTarget(State& state, const BodyRecord& body) {
         const Point goal = body.target.position + Point(turn[0] * rest[0] - turn[1] * rest[1],
                                                         turn[1] * rest[0] + turn[0] * rest[1]);
         particles.displacement[i] = (goal - particles.position[i]).cast<Real>();
-        particles.velocity[i] = particles.displacement[i] / state.h;
+        particles.velocity[i] =
+            particles.displacement[i].cast<double>() / static_cast<double>(state.h);
     }
 }
 
@@ -37,8 +38,9 @@ void driveKinematicBodies(State& state) {
         } else {
             for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
                 const auto i = body.firstParticle + k;
-                if (body.stopping) particles.velocity[i] = Vec2(0, 0);
-                particles.displacement[i] = state.h * particles.velocity[i];
+                if (body.stopping) particles.velocity[i] = Point(0, 0);
+                particles.displacement[i] =
+                    (static_cast<double>(state.h) * particles.velocity[i]).cast<Real>();
             }
         }
         body.stopping = body.moving;
@@ -54,10 +56,10 @@ void startFreshParticles(State& state) {
     std::sort(state.fresh.begin(), state.fresh.end());
     state.fresh.erase(std::unique(state.fresh.begin(), state.fresh.end()), state.fresh.end());
     for (const auto i : state.fresh) {
-        const Real w = particles.inverseMass[i];
+        const double w = static_cast<double>(particles.inverseMass[i]);
         if (w == 0) continue;
-        const Vec2 acceleration = state.settings.gravity + w * particles.force[i];
-        particles.velocity[i] -= static_cast<Real>(lastStepOf(state, i) / 2) * acceleration;
+        const Point acceleration = state.settings.gravity.cast<double>() + w * particles.force[i];
+        particles.velocity[i] -= lastStepOf(state, i) / 2 * acceleration;
         stirClusters(state, i);
     }
     state.fresh.clear();
@@ -66,23 +68,22 @@ void startFreshParticles(State& state) {
 /// v += h (g + w f) and d = h v for the particles that move by themselves.
 void predictParticles(State& state) {
     Particles& particles = state.particles;
-    const Real h = state.h;
+    const double h = static_cast<double>(state.h);
+    const Point gravity = state.settings.gravity.cast<double>();
     // Air friction by the trapezoidal rule: v' - v = h a - h c (v + v') / 2.
-    const Real half = h * state.settings.airFriction / 2;
-    const Real keep = (1 - half) / (1 + half);
-    const Real push = h / (1 + half);
+    const double half = h * static_cast<double>(state.settings.airFriction) / 2;
+    const double keep = (1 - half) / (1 + half), push = h / (1 + half);
     for (const Range range : state.work.free) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
-            const Real w = particles.inverseMass[i];
+            const double w = static_cast<double>(particles.inverseMass[i]);
             if (w != 0) {
-                const Vec2 acceleration = state.settings.gravity + w * particles.force[i];
-                const Vec2 v = keep * particles.velocity[i] + push * acceleration;
-                particles.velocity[i] = v.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
-                particles.displacement[i] = h * particles.velocity[i];
+                const Point acceleration = gravity + w * particles.force[i];
+                particles.velocity[i] = limited(keep * particles.velocity[i] + push * acceleration);
+                particles.displacement[i] = (h * particles.velocity[i]).cast<Real>();
             } else {
                 particles.displacement[i] = Vec2(0, 0);
             }
-            particles.force[i] = Vec2(0, 0);
+            particles.force[i] = Point(0, 0);
         }
     }
 }

@@ -9,9 +9,9 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr Real restingSpeed = Real(0.005);  // m/s
-constexpr Real timeToSleep = Real(0.5);     // s
-constexpr Real wakingSpeed = Real(0.02);    // m/s, of what touches a sleeper
+constexpr double restingSpeed = 0.005;   // m/s
+constexpr Real timeToSleep = Real(0.5);  // s
+constexpr double wakingSpeed = 0.02;     // m/s, of what touches a sleeper
 
 bool isDynamic(const State& state, std::uint32_t body) {
     return state.bodies[body].kind == BodyKind::dynamic;
@@ -57,7 +57,7 @@ DisjointSets findIslands(State& state) {
 
 void wakeTouched(State& state) {
     for (const Contact& c : state.contacts) {
-        if (c.approach < wakingSpeed) continue;
+        if (static_cast<double>(c.approach) < wakingSpeed) continue;
         for (const auto body : {c.bodyA, c.bodyB})
             if (state.bodies[body].asleep) wakeBody(state, body);
     }
@@ -97,7 +97,7 @@ void sleepBody(State& state, std::uint32_t index) {
     body.asleep = true;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        state.particles.velocity[i] = Vec2(0, 0);
+        state.particles.velocity[i] = Point(0, 0);
         state.particles.displacement[i] = Vec2(0, 0);
         state.particles.inverseMass[i] = 0;
     }

@@ -14,16 +14,17 @@ namespace {
 /// Slower approaches do not rebound, so that what lies comes to rest.
 constexpr Real reboundThreshold = Real(0.2);  // m/s
 
+/// What the constraints have changed of the predicted displacement becomes velocity. Where they
+/// changed nothing, not a bit of the velocity changes.
 void velocitiesFromDisplacements(State& state) {
     Particles& particles = state.particles;
-    const Real rate = 1 / state.h;
+    const double h = static_cast<double>(state.h);
     for (const Range range : state.work.free) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
-            if (particles.inverseMass[i] == 0 &&
-                state.bodies[particles.body[i]].kind == BodyKind::kinematic)
-                continue;
-            const Vec2 v = rate * particles.displacement[i];
-            particles.velocity[i] = v.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+            if (particles.inverseMass[i] == 0) continue;
+            const Vec2 predicted = (h * particles.velocity[i]).cast<Real>();
+            const Vec2 change = particles.displacement[i] - predicted;
+            particles.velocity[i] = limited(particles.velocity[i] + change.cast<double>() / h);
         }
     }
 }

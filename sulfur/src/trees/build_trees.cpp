@@ -387,11 +387,11 @@ void dissolveTrees(State& state) {
             if (n.cluster != none) {
                 Cluster& c = state.clusters.list[n.cluster];
                 const ClusterLoad load = loadOf(state, c);
-                c.velocity -= (late * load.acceleration).cast<Real>();
+                c.velocity -= late * load.acceleration;
                 c.spin -= late * load.turning;
             } else if (n.particle != none && state.particles.inverseMass[n.particle] > 0) {
                 state.particles.velocity[n.particle] -=
-                    static_cast<Real>(late) * state.settings.gravity;
+                    late * state.settings.gravity.cast<double>();
             }
         }
     }

@@ -137,13 +137,13 @@ private:
             const Cluster& c = state_.clusters.list[n.cluster];
             const ClusterLoad load = loadOf(state_, c);
             data.start.place = c.centre;
-            data.start.velocity = c.velocity.template cast<double>();
+            data.start.velocity = c.velocity;
             data.start.spin = c.spin;
             data.acceleration = load.acceleration;
             data.angular = load.turning;
             data.inverseMass = static_cast<double>(c.inverseMass);
             data.inverseInertia = static_cast<double>(c.inverseInertia);
-            data.mostSpin = static_cast<double>(maxSpeed) / c.reach;
+            data.mostSpin = maxSpeed / c.reach;
         } else if (n.particle != none) {
             loadParticle(n.particle, data);
         } else {
@@ -159,9 +159,9 @@ private:
         data.start.place = particles.position[p];
         data.inverseMass = static_cast<double>(particles.inverseMass[p]);
         if (data.inverseMass > 0) {
-            data.start.velocity = particles.velocity[p].template cast<double>();
+            data.start.velocity = particles.velocity[p];
             data.acceleration = state_.settings.gravity.template cast<double>() +
-                                data.inverseMass * particles.force[p].template cast<double>();
+                                data.inverseMass * particles.force[p];
         } else {  // as the caller drives it; the stage before has set the displacement
             data.start.velocity = particles.displacement[p].template cast<double>() / tick();
         }
@@ -248,7 +248,7 @@ private:
     void predict(double kick, double step) {
         const double half = kick * static_cast<double>(state_.settings.airFriction) / 2;
         const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
-        const double limit = static_cast<double>(maxSpeed);
+        const double limit = maxSpeed;
         for (std::size_t i = 0; i < count_; ++i) {
             Motion& m = motion_[i];
             const NodeData& data = nodes_[i];
@@ -374,7 +374,7 @@ private:
     }
 
     void finishStep(double step) {
-        const double limit = static_cast<double>(maxSpeed);
+        const double limit = maxSpeed;
         for (std::size_t i = 0; i < count_; ++i) {
             Motion& m = motion_[i];
             // What the caller has torn apart comes together at the speed limit, not at once.
@@ -455,12 +455,12 @@ private:
             Cluster& c = state_.clusters.list[n.cluster];
             c.displacement = c.predicted = moved;
             c.angle = c.predictedAngle = m.angle;
-            c.velocity = m.velocity.template cast<Real>();
+            c.velocity = m.velocity;
             c.spin = m.spin;
             updateTurn(c);
         } else if (nodes_[i].inverseMass > 0) {
             state_.particles.displacement[n.particle] = moved;
-            state_.particles.velocity[n.particle] = m.velocity.template cast<Real>();
+            state_.particles.velocity[n.particle] = m.velocity;
         }
         state_.trees.predicted[tree_.first + i] = moved;
     }
@@ -494,7 +494,7 @@ void stepTrees(State& state) {
     for (const auto i : state.work.lonelyTrees)
         for (auto k = state.trees.list[i].first; k < state.trees.list[i].last; ++k)
             if (const auto p = state.trees.nodes[k].particle; p != none)
-                particles.force[p] = Vec2(0, 0);
+                particles.force[p] = Point(0, 0);
 }
 
 }  // namespace sulfur::detail

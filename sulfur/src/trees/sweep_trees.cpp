@@ -254,15 +254,16 @@ void recordTreeForces(State& state) {
 }
 
 void updateTreeVelocities(State& state) {
-    const Real rate = 1 / state.h;
+    const double h = static_cast<double>(state.h);
     for (const auto i : state.work.lonelyTrees) {
         if (!state.trees.touched[i]) continue;
         const Tree& tree = state.trees.list[i];
         for (auto k = tree.first; k < tree.last; ++k) {
             const auto p = state.trees.nodes[k].particle;
             if (p == none || state.particles.inverseMass[p] == 0) continue;
-            state.particles.velocity[p] +=
-                rate * (state.particles.displacement[p] - state.trees.predicted[k]);
+            const Vec2 change = state.particles.displacement[p] - state.trees.predicted[k];
+            state.particles.velocity[p] =
+                limited(state.particles.velocity[p] + change.cast<double>() / h);
         }
     }
 }

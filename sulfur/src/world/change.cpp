@@ -22,7 +22,7 @@ void requireVector(Vec2 value, double limit, const char* what) {
 }
 
 void requireSpeed(Vec2 velocity) {
-    requireVector(velocity, static_cast<double>(maxSpeed), "velocity");
+    requireVector(velocity, maxSpeed, "velocity");
 }
 
 void wakeAll(State& state) {
@@ -35,7 +35,7 @@ void wakeOwner(State& state, std::uint32_t particle) {
 
 void setParticleVelocity(State& state, std::uint32_t i, Vec2 velocity) {
     if (state.particles.pinned[i]) return;
-    state.particles.velocity[i] = velocity;
+    state.particles.velocity[i] = velocity.cast<double>();
     detail::stirClusters(state, i);
     if (state.bodies[state.particles.body[i]].kind == BodyKind::dynamic) state.fresh.push_back(i);
 }
@@ -179,9 +179,8 @@ void World::applyForce(ParticleId id, Vec2 force) {
     requireVector(force, maxForce, "force");
     if (force.isZero(0)) return;
     wakeOwner(state, i);
-    const Vec2 sum = state.particles.force[i] + force;
-    const Real limit = static_cast<Real>(maxForce);
-    state.particles.force[i] = sum.cwiseMax(-limit).cwiseMin(limit);
+    const Point sum = state.particles.force[i] + force.cast<double>();
+    state.particles.force[i] = sum.cwiseMax(-maxForce).cwiseMin(maxForce);
 }
 
 void World::applyImpulse(ParticleId id, Vec2 impulse) {
@@ -190,8 +189,9 @@ void World::applyImpulse(ParticleId id, Vec2 impulse) {
     requireVector(impulse, maxForce, "impulse");
     if (impulse.isZero(0)) return;
     wakeOwner(state, i);
-    const Vec2 changed = state.particles.velocity[i] + state.particles.inverseMass[i] * impulse;
-    state.particles.velocity[i] = changed.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
+    const Vec2 change = state.particles.inverseMass[i] * impulse;
+    state.particles.velocity[i] =
+        detail::limited(state.particles.velocity[i] + change.cast<double>());
     detail::stirClusters(state, i);
 }
 

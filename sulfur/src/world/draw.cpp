@@ -96,7 +96,8 @@ private:
         if (options_.discs && p.radius[i] > 0)
             to_.disc({p.id[i], body, place(i), p.radius[i], asleep(i)});
         if (options_.particles)
-            to_.particle({p.id[i], body, place(i), p.velocity[i], p.pinned[i] != 0, asleep(i)});
+            to_.particle(
+                {p.id[i], body, place(i), p.velocity[i].cast<Real>(), p.pinned[i] != 0, asleep(i)});
     }
 
     void drawCapsule(std::uint32_t j) {

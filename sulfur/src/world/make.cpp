@@ -320,7 +320,7 @@ void World::setPinned(ParticleId particle, bool pinned) {
     detail::State& state = impl_->state;
     const auto i = indexOf(state, particle);
     state.particles.pinned[i] = pinned ? 1 : 0;
-    if (pinned) state.particles.velocity[i] = Vec2(0, 0);
+    if (pinned) state.particles.velocity[i] = Point(0, 0);
     const auto body = state.particles.body[i];
     detail::wakeBody(state, body);
     detail::restoreInverseMass(state, body);

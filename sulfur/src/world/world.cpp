@@ -204,7 +204,7 @@ Vec2 World::meanVelocity(BodyId id) const {
     double mass = 0;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        sum += static_cast<double>(p.mass[i]) * p.velocity[i].cast<double>();
+        sum += static_cast<double>(p.mass[i]) * p.velocity[i];
         mass += static_cast<double>(p.mass[i]);
     }
     return (sum / mass).cast<Real>();
@@ -224,7 +224,7 @@ ParticleInfo World::info(ParticleId id) const {
     const auto& p = state.particles;
     return {state.bodies[p.body[i]].id,
             p.position[i],
-            p.velocity[i],
+            p.velocity[i].cast<Real>(),
             p.mass[i],
             p.radius[i],
             p.pinned[i] != 0};
@@ -256,7 +256,7 @@ Point World::interpolated(ParticleId id, double alpha) const {
 }
 
 Vec2 World::velocity(ParticleId id) const {
-    return impl_->state.particles.velocity[indexOf(impl_->state, id)];
+    return impl_->state.particles.velocity[indexOf(impl_->state, id)].cast<Real>();
 }
 
 std::vector<ContactInfo> World::contacts() const {
@@ -277,7 +277,7 @@ namespace {
 /// Where a particle was when it had the velocity that is stored: in the middle of its last step.
 Point positionOfVelocity(const State& state, std::uint32_t i) {
     const auto& p = state.particles;
-    return p.position[i] - detail::lastStepOf(state, i) / 2 * p.velocity[i].cast<double>();
+    return p.position[i] - detail::lastStepOf(state, i) / 2 * p.velocity[i];
 }
 }  // namespace
 
@@ -287,7 +287,7 @@ double World::energy() const {
     double sum = 0;
     for (std::uint32_t i = 0; i < p.size(); ++i) {
         if (state.bodies[p.body[i]].kind != BodyKind::dynamic || p.pinned[i]) continue;
-        const auto v = p.velocity[i].cast<double>();
+        const auto v = p.velocity[i];
         sum += static_cast<double>(p.mass[i]) *
                (v.squaredNorm() / 2 -
                 state.settings.gravity.cast<double>().dot(positionOfVelocity(state, i)));
