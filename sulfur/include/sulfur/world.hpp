@@ -22,13 +22,20 @@
 
 namespace sulfur {
 
+/// What the damper of an elastic joint brakes.
+enum class Damper : std::uint8_t {
+    axial,  ///< stretching only: a body turns freely
+    full,   ///< all relative motion of its ends, also turning, as equation (1) of the paper has it
+};
+
 /// What a world is made with.
 struct WorldSettings {
     Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
     Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
     int tickRate = 500;    ///< Hz, 60 to 10000
     bool sleeping = true;  ///< whether islands at rest fall asleep
-    int sweeps = 4;        ///< passes over the constraints in a tick, 1 to 100
+    Damper damper = Damper::axial;  ///< of all elastic joints
+    int sweeps = 4;                 ///< passes over the constraints in a tick, 1 to 100
 };
 
 /// What a particle is at the moment.
@@ -259,6 +266,11 @@ public:
     void setAirFriction(Real airFriction);
     /// 1/s.
     Real airFriction() const;
+    /// Changes the duration of the ticks to come; 60 to 10000 Hz, and not less than airFriction().
+    /// How each joint is solved is derived again.
+    void setTickRate(int tickRate);
+    /// What the dampers of all elastic joints brake from now on.
+    void setDamper(Damper damper);
     /// Changes the surface of a body.
     void setMaterial(BodyId body, const Material& material);
     /// Changes what a body collides with.

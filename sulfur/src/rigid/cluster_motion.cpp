@@ -40,9 +40,10 @@ void adopt(const State& state, Cluster& cluster) {
 /// Air friction by the trapezoidal rule, as for particles.
 struct AirFriction {
     explicit AirFriction(const State& state) {
-        const double half = static_cast<double>(state.h * state.settings.airFriction) / 2;
+        const double kick = (state.lastTick + static_cast<double>(state.h)) / 2;
+        const double half = kick * static_cast<double>(state.settings.airFriction) / 2;
         keep = (1 - half) / (1 + half);
-        push = static_cast<double>(state.h) / (1 + half);
+        push = kick / (1 + half);
     }
     double keep, push;
 };

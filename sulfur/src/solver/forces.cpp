@@ -7,8 +7,8 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Hooke's law with a damper along the joint, the paper's equation (1) with the damper projected
-/// on the joint, so that it brakes stretching but not rotation.
+/// Hooke's law with a damper: the paper's equation (1), as a rule with the damper projected on the
+/// joint, so that it brakes stretching but not rotation.
 void addElasticForce(State& state, std::uint32_t j) {
     Joints& joints = state.joints;
     Particles& particles = state.particles;
@@ -20,12 +20,17 @@ void addElasticForce(State& state, std::uint32_t j) {
         return;
     }
     const Vec2 direction = apart / length;
-    const Real lengthening =
-        direction.dot((particles.velocity[b] - particles.velocity[a]).cast<Real>());
+    const Vec2 relative = (particles.velocity[b] - particles.velocity[a]).cast<Real>();
+    const Real lengthening = direction.dot(relative);
     const Real pull = joints.explicitStiffness[j] * (length - joints.restLength[j]) +
                       joints.explicitDamping[j] * lengthening;
     joints.force[j] = pull;
-    const Point force = (pull * direction).cast<double>();
+    Vec2 total = pull * direction;
+    if (state.settings.damper == Damper::full) {
+        const Vec2 sliding = relative - lengthening * direction;
+        total += joints.explicitDamping[j] * sliding;
+    }
+    const Point force = total.cast<double>();
     particles.force[a] += force;
     particles.force[b] -= force;
 }

@@ -71,8 +71,10 @@ void predictParticles(State& state) {
     const double h = static_cast<double>(state.h);
     const Point gravity = state.settings.gravity.cast<double>();
     // Air friction by the trapezoidal rule: v' - v = h a - h c (v + v') / 2.
-    const double half = h * static_cast<double>(state.settings.airFriction) / 2;
-    const double keep = (1 - half) / (1 + half), push = h / (1 + half);
+    // A kick leads from the middle of the last tick to the middle of this one.
+    const double kick = (state.lastTick + h) / 2;
+    const double half = kick * static_cast<double>(state.settings.airFriction) / 2;
+    const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
     for (const Range range : state.work.free) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
             const double w = static_cast<double>(particles.inverseMass[i]);

@@ -32,6 +32,7 @@ void step(State& state) {
     timed(state, Stage::breakage, breakJoints);
     timed(state, Stage::sleep, updateSleep);
     collectEvents(state);
+    state.lastTick = static_cast<double>(state.h);
     ++state.tick;
 }
 

@@ -219,7 +219,7 @@ private:
     Tree begin() const {
         Tree tree;
         tree.first = static_cast<std::uint32_t>(trees_.nodes.size());
-        tree.lastStep = static_cast<double>(state_.h);
+        tree.lastStep = state_.lastTick;
         return tree;
     }
 
@@ -371,17 +371,17 @@ private:
 }  // namespace
 
 double lastStepOf(const State& state, std::uint32_t particle) {
-    if (state.trees.list.empty()) return static_cast<double>(state.h);
+    if (state.trees.list.empty()) return state.lastTick;
     const auto cluster = state.particles.cluster[particle];
     const auto tree =
         cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
-    return tree == none ? static_cast<double>(state.h) : state.trees.list[tree].lastStep;
+    return tree == none ? state.lastTick : state.trees.list[tree].lastStep;
 }
 
 void dissolveTrees(State& state) {
     for (const Tree& tree : state.trees.list) {
-        const double late = (static_cast<double>(state.h) - tree.lastStep) / 2;
-        if (!tree.alone || late <= 0) continue;
+        const double late = (state.lastTick - tree.lastStep) / 2;
+        if (!tree.alone || late == 0) continue;
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = state.trees.nodes[k];
             if (n.cluster != none) {

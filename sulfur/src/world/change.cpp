@@ -65,6 +65,24 @@ void World::setAirFriction(Real airFriction) {
     impl_->state.settings.airFriction = airFriction;
 }
 
+void World::setTickRate(int tickRate) {
+    requireRange(tickRate, detail::minTickRate, detail::maxTickRate, "tick rate");
+    State& state = impl_->state;
+    if (tickRate == state.settings.tickRate) return;
+    // Air friction may not be faster than the ticks.
+    requireRange(static_cast<double>(state.settings.airFriction), 0, tickRate, "air friction");
+    state.rateTime = time();
+    state.rateTick = state.tick;
+    state.settings.tickRate = tickRate;
+    state.h = 1 / static_cast<Real>(tickRate);
+    state.structure.stale = true;
+    state.broad.pairsStale = true;
+}
+
+void World::setDamper(Damper damper) {
+    impl_->state.settings.damper = damper;
+}
+
 Real World::airFriction() const {
     return impl_->state.settings.airFriction;
 }

@@ -22,6 +22,10 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.tickRate);
     a(state.settings.sleeping);
     a(state.settings.sweeps);
+    a(state.settings.damper);
+    a(state.lastTick);
+    a(state.rateTick);
+    a(state.rateTime);
     a(state.tick);
     a(state.particles);
     a(state.joints);

@@ -62,8 +62,12 @@ struct WorkLists {
 
 struct State {
     WorldSettings settings;
-    Real h = 0;  // s, the tick
+    Real h = 0;           // s, the tick
+    double lastTick = 0;  // s, the tick before: the velocities stand in its middle
     std::uint64_t tick = 0;
+    // When the rate was set last: the clock counts from there.
+    std::uint64_t rateTick = 0;
+    double rateTime = 0;  // s
 
     Particles particles;
     Joints joints;

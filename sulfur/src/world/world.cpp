@@ -26,7 +26,7 @@ void validateSettings(const WorldSettings& settings) {
     for (int axis = 0; axis < 2; ++axis)
         requireRange(static_cast<double>(settings.gravity[axis]), -maxAcceleration, maxAcceleration,
                      "gravity");
-    requireRange(settings.tickRate, 60, 10000, "tick rate");
+    requireRange(settings.tickRate, minTickRate, maxTickRate, "tick rate");
     requireRange(settings.sweeps, 1, 100, "sweeps");
     requireRange(static_cast<double>(settings.airFriction), 0, settings.tickRate, "air friction");
 }
@@ -85,6 +85,7 @@ World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     detail::validateSettings(settings);
     impl_->state.settings = settings;
     impl_->state.h = 1 / static_cast<Real>(settings.tickRate);
+    impl_->state.lastTick = static_cast<double>(impl_->state.h);
 }
 
 World::~World() = default;
@@ -98,7 +99,9 @@ std::uint64_t World::ticks() const {
     return impl_->state.tick;
 }
 double World::time() const {
-    return static_cast<double>(impl_->state.tick) / impl_->state.settings.tickRate;
+    const State& state = impl_->state;
+    return state.rateTime +
+           static_cast<double>(state.tick - state.rateTick) / state.settings.tickRate;
 }
 Real World::tickDuration() const {
     return impl_->state.h;

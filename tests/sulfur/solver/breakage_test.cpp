@@ -117,8 +117,7 @@ TEST(Breakage, ARigidCrateShattersWhenItFallsHard) {
     for (const double height : {0.3, 30.0}) {
         World world;
         world.add(shapes::floor({-20, 0}, {20, 0}));
-        const Body crate =
-            world.add(shapes::box({.mass = 2, .strength = 3000}), {.position = {0, height + 0.6}});
+        world.add(shapes::box({.mass = 2, .strength = 3000}), {.position = {0, height + 0.6}});
         std::size_t broken = 0;
         for (int i = 0; i < 2000; ++i) {
             world.step();
