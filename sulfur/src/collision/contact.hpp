@@ -55,6 +55,16 @@ struct ContactMemory {
     Real normalLambda = 0, tangentLambda = 0;  // kg m
     Real drift = 0;                            // m, from the place where it sticks
 
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(particle);
+        archive(a);
+        archive(b);
+        archive(normalLambda);
+        archive(tangentLambda);
+        archive(drift);
+    }
+
     friend bool operator<(const ContactMemory& x, const ContactMemory& y) {
         return std::tie(x.particle, x.a, x.b) < std::tie(y.particle, y.a, y.b);
     }

@@ -10,10 +10,6 @@ namespace sulfur::detail {
 
 namespace {
 
-Point perpendicular(const Point& v) {
-    return {-v[1], v[0]};
-}
-
 /// No member may be faster than any particle may.
 double limitedSpin(const Cluster& c, double spin) {
     const double most = maxSpeed / c.reach;

@@ -109,7 +109,9 @@ struct Grip {
     Vec2 arm{0, 0};  // m, from the cluster's centre, at the start of the tick
 };
 
-inline Vec2 perpendicular(const Vec2& v) {
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 1, Eigen::DontAlign> perpendicular(
+    const Eigen::Matrix<Scalar, 2, 1, Eigen::DontAlign>& v) {
     return {-v[1], v[0]};
 }
 
