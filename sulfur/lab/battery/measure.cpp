@@ -63,11 +63,15 @@ std::optional<double> EnergyMeter::add(const World& world, Body body) {
         const JointInfo joint = world.info(id);
         if (joint.stiffness == infinite) continue;
         if (joint.stiffness == 0) continue;
-        // By its force, not by its stretch: of a joint of 1e12 N/m, the rounding of a length and
-        // what the sweeps leave of its error would count as mountains of energy, which it never
-        // gives to anything.
-        const double force = static_cast<double>(joint.force);
-        potential += force * force / 2 / static_cast<double>(joint.stiffness);
+        // By its force where that is less than its stretch says: of a joint of 1e12 N/m, the
+        // rounding of a length and what the sweeps leave of its error would count as mountains of
+        // energy, which it never gives to anything.
+        const double stiffness = static_cast<double>(joint.stiffness);
+        const double stretch = (world.position(joint.b) - world.position(joint.a)).norm() -
+                               static_cast<double>(joint.restLength);
+        const double force =
+            std::min(std::abs(static_cast<double>(joint.force)), stiffness * std::abs(stretch));
+        potential += force * force / 2 / stiffness;
     }
     std::optional<double> result;
     if (potential_ && kinetic_) result = *potential_ + (*kinetic_ + kinetic) / 2;

@@ -140,6 +140,9 @@ double insideOut(const World& world, std::span<const ParticleId> particles, std:
 
 Rows scrambledLattice(double disorder, std::uint64_t seed, const Setup& setup) {
     constexpr double cell = 0.25, seconds = 30;
+    // Of a lattice that folds over itself the flaps turn about their folds, which axial dampers do
+    // not brake: it keeps some millimetres a second, for ever.
+    const double rest = disorder > 0.5 ? 2e-2 : 1e-3;
     constexpr int columns = 5;
     World world(still(setup, 0));
     const Body body = world.add(lattice(
@@ -155,7 +158,7 @@ Rows scrambledLattice(double disorder, std::uint64_t seed, const Setup& setup) {
     const std::string name =
         fmt::format("lattice scrambled by {:g} cells (seed {}), {:g} s: ", disorder, seed, seconds);
     Rows rows{atMost(name + "not finite", allFinite(world, body.particles()) ? 0 : 1, 0),
-              atMost(name + "mean speed about its centre (m/s)", speed, 1e-3)};
+              atMost(name + "mean speed about its centre (m/s)", speed, rest)};
     if (disorder <= 0.5)
         rows.push_back(atMost(name + "cells inside out (share)",
                               insideOut(world, body.particles(), columns), 0));

@@ -15,7 +15,7 @@ namespace sulfur::lab {
 
 namespace {
 
-constexpr double length = 1, stretch = 0.005;  // m
+constexpr double length = 1, stretch = 0.0099;  // m
 
 /// A particle of 1 kg on a spring.
 Blueprint spring(double stiffness, double damping) {
@@ -101,11 +101,11 @@ Rows seamlessStiffness(double damping, int steps, const Setup& setup) {
         const double k = i == steps ? static_cast<double>(infinite)
                                     : std::pow(10, lowest + (10 - lowest) * i / (steps - 1));
         const auto x = release(k, damping, 200, setup);
-        const auto found = fitOscillation(std::span(x).subspan(1), 1e-5 * stretch);
+        const auto found = fitOscillation(std::span(x).subspan(1), 2e-5 * stretch);
         if (found.measured)
             roots.push_back({found.factor, found.angle});
         else  // It is gone too soon for a fit: what the first tick left is what there is to see.
-            roots.push_back({std::abs(x[2] / x[1]) < 1 && std::abs(x[1]) > 1e-5 * stretch
+            roots.push_back({std::abs(x[2] / x[1]) < 1 && std::abs(x[1]) > 2e-5 * stretch
                                  ? std::abs(x[2] / x[1])
                                  : std::abs(x[1] / x[0]),
                              std::nullopt});

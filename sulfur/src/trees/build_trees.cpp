@@ -249,16 +249,14 @@ private:
         Tree tree = begin();
         std::vector<std::uint32_t> vertex{root.vertex};  // of each node
         trees_.nodes.push_back(nodeFor(root));
+        trees_.nodes.back().link = edge.link;  // tells where an attachment's supports are
         const auto grow = [&](std::uint32_t i, bool rootIsB, std::uint32_t parent) {
             if (used_[i]) return;
             const Edge& e = graph_.edges[i];
             addChild(i, rootIsB, parent);
             vertex.push_back(rootIsB ? e.a.vertex : e.b.vertex);
         };
-        if (root.vertex == none) {
-            grow(first, fromB, 0);
-            trees_.nodes[tree.first].link = edge.link;
-        }
+        if (root.vertex == none) grow(first, fromB, 0);
         for (std::uint32_t k = 0; k < vertex.size(); ++k) {
             const auto v = vertex[k];
             if (v == none) continue;
@@ -302,6 +300,7 @@ private:
         tree.alone = 0;
         const Edge& edge = graph_.edges[path[0].edge];
         trees_.nodes.push_back(nodeFor(path[0].forward ? edge.a : edge.b));
+        trees_.nodes.back().link = edge.link;
         for (const Step step : path) {
             addChild(step.edge, !step.forward, sizeOf(tree) - 1);
         }
