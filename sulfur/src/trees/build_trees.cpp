@@ -223,12 +223,19 @@ private:
         return tree;
     }
 
+    bool continuesChain(const Tree& tree, std::uint32_t k) const {
+        const TreeNode& n = trees_.nodes[k];
+        if (!tree.alone || n.particle == none) return false;
+        return k == tree.first || (n.kind == LinkKind::joint && n.parent + 1 == k - tree.first);
+    }
+
     void finish(Tree tree) {
         tree.last = static_cast<std::uint32_t>(trees_.nodes.size());
         const auto index = static_cast<std::uint32_t>(trees_.list.size());
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = trees_.nodes[k];
             if (n.cluster != none) tree.points = 0;
+            if (!continuesChain(tree, k)) tree.chain = 0;
             if (!tree.alone) continue;
             if (n.cluster != none)
                 trees_.ofCluster[n.cluster] = index;

@@ -13,24 +13,15 @@
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
 #include "trees/geometry.hpp"
+#include "trees/point_chain.hpp"
+#include "trees/step_judgement.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
 namespace {
 
-constexpr std::uint32_t mostSteps = 64;
 constexpr int mostPasses = 6, mostFallbackPasses = 20;
-constexpr double tolerance = 1e-8;  // of a link's length
-
-/// What one step may do before it is halved: whip is 2 w (tension / length) h^2, summed over the
-/// links of a node; turn is the sine of the angle that a link turns by.
-constexpr double mostWhip = 1, mostTurn = 0.2;
-/// The shortest steps may do this: less exact, but still far from the explosion, which linear
-/// theory puts at a whip of 4.
-constexpr double tolerableWhip = 3, tolerableTurn = 0.7;
-/// Below both of these the steps are doubled.
-constexpr double calmWhip = 0.15, calmTurn = 0.08;
 
 struct Motion {
     Point place{0, 0};  // of the node's centre
@@ -64,19 +55,6 @@ struct LinkData {
     std::array<double, 2> impulse{0, 0};  // sum of lambda / step, kg m/s
     double guess = 0;                     // N, tension that was seen last
     bool inert = false;
-};
-
-struct Outcome {
-    bool converged = true;
-    double whip = 0, turn = 0;
-    void add(const Outcome& other) {
-        converged &= other.converged;
-        whip = std::max(whip, other.whip);
-        turn = std::max(turn, other.turn);
-    }
-    bool calm() const { return whip < calmWhip && turn < calmTurn; }
-    bool good() const { return converged && whip <= mostWhip && turn <= mostTurn; }
-    bool tolerable() const { return converged && whip <= tolerableWhip && turn <= tolerableTurn; }
 };
 
 /// Scratch memory, kept from tree to tree.
@@ -326,7 +304,7 @@ private:
         const int most = fallback ? mostFallbackPasses : mostPasses;
         for (int pass = 0;; ++pass) {
             const double worst = updateRows(fallback);
-            if (worst <= tolerance) return true;
+            if (worst <= treeTolerance) return true;
             if (pass == most || !std::isfinite(worst)) return false;
             solver_.solve();
             apply();
@@ -485,16 +463,15 @@ void stepTrees(State& state) {
     state.trees.predicted.resize(state.trees.nodes.size());
     for (const auto i : state.work.lonelyTrees) {
         Tree& tree = state.trees.list[i];
+        if (tree.chain && stepChain(state, tree)) continue;
         if (tree.points)
             TreeStepper<2>(state, tree, points).run();
         else
             TreeStepper<3>(state, tree, bodies).run();
-    }
-    Particles& particles = state.particles;
-    for (const auto i : state.work.lonelyTrees)
-        for (auto k = state.trees.list[i].first; k < state.trees.list[i].last; ++k)
+        for (auto k = tree.first; k < tree.last; ++k)
             if (const auto p = state.trees.nodes[k].particle; p != none)
-                particles.force[p] = Point(0, 0);
+                state.particles.force[p] = Point(0, 0);
+    }
 }
 
 }  // namespace sulfur::detail

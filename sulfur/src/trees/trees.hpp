@@ -60,6 +60,7 @@ struct Tree {
     /// Otherwise it is a line through a mesh, solved as a whole in every sweep.
     std::uint8_t alone = 1;
     std::uint8_t points = 1;  // no clusters: two freedoms a node are enough
+    std::uint8_t chain = 1;   // moves alone, of points and joints only, each held by the one before
     std::uint8_t tied = 0;    // swept constraints pull on it
     std::uint32_t steps = 1;  // in the next tick, a power of two
     double lastStep = 0;      // s, duration of its last step
@@ -72,6 +73,7 @@ struct Tree {
         a(last);
         a(alone);
         a(points);
+        a(chain);
         a(tied);
         a(steps);
         a(lastStep);
