@@ -5,6 +5,13 @@
 namespace sulfur::detail {
 
 void Grid::build() {
+    if (sorted_.capacity() < entries_.size()) {
+        // Room for as many again: what turns and speeds up covers more cells than at first.
+        const std::size_t room = 2 * entries_.size();
+        entries_.reserve(room);
+        sorted_.reserve(room);
+        start_.reserve(std::bit_ceil(std::max<std::size_t>(2, room * 2)) + 1);
+    }
     const auto buckets = std::bit_ceil(std::max<std::size_t>(2, entries_.size() * 2));
     shift_ = 64 - std::countr_zero(buckets);
     start_.assign(buckets + 1, 0);

@@ -211,7 +211,8 @@ void recover(State& state, Contact& contact) {
 
 void findContacts(State& state) {
     state.contacts.clear();
-    std::vector<Crossing> crossings;  // nearly always empty
+    thread_local std::vector<Crossing> crossings;  // nearly always empty
+    crossings.clear();
     findCrossings(state, crossings);
     for (const Candidate& candidate : state.broad.candidates) {
         const Collider& c = state.broad.collider(candidate.collider);

@@ -14,6 +14,7 @@ class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count = 0) { reset(count); }
 
+    void reserve(std::size_t count) { parent_.reserve(count); }
     void reset(std::size_t count) {
         parent_.assign(count, 0);
         std::iota(parent_.begin(), parent_.end(), 0u);

@@ -40,14 +40,24 @@ public:
         Eigen::SparseMatrix<double> matrix(size, size);
         matrix.setFromTriplets(entries.begin(), entries.end());
         solver_.compute(matrix);
+        inversePivots_ = solver_.vectorD().cwiseInverse();
     }
 
     /// Tensions (N, positive pulls) under forces in balance, in the cluster's frame.
     template <class Function>
     void solve(const Eigen::VectorXd& forces, Function&& tell) const {
-        const Eigen::VectorXd moved = solver_.solve(forces);
+        // The solver's own solve() takes memory in every call.
+        thread_local Eigen::VectorXd x;
+        const auto& order = solver_.permutationP().indices();
+        x.resize(forces.size());
+        for (Eigen::Index i = 0; i < x.size(); ++i) x[order[i]] = forces[i];
+        solver_.matrixL().solveInPlace(x);
+        x.array() *= inversePivots_.array();
+        solver_.matrixU().solveInPlace(x);
         for (const Member& m : members_) {
-            const Point apart = moved.segment<2>(2 * m.b) - moved.segment<2>(2 * m.a);
+            Point apart;
+            for (Eigen::Index axis = 0; axis < 2; ++axis)
+                apart[axis] = x[order[2 * m.b + axis]] - x[order[2 * m.a + axis]];
             tell(m.joint, m.stiffness * m.direction.dot(apart));
         }
     }
@@ -81,6 +91,7 @@ private:
 
     std::vector<Member> members_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+    Eigen::VectorXd inversePivots_;
 };
 
 namespace {
@@ -147,7 +158,7 @@ void loadByGrabs(State& state) {
 }
 
 /// Applied forces less mass times acceleration, in the frame of the cluster.
-Eigen::VectorXd balancedForces(const State& state, const Cluster& c) {
+void balanceForces(const State& state, const Cluster& c, Eigen::VectorXd& forces) {
     const auto& members = state.clusters.members;
     const Particles& p = state.particles;
     Point sum(0, 0);
@@ -159,7 +170,7 @@ Eigen::VectorXd balancedForces(const State& state, const Cluster& c) {
     }
     const Point acceleration = static_cast<double>(c.inverseMass) * sum;
     const double turning = static_cast<double>(c.inverseInertia) * torque;
-    Eigen::VectorXd forces(2 * static_cast<Eigen::Index>(c.last - c.first));
+    forces.resize(2 * static_cast<Eigen::Index>(c.last - c.first));
     const Point back(c.heading[0], -c.heading[1]);
     for (auto k = c.first; k < c.last; ++k) {
         const auto i = members[k];
@@ -168,7 +179,6 @@ Eigen::VectorXd balancedForces(const State& state, const Cluster& c) {
         const Point left = state.loads[i].cast<double>() - static_cast<double>(p.mass[i]) * a;
         forces.segment<2>(2 * static_cast<Eigen::Index>(k - c.first)) = turned(back, left);
     }
-    return forces;
 }
 
 }  // namespace
@@ -192,10 +202,12 @@ void recoverLoads(State& state) {
     loadByJoints(state);
     loadByAttachments(state);
     loadByGrabs(state);
+    thread_local Eigen::VectorXd forces;
     for (const auto index : state.work.watchedClusters) {
         Cluster& c = state.clusters.list[index];
         if (!c.truss) c.truss = std::make_shared<const Truss>(state, c);
-        c.truss->solve(balancedForces(state, c), [&](JointId joint, double tension) {
+        balanceForces(state, c, forces);
+        c.truss->solve(forces, [&](JointId joint, double tension) {
             state.joints.force[state.jointSlots.dense(joint)] = static_cast<Real>(tension);
         });
     }

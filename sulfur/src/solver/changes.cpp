@@ -23,7 +23,11 @@ void append(std::vector<Range>& ranges, std::uint32_t i) {
 
 void listAwakeParticles(State& state) {
     WorkLists& work = state.work;
-    for (auto* list : {&work.awake, &work.points, &work.free}) list->clear();
+    for (auto* list : {&work.awake, &work.points, &work.free}) {
+        list->clear();
+        // When some fall asleep, the ranges of the others fall apart.
+        list->reserve(state.bodies.size());
+    }
     work.awakeParticles = 0;
     for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
         if (!state.movable(b)) continue;

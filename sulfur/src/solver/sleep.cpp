@@ -42,8 +42,8 @@ void tie(State& state, DisjointSets& islands, std::uint32_t a, std::uint32_t b) 
     }
 }
 
-DisjointSets findIslands(State& state) {
-    DisjointSets islands(state.bodies.size());
+void findIslands(State& state, DisjointSets& islands) {
+    islands.reset(state.bodies.size());
     for (const Contact& c : state.contacts)
         if (c.normalLambda > 0) tie(state, islands, c.bodyA, c.bodyB);
     const auto& body = state.particles.body;
@@ -52,7 +52,6 @@ DisjointSets findIslands(State& state) {
         if (joints.body[j] == none) tie(state, islands, body[joints.a[j]], body[joints.b[j]]);
     for (const Attachment& held : state.attachments)
         tie(state, islands, body[held.particle], body[held.support[0]]);
-    return islands;
 }
 
 void wakeTouched(State& state) {
@@ -111,12 +110,17 @@ void updateSleep(State& state) {
     wakeTouched(state);
     wakeTied(state);
     measureRest(state);
+    // Memory is taken when bodies are added, not when they first tire.
+    thread_local DisjointSets islands;
+    thread_local std::vector<bool> restless;
+    islands.reserve(state.bodies.size());
+    restless.reserve(state.bodies.size());
     const bool anyTired = std::any_of(
         state.bodies.begin(), state.bodies.end(),
         [](const BodyRecord& body) { return !body.asleep && body.restingTime >= timeToSleep; });
     if (!anyTired) return;
-    DisjointSets islands = findIslands(state);
-    std::vector<bool> restless(state.bodies.size(), false);
+    findIslands(state, islands);
+    restless.assign(state.bodies.size(), false);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&
             state.bodies[i].restingTime < timeToSleep)
