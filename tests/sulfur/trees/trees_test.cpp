@@ -1,0 +1,138 @@
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+double longestStretch(const World& world, const Body& body) {
+    double worst = 0;
+    for (const JointId id : body.joints()) {
+        const JointInfo joint = world.info(id);
+        const double length = (world.position(joint.b) - world.position(joint.a)).norm();
+        worst = std::max(worst, std::abs(length / static_cast<double>(joint.restLength) - 1));
+    }
+    return worst;
+}
+
+TEST(Trees, ARopeIsFoundAndNothingOfItIsSwept) {
+    World world;
+    world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .links = 40, .pinFirst = true}));
+    world.step();
+    EXPECT_EQ(world.statistics().trees, 1u);
+    EXPECT_EQ(world.statistics().sweptJoints, 0u);
+}
+
+/// A mobile of branches: lengths hold, energy stays.
+TEST(Trees, ABranchedOneKeepsLengthsAndEnergy) {
+    World world({.sleeping = false});
+    Blueprint plan;
+    plan.particles = {{.pinned = true}};
+    for (std::uint32_t i = 1; i < 31; ++i) {
+        const auto parent = (i - 1) / 2;
+        const Vec2 step(i % 2 == 0 ? Real(0.3) : Real(-0.25), Real(0.1) * static_cast<Real>(i % 3));
+        plan.particles.push_back({.position = plan.particles[parent].position + step,
+                                  .mass = i % 5 == 0 ? 2 : Real(0.1)});
+        plan.joints.push_back({.a = parent, .b = i});
+    }
+    const Body tree = world.add(plan);
+    world.step();
+    EXPECT_EQ(world.statistics().trees, 2u);  // one on each side of the pin
+    EXPECT_EQ(world.statistics().sweptJoints, 0u);
+    const double start = world.energy();
+    double worst = 0;
+    for (int i = 0; i < 1500; ++i) {
+        world.step();
+        worst = std::max(worst, longestStretch(world, tree));
+    }
+    EXPECT_LT(worst, 1e-6);
+    const double scale = static_cast<double>(world.mass(tree)) * 9.81;
+    EXPECT_LT(world.energy() - start, 0.01 * scale);
+    EXPECT_GT(world.energy() - start, -0.05 * scale);
+}
+
+/// What hangs on a rope's end takes part in its solve, however heavy it is.
+TEST(Trees, ACrateOnARopeIsOneTree) {
+    World world({.airFriction = 1, .sleeping = false});
+    const Body rope = world.add(shapes::rope({.from = {0, 0},
+                                              .to = {0, -2},
+                                              .links = 40,
+                                              .mass = Real(0.5),
+                                              .radius = 0,
+                                              .pinFirst = true}));
+    const Body crate = world.add(shapes::box({.mass = 500}), {.position = {0, -2.5}});
+    world.attach(rope.back(), crate, {0, Real(0.5)});
+    double worst = 0;
+    for (int i = 0; i < 2000; ++i) {
+        world.step();
+        worst = std::max(worst, longestStretch(world, rope));
+    }
+    EXPECT_EQ(world.statistics().trees, 1u);
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_NEAR(world.info(rope.joints()[0]).force, 500.5 * 9.81, 0.005 * 500 * 9.81);
+}
+
+/// Two ropes between two crates are a cycle: both are lines through a mesh, and both hold.
+TEST(Trees, ARingOfRopesAndCratesHolds) {
+    World world({.airFriction = 1, .sleeping = false});
+    const Body upper = world.add(shapes::box({.mass = 5}));
+    world.setPinned(upper[0], true);
+    world.setPinned(upper[1], true);
+    const Body middle = world.add(shapes::box({.mass = 5}), {.position = {0, -2}});
+    const Body lower = world.add(shapes::box({.mass = 50}), {.position = {0, -4}});
+    std::vector<Body> ropes;
+    for (const Real side : {Real(-0.4), Real(0.4)}) {
+        for (const auto& [from, above, below] :
+             {std::tuple(Real(-0.5), upper, middle), {Real(-2.5), middle, lower}}) {
+            const Body rope = world.add(shapes::rope(
+                {.from = {side, from}, .to = {side, from - 1}, .links = 20, .radius = 0}));
+            world.attach(rope.front(), above, {side, Real(-0.5)});
+            world.attach(rope.back(), below, {side, Real(0.5)});
+            ropes.push_back(rope);
+        }
+    }
+    test::run(world, 5);
+    EXPECT_EQ(world.statistics().sweptJoints, 0u);
+    EXPECT_NEAR(world.centreOfMass(lower)[1], -4, 0.02);
+    for (const Body& rope : ropes) EXPECT_LT(longestStretch(world, rope), 5e-3);
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// A closed chain of rigid links on the floor of nothing: it falls, turns, and keeps its links.
+TEST(Trees, ANecklaceHolds) {
+    World world({.sleeping = false});
+    Blueprint plan;
+    constexpr std::uint32_t count = 24;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 6.283185307179586 * i / count;
+        plan.particles.push_back(
+            {.position = {static_cast<Real>(std::cos(angle)), static_cast<Real>(std::sin(angle))},
+             .mass = Real(0.1),
+             .pinned = i == 6});
+    }
+    for (std::uint32_t i = 0; i < count; ++i) plan.joints.push_back({.a = i, .b = (i + 1) % count});
+    const Body necklace = world.add(plan);
+    test::run(world, 5);
+    EXPECT_LT(longestStretch(world, necklace), 1e-4);
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// A gap over which something is attached closes at walking pace; nothing is thrown.
+TEST(Trees, WhatIsAttachedOverAGapIsNotThrown) {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    const Body crate = world.add(shapes::box());
+    const Body rope =
+        world.add(shapes::rope({.from = {0, 4}, .to = {0, 2}, .links = 20, .radius = 0}));
+    world.attach(rope.back(), crate, {0, Real(0.5)});
+    double fastest = 0;
+    for (int i = 0; i < 1000; ++i) {
+        world.step();
+        for (const auto& body : {crate, rope})
+            for (const ParticleId p : body.particles())
+                fastest = std::max(fastest, static_cast<double>(world.velocity(p).norm()));
+    }
+    EXPECT_LT(fastest, 8);
+    const Point knot = (world.position(crate[2]) + world.position(crate[3])) / 2;
+    EXPECT_NEAR((world.position(rope.back()) - knot).norm(), 0.02, 1e-3);
+}
+
+}  // namespace
+}  // namespace sulfur
