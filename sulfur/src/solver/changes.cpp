@@ -99,6 +99,8 @@ void listJoints(State& state) {
         if (!takesPart(state, j)) continue;
         (joints.kind[j] == JointKind::rigid ? work.rigidJoints : work.implicitJoints).push_back(j);
     }
+    batchJoints(state, work.implicitJoints, work.implicitSweep);
+    batchJoints(state, work.rigidJoints, work.rigidSweep);
 }
 
 void listAttachments(State& state) {

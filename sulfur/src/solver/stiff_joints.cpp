@@ -66,6 +66,15 @@ Real whip(const State& state, std::uint32_t j, Real w) {
     return 2 * w * std::abs(joints.force[j]) * state.h * state.h / joints.restLength[j];
 }
 
+constexpr Real mostWhip = Real(0.2);
+
+/// The length (m) to reach in this tick by a rigid joint of the given length.
+Real restOf(const State& state, std::uint32_t j, Real length) {
+    const Real rest = state.joints.restLength[j];
+    const double torn = static_cast<double>(length - rest);
+    return rest + static_cast<Real>(errorLeft(torn, static_cast<double>(state.h)));
+}
+
 /// A rigid joint pulls along its direction at the start of the tick (SHAKE, Ryckaert et al. 1977):
 /// only so does a pendulum keep its energy. Light links under great tension would explode by that;
 /// they pull along the mean of the directions at the tick's start and now, which brakes rotation
@@ -77,39 +86,132 @@ void solveRigid(State& state, std::uint32_t j) {
     const Vec2 apart = before + ends.moved(state);
     const Real start = before.norm(), length = apart.norm();
     if (start == 0 || length == 0) return;
-    const double torn = static_cast<double>(start - joints.restLength[j]);
-    const Real rest =
-        joints.restLength[j] + static_cast<Real>(errorLeft(torn, static_cast<double>(state.h)));
+    const Real rest = restOf(state, j, start);
     const Vec2 now = apart / length;
     Vec2 direction = before / start;
     const Real w = ends.inverseMass(state, direction);
     if (w == 0) return;
-    if (whip(state, j, w) > Real(0.2)) direction = (direction + now).normalized();
+    if (whip(state, j, w) > mostWhip) direction = (direction + now).normalized();
     if (direction.dot(now) < Real(0.5)) direction = now;
     const Real change = (rest * rest - length * length) / (2 * w * direction.dot(apart));
     joints.lambda[j] += change;
     ends.push(state, change * direction);
 }
 
+// --- many at once ---------------------------------------------------------------------------
+
+SweepView viewOf(State& state, SweptJoints& s) {
+    static_assert(sizeof(Vec2) == 2 * sizeof(Real));
+    SweepView view{};
+    view.displacement = state.particles.displacement.data()->data();
+    view.a = s.a.data();
+    view.b = s.b.data();
+    view.startX = s.startX.data();
+    view.startY = s.startY.data();
+    view.massA = s.massA.data();
+    view.massB = s.massB.data();
+    view.rest = s.rest.data();
+    view.lambda = s.lambda.data();
+    view.hk = s.hk.data();
+    view.hb = s.hb.data();
+    view.gain = s.gain.data();
+    view.directionX = s.directionX.data();
+    view.directionY = s.directionY.data();
+    view.scale = s.scale.data();
+    view.whips = s.whips.data();
+    return view;
+}
+
+/// Calls f(joint, its place in the arrays) for all joints of wide batches.
+template <class Function>
+void forEachWide(const std::vector<std::uint32_t>& list, const SweptJoints& swept, Function&& f) {
+    for (const SweepBatch& batch : swept.batches)
+        if (batch.wide)
+            for (auto k = batch.first; k < batch.last; ++k)
+                f(list[k], std::size_t{batch.place} + (k - batch.first));
+}
+
+/// What all sweeps of a tick have in common; returns the joint's vector at the tick's start.
+Vec2 prepareEnds(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
+    const Vec2 start = apartAtStart(state, j);
+    s.startX[k] = start[0];
+    s.startY[k] = start[1];
+    s.massA[k] = state.particles.inverseMass[state.joints.a[j]];
+    s.massB[k] = state.particles.inverseMass[state.joints.b[j]];
+    s.lambda[k] = 0;
+    return start;
+}
+
+void prepareImplicit(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
+    const Joints& joints = state.joints;
+    const Real h = state.h;
+    prepareEnds(state, j, s, k);
+    s.rest[k] = joints.restLength[j];
+    s.hk[k] = (joints.stiffness[j] - joints.explicitStiffness[j]) * h * h;
+    s.hb[k] = (joints.damping[j] - joints.explicitDamping[j]) * h;
+    s.gain[k] = 1 / ((s.hk[k] + s.hb[k]) * (s.massA[k] + s.massB[k]) + 1);
+}
+
+void prepareRigid(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
+    const Vec2 before = prepareEnds(state, j, s, k);
+    const Real length = before.norm(), w = s.massA[k] + s.massB[k];
+    const bool solvable = length > 0 && w > 0;
+    s.rest[k] = restOf(state, j, length);
+    s.directionX[k] = solvable ? before[0] / length : 0;
+    s.directionY[k] = solvable ? before[1] / length : 0;
+    s.scale[k] = solvable ? 1 / (2 * w) : 0;
+    s.whips[k] = whip(state, j, w) > mostWhip ? 1 : 0;
+}
+
+using SolveOne = void (*)(State&, std::uint32_t);
+using SolveMany = void (*)(const SweepView&, std::size_t, std::size_t);
+
+void sweep(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept, SolveOne one,
+           SolveMany many) {
+    if (list.empty()) return;
+    const SweepView view = viewOf(state, swept);
+    for (const SweepBatch& batch : swept.batches) {
+        if (batch.wide)
+            many(view, batch.place, batch.last - batch.first);
+        else
+            for (auto k = batch.first; k < batch.last; ++k) one(state, list[k]);
+    }
+}
+
 }  // namespace
 
 void solveImplicitJoints(State& state) {
-    for (const auto j : state.work.implicitJoints) solveImplicit(state, j);
+    WorkLists& work = state.work;
+    sweep(state, work.implicitJoints, work.implicitSweep, solveImplicit, sweepKernels().implicit);
 }
 
 void solveRigidJoints(State& state) {
-    for (const auto j : state.work.rigidJoints) solveRigid(state, j);
+    WorkLists& work = state.work;
+    sweep(state, work.rigidJoints, work.rigidSweep, solveRigid, sweepKernels().rigid);
 }
 
 void clearMultipliers(State& state) {
-    for (const auto j : state.work.implicitJoints) state.joints.lambda[j] = 0;
-    for (const auto j : state.work.rigidJoints) state.joints.lambda[j] = 0;
-    for (const auto i : state.work.attachments) state.attachments[i].force = Vec2(0, 0);
-    for (const auto i : state.work.hinges) state.clusters.hinges[i].force = Vec2(0, 0);
+    WorkLists& work = state.work;
+    for (const auto j : work.implicitJoints) state.joints.lambda[j] = 0;
+    for (const auto j : work.rigidJoints) state.joints.lambda[j] = 0;
+    forEachWide(work.implicitJoints, work.implicitSweep, [&](std::uint32_t j, std::size_t k) {
+        prepareImplicit(state, j, work.implicitSweep, k);
+    });
+    forEachWide(work.rigidJoints, work.rigidSweep, [&](std::uint32_t j, std::size_t k) {
+        prepareRigid(state, j, work.rigidSweep, k);
+    });
+    for (const auto i : work.attachments) state.attachments[i].force = Vec2(0, 0);
+    for (const auto i : work.hinges) state.clusters.hinges[i].force = Vec2(0, 0);
 }
 
 void recordForces(State& state) {
     Joints& joints = state.joints;
+    const WorkLists& work = state.work;
+    for (const auto& [list, swept] : {std::pair(&work.implicitJoints, &work.implicitSweep),
+                                      std::pair(&work.rigidJoints, &work.rigidSweep)})
+        forEachWide(*list, *swept, [&, from = swept](std::uint32_t j, std::size_t k) {
+            joints.lambda[j] = from->lambda[k];
+        });
     const Real scale = -1 / (state.h * state.h);
     for (const auto j : state.work.stiffJoints) {
         // What is a force as well has been recorded as one already.

@@ -5,6 +5,7 @@
 // a cycle is a tree that moves alone. In a part with cycles, every long path through vertices of
 // two edges is a line that is solved as a whole in each sweep; the rest is swept joint by joint.
 #include <algorithm>
+#include <bit>
 
 #include "core/disjoint_sets.hpp"
 #include "rigid/cluster_motion.hpp"
@@ -350,6 +351,7 @@ private:
             if (e.kind == LinkKind::joint) rest.sweptJoints.push_back(e.link);
             if (e.kind == LinkKind::hinge) rest.sweptHinges.push_back(e.link);
         }
+        colourJoints();
         for (std::uint32_t i = 0; i < state_.attachments.size(); ++i) {
             if (attachmentUsed[i]) continue;
             rest.sweptAttachments.push_back(i);
@@ -357,6 +359,32 @@ private:
             tie(held.particle);
             for (std::uint32_t k = 0; k < held.count; ++k) tie(held.support[k]);
         }
+    }
+
+    /// Greedily: each joint gets the first colour that no other has at its ends. Then sorts the
+    /// list by colours, and within a colour joints between points before those of clusters.
+    void colourJoints() {
+        Structure& rest = state_.structure;
+        rest.colours.assign(state_.joints.size(), 0);
+        std::vector<std::uint64_t> taken(graph_.vertexCount(), 0);
+        std::vector<std::uint8_t> ofCluster(state_.joints.size(), 0);
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i) {
+            const Edge& e = graph_.edges[i];
+            if (used_[i] || e.kind != LinkKind::joint) continue;
+            std::uint64_t here = 0;
+            for (const auto v : {e.a.vertex, e.b.vertex}) {
+                if (v == none) continue;
+                here |= taken[v];
+                if (graph_.isCluster(v)) ofCluster[e.link] = 1;
+            }
+            const int colour = std::min<int>(std::countr_one(here), noColour);
+            rest.colours[e.link] = static_cast<std::uint8_t>(colour);
+            for (const auto v : {e.a.vertex, e.b.vertex})
+                if (v != none) taken[v] |= std::uint64_t{1} << colour;
+        }
+        const auto key = [&](std::uint32_t j) { return 2 * rest.colours[j] + ofCluster[j]; };
+        std::stable_sort(rest.sweptJoints.begin(), rest.sweptJoints.end(),
+                         [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
     }
 
     /// A swept attachment pulls on the tree of this particle, if it has one.

@@ -14,6 +14,7 @@
 #include "joints/joints.hpp"
 #include "particles/particles.hpp"
 #include "rigid/clusters.hpp"
+#include "solver/swept_joints.hpp"
 #include "trees/trees.hpp"
 #include "world/bodies.hpp"
 #include "world/influences.hpp"
@@ -25,11 +26,15 @@ struct Range {
     std::uint32_t first = 0, last = 0;
 };
 
+/// The colour of what the others left none for.
+inline constexpr std::uint8_t noColour = 63;
+
 /// How what is stiff is solved: derived from joints, attachments, masses and pins whenever `stale`,
 /// whether it is awake or not.
 struct Structure {
     // What no tree has taken, in the order of the sweeps: joints of one colour share no particle.
     std::vector<std::uint32_t> sweptJoints, sweptAttachments, sweptHinges;
+    std::vector<std::uint8_t> colours;  // of all joints; those of `noColour` share particles
     bool stale = true;
 
     template <class Archive>
@@ -37,6 +42,7 @@ struct Structure {
         a(sweptJoints);
         a(sweptAttachments);
         a(sweptHinges);
+        a(colours);
         a(stale);
     }
 };
@@ -53,6 +59,7 @@ struct WorkLists {
     std::vector<std::uint32_t> lonelyTrees;      // that move alone
     std::vector<std::uint32_t> lines;            // trees that are solved in the sweeps
     std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints;  // the latter two swept
+    SweptJoints implicitSweep, rigidSweep;                                   // their batches
     std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
     std::vector<std::uint32_t> breakableJoints;
     std::vector<std::uint32_t> attachments, hinges;  // swept

@@ -1,0 +1,56 @@
+// Sweeping many joints that share no particle, several at once.
+//
+// The same source, joint_sweep.ipp, is compiled once for every x86-64 and once for AVX2; which of
+// the two runs is found out when the program does. Both give the same bits: lanes do not meet,
+// roots and divisions are exact, and no product is fused with a sum. Nothing here may include a
+// header with functions: the linker could keep the copy that needs AVX2 and use it everywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace sulfur::detail {
+
+#ifdef SULFUR_REAL_DOUBLE
+using SweepReal = double;
+#else
+using SweepReal = float;
+#endif
+
+/// Batches begin at multiples of this many joints, the widest that a kernel takes at once.
+inline constexpr std::size_t sweepLanes = 8;
+
+/// Arrays of joints as the kernels see them. Behind the last joint of a batch the arrays go on to
+/// the next multiple of sweepLanes with numbers that can be computed with.
+struct SweepView {
+    SweepReal* displacement;  // m, x and y in turn, of every particle
+    const std::uint32_t *a, *b;
+    const SweepReal *startX, *startY;  // m, from a to b when the tick began
+    const SweepReal *massA, *massB;    // 1/kg
+    const SweepReal* rest;             // m
+    SweepReal* lambda;                 // kg m
+    // Of implicit joints.
+    const SweepReal *hk, *hb;  // kg: stiffness h^2 and damping h
+    const SweepReal* gain;     // 1 / ((hk + hb) w + 1)
+    // Of rigid joints.
+    const SweepReal *directionX, *directionY;  // when the tick began
+    const SweepReal* scale;                    // kg / 2: 1 / 2w, or 0 where nothing can move
+    const SweepReal* whips;                    // 1: pulls along the mean direction
+};
+
+/// Sweeps once over the joints [first, first + count), which share no particle that moves.
+struct SweepKernels {
+    void (*implicit)(const SweepView& joints, std::size_t first, std::size_t count);
+    void (*rigid)(const SweepView& joints, std::size_t first, std::size_t count);
+};
+
+extern const SweepKernels baselineSweep;
+#ifdef SULFUR_AVX2_KERNELS
+extern const SweepKernels avx2Sweep;
+#endif
+
+/// The widest that this processor can run; or, for tests, the baseline.
+const SweepKernels& sweepKernels();
+void useBaselineKernels(bool only);
+
+}  // namespace sulfur::detail

@@ -1,0 +1,69 @@
+// The kernels give the same bits whatever instructions they use.
+#include "kernels/joint_sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sulfur/sulfur.hpp>
+
+#include "helpers.hpp"
+
+namespace sulfur {
+
+namespace {
+
+/// A net of `side` squared particles, shaken; 7 a side leave batches that fill no whole vector.
+Body addNet(World& world, unsigned side, Real stiffness) {
+    Blueprint plan;
+    for (unsigned i = 0; i < side * side; ++i)
+        plan.particles.push_back(
+            {.position = Vec2(Real(0.1) * Real(i % side), Real(0.1) * Real(i / side)),
+             .mass = Real(0.05) * Real(1 + i % 3),
+             .pinned = i == side * (side - 1) || i == side * side - 1});
+    for (unsigned i = 0; i < side * side; ++i) {
+        if (i % side + 1 < side)
+            plan.joints.push_back({.a = i, .b = i + 1, .stiffness = stiffness, .damping = 1});
+        if (i + side < side * side)
+            plan.joints.push_back({.a = i + side, .b = i, .stiffness = stiffness, .damping = 1});
+    }
+    const Body body = world.add(plan);
+    test::Random random(7);
+    for (const ParticleId id : body.particles())
+        if (!world.info(id).pinned)
+            world.setVelocity(id, Vec2(static_cast<Real>(random.bits() % 1000) / 500 - 1,
+                                       static_cast<Real>(random.bits() % 1000) / 500 - 1));
+    return body;
+}
+
+std::uint64_t hashAfterSwinging(Real stiffness, bool baselineOnly) {
+    detail::useBaselineKernels(baselineOnly);
+    World world;
+    addNet(world, 7, stiffness);
+    addNet(world, 12, stiffness);
+    for (int i = 0; i < 300; ++i) world.step();
+    EXPECT_EQ(world.validate(), "");
+    EXPECT_GT(world.statistics().sweptJoints, 100u);
+    detail::useBaselineKernels(false);
+    return world.hash();
+}
+
+}  // namespace
+
+TEST(JointSweep, SameBitsWithAnyInstructions) {
+    for (const Real stiffness : {Real(1e6), infinite})
+        EXPECT_EQ(hashAfterSwinging(stiffness, false), hashAfterSwinging(stiffness, true));
+}
+
+TEST(JointSweep, KeepsLengthsOfARigidNet) {
+    World world({.sweeps = 60});
+    const Body net = addNet(world, 7, infinite);
+    for (int i = 0; i < 200; ++i) world.step();
+    for (unsigned row = 0; row < 7; ++row)
+        for (unsigned k = 0; k + 1 < 7; ++k) {
+            const Point a = world.position(net[7 * row + k]),
+                        b = world.position(net[7 * row + k + 1]);
+            EXPECT_NEAR((a - b).norm(), 0.1, 0.01);
+        }
+}
+
+}  // namespace sulfur
