@@ -102,7 +102,8 @@ TEST(Clusters, ImpulsesGoWhereTheyAct) {
     // L = r x p = 0.48 * 3; I = m (w^2 + h^2) / 12.
     const double spin = 0.48 * 3 / (2.0 / 6);
     const double relative =
-        (world.velocity(crate[2]) - world.velocity(crate[0])).norm() / (0.96 * std::sqrt(2));
+        static_cast<double>((world.velocity(crate[2]) - world.velocity(crate[0])).norm()) /
+        (0.96 * std::sqrt(2));
     EXPECT_NEAR(relative, spin, 1e-3 * spin);
 }
 
