@@ -1,4 +1,4 @@
-// For processors with AVX2: the only file of the library that is compiled for them.
+// For processors with AVX2; compiled for nothing less.
 #include "kernels/joint_sweep.hpp"
 
 #define SWEEP_BYTES 32

@@ -48,7 +48,8 @@ bool holds(const State& state, const Grab& grab) {
 }
 
 void startGrabs(State& state) {
-    auto& [fields, grabs, fieldSlots, grabSlots] = state.influences;
+    auto& grabs = state.influences.grabs;
+    auto& grabSlots = state.influences.grabSlots;
     if (grabs.empty()) return;
     for (const Grab& grab : grabs)
         if (!holds(state, grab)) grabSlots.erase(grab.id);

@@ -6,6 +6,7 @@
 #include "rigid/cluster_motion.hpp"
 #include "rigid/find_clusters.hpp"
 #include "rigid/loads.hpp"
+#include "solver/motion.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -67,27 +68,10 @@ void startFreshParticles(State& state) {
 
 /// v += h (g + w f) and d = h v for the particles that move by themselves.
 void predictParticles(State& state) {
-    Particles& particles = state.particles;
-    const double h = static_cast<double>(state.h);
-    const Point gravity = state.settings.gravity.cast<double>();
-    // Air friction by the trapezoidal rule: v' - v = h a - h c (v + v') / 2.
-    // A kick leads from the middle of the last tick to the middle of this one.
-    const double kick = (state.lastTick + h) / 2;
-    const double half = kick * static_cast<double>(state.settings.airFriction) / 2;
-    const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
-    for (const Range range : state.work.free) {
-        for (std::uint32_t i = range.first; i < range.last; ++i) {
-            const double w = static_cast<double>(particles.inverseMass[i]);
-            if (w != 0) {
-                const Point acceleration = gravity + w * particles.force[i];
-                particles.velocity[i] = limited(keep * particles.velocity[i] + push * acceleration);
-                particles.displacement[i] = (h * particles.velocity[i]).cast<Real>();
-            } else {
-                particles.displacement[i] = Vec2(0, 0);
-            }
-            particles.force[i] = Point(0, 0);
-        }
-    }
+    const MotionView view = motionOf(state.particles);
+    const Kick kick = kickOf(state);
+    for (const Range range : state.work.free)
+        motionKernels().predict(view, kick, range.first, range.last);
 }
 
 }  // namespace

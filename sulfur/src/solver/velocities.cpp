@@ -4,6 +4,7 @@
 #include "core/limits.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
+#include "solver/motion.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -17,16 +18,10 @@ constexpr Real reboundThreshold = Real(0.2);  // m/s
 /// What the constraints have changed of the predicted displacement becomes velocity. Where they
 /// changed nothing, not a bit of the velocity changes.
 void velocitiesFromDisplacements(State& state) {
-    Particles& particles = state.particles;
-    const double h = static_cast<double>(state.h);
-    for (const Range range : state.work.free) {
-        for (std::uint32_t i = range.first; i < range.last; ++i) {
-            if (particles.inverseMass[i] == 0) continue;
-            const Vec2 predicted = (h * particles.velocity[i]).cast<Real>();
-            const Vec2 change = particles.displacement[i] - predicted;
-            particles.velocity[i] = limited(particles.velocity[i] + change.cast<double>() / h);
-        }
-    }
+    const MotionView view = motionOf(state.particles);
+    const Kick kick = kickOf(state);
+    for (const Range range : state.work.free)
+        motionKernels().takeUp(view, kick, range.first, range.last);
 }
 
 Vec2 relativeVelocity(const State& state, const Contact& c) {
@@ -46,13 +41,9 @@ void rebound(State& state, const Contact& c) {
 }
 
 void movePoints(State& state) {
-    Particles& particles = state.particles;
-    for (const Range range : state.work.points) {
-        for (std::uint32_t i = range.first; i < range.last; ++i) {
-            const Point moved = particles.position[i] + particles.displacement[i].cast<double>();
-            particles.position[i] = moved.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
-        }
-    }
+    const MotionView view = motionOf(state.particles);
+    for (const Range range : state.work.points)
+        motionKernels().move(view, maxCoordinate, range.first, range.last);
 }
 
 }  // namespace

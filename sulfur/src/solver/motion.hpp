@@ -1,0 +1,26 @@
+// What the kernels of particle motion are given.
+#pragma once
+
+#include "core/limits.hpp"
+#include "kernels/particle_motion.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+inline MotionView motionOf(Particles& p) {
+    static_assert(sizeof(Point) == 2 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(Real));
+    if (p.size() == 0) return {};
+    return {p.position.data()->data(), p.velocity.data()->data(), p.force.data()->data(),
+            p.displacement.data()->data(), p.inverseMass.data()};
+}
+
+/// The kick from the middle of the last tick to the middle of this one, with air friction by the
+/// trapezoidal rule: v' - v = k a - k c (v + v') / 2.
+inline Kick kickOf(const State& state) {
+    const double h = static_cast<double>(state.h), duration = (state.lastTick + h) / 2;
+    const double half = duration * static_cast<double>(state.settings.airFriction) / 2;
+    const Point gravity = state.settings.gravity.cast<double>();
+    return {gravity[0], gravity[1], (1 - half) / (1 + half), duration / (1 + half), h, maxSpeed};
+}
+
+}  // namespace sulfur::detail
