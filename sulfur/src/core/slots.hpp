@@ -1,6 +1,7 @@
 // Generational handles to the entries of dense arrays.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <sulfur/ids.hpp>
 #include <vector>
@@ -40,6 +41,13 @@ public:
 
     std::uint32_t dense(Id id) const { return dense_[id.index - 1]; }
     void move(Id id, std::uint32_t denseIndex) { dense_[id.index - 1] = denseIndex; }
+
+    /// Whether the lists fit each other, as those that an archive has read may not.
+    bool sound() const {
+        if (dense_.size() != generation_.size()) return false;
+        return std::all_of(free_.begin(), free_.end(),
+                           [&](std::uint32_t slot) { return slot < dense_.size(); });
+    }
 
     template <class Archive>
     void archive(Archive& a) {

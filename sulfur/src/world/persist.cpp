@@ -1,9 +1,7 @@
 // World: snapshot, restore, hash, and the check of invariants.
-#include <cmath>
-#include <sstream>
-
 #include "core/archive.hpp"
 #include "world/impl.hpp"
+#include "world/validate.hpp"
 
 namespace sulfur {
 
@@ -72,51 +70,6 @@ std::uint64_t buildMark() {
     return snapshotMark ^ sizeof(Real) << 56;
 }
 
-std::string problem(const char* what, std::size_t index) {
-    return std::string(what) + " (index " + std::to_string(index) + ")";
-}
-
-std::string validateParticles(const State& state) {
-    const Particles& p = state.particles;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!p.position[i].allFinite()) return problem("particle position is not finite", i);
-        if (!p.velocity[i].allFinite()) return problem("particle velocity is not finite", i);
-        if (!p.displacement[i].allFinite())
-            return problem("particle displacement is not finite", i);
-        if (!(p.inverseMass[i] >= 0)) return problem("particle inverse mass is negative", i);
-        if (p.body[i] >= state.bodies.size()) return problem("particle without a body", i);
-        if (!state.particleSlots.contains(p.id[i]) || state.particleSlots.dense(p.id[i]) != i)
-            return problem("particle handle leads elsewhere", i);
-    }
-    return {};
-}
-
-std::string validateJoints(const State& state) {
-    const Joints& j = state.joints;
-    for (std::size_t i = 0; i < j.size(); ++i) {
-        if (j.a[i] >= state.particles.size() || j.b[i] >= state.particles.size())
-            return problem("joint end out of range", i);
-        if (j.a[i] == j.b[i]) return problem("joint from a particle to itself", i);
-        if (!state.jointSlots.contains(j.id[i]) || state.jointSlots.dense(j.id[i]) != i)
-            return problem("joint handle leads elsewhere", i);
-    }
-    return {};
-}
-
-std::string validateBodies(const State& state) {
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-        const BodyRecord& body = state.bodies[i];
-        if (body.firstParticle != next) return problem("body does not follow its predecessor", i);
-        for (std::size_t k = 0; k < body.particles.size(); ++k)
-            if (state.particles.body[next + k] != i) return problem("particle of another body", i);
-        next += body.particles.size();
-        if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)
-            return problem("body handle leads elsewhere", i);
-    }
-    return next == state.particles.size() ? std::string() : "particles outside of bodies";
-}
-
 }  // namespace
 
 }  // namespace detail
@@ -154,8 +107,7 @@ void World::restore(const Snapshot& snapshot) {
                     "the library; allowed is one of this build");
     auto fresh = std::make_unique<Impl>();
     detail::archiveAll(reader, fresh->state);
-    const std::string broken = detail::validateParticles(fresh->state);
-    if (!reader.finished() || !broken.empty() || !fresh->state.influences.validate().empty())
+    if (!reader.finished() || !detail::findBroken(fresh->state).empty())
         throw Error(ErrorCode::badSnapshot,
                     "the snapshot is damaged; allowed is one that "
                     "World::snapshot made");
@@ -164,10 +116,7 @@ void World::restore(const Snapshot& snapshot) {
 }
 
 std::string World::validate() const {
-    for (const auto check :
-         {detail::validateParticles, detail::validateJoints, detail::validateBodies})
-        if (std::string broken = check(impl_->state); !broken.empty()) return broken;
-    return impl_->state.influences.validate();
+    return detail::findBroken(impl_->state);
 }
 
 }  // namespace sulfur

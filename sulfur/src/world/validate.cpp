@@ -1,0 +1,193 @@
+#include "world/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/limits.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+std::string problem(const char* what, std::size_t index) {
+    return std::string(what) + " (index " + std::to_string(index) + ")";
+}
+
+/// Every array of a structure of arrays has one entry for each thing.
+template <class Arrays>
+bool evenlyLong(const Arrays& arrays) {
+    bool even = true;
+    // forEachArray only hands out the arrays; nothing is changed.
+    const_cast<Arrays&>(arrays).forEachArray(
+        [&](const auto& list) { even &= list.size() == arrays.size(); });
+    return even;
+}
+
+std::string validateArrays(const State& state) {
+    if (!evenlyLong(state.particles)) return "arrays of particles of different lengths";
+    if (!evenlyLong(state.joints)) return "arrays of joints of different lengths";
+    if (state.bodyIds.size() != state.bodies.size()) return "a list of bodies of another length";
+    if (!state.particleSlots.sound() || !state.jointSlots.sound() || !state.bodySlots.sound() ||
+        !state.attachmentSlots.sound())
+        return "handles that fit no list";
+    const int rate = state.settings.tickRate;
+    if (rate < minTickRate || rate > maxTickRate) return "tick rate out of range";
+    if (state.settings.sweeps < 1 || state.settings.sweeps > 100) return "sweeps out of range";
+    if (!(state.h > 0) || !(state.lastTick > 0)) return "a tick without duration";
+    return {};
+}
+
+std::string validateParticles(const State& state) {
+    const Particles& p = state.particles;
+    const auto clusters = state.clusters.list.size();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!p.position[i].allFinite()) return problem("particle position is not finite", i);
+        if (!p.velocity[i].allFinite()) return problem("particle velocity is not finite", i);
+        if (!p.displacement[i].allFinite())
+            return problem("particle displacement is not finite", i);
+        if (!(p.inverseMass[i] >= 0)) return problem("particle inverse mass is negative", i);
+        if (!(p.mass[i] > 0)) return problem("particle mass is not positive", i);
+        if (p.body[i] >= state.bodies.size()) return problem("particle without a body", i);
+        if (p.cluster[i] != none && p.cluster[i] >= clusters)
+            return problem("particle of a rigid component that there is not", i);
+        if (!state.particleSlots.contains(p.id[i]) || state.particleSlots.dense(p.id[i]) != i)
+            return problem("particle handle leads elsewhere", i);
+    }
+    return {};
+}
+
+std::string validateJoints(const State& state) {
+    const Joints& j = state.joints;
+    for (std::size_t i = 0; i < j.size(); ++i) {
+        if (j.a[i] >= state.particles.size() || j.b[i] >= state.particles.size())
+            return problem("joint end out of range", i);
+        if (j.a[i] == j.b[i]) return problem("joint from a particle to itself", i);
+        if (j.body[i] != none && j.body[i] >= state.bodies.size())
+            return problem("joint of a body that there is not", i);
+        if (!state.jointSlots.contains(j.id[i]) || state.jointSlots.dense(j.id[i]) != i)
+            return problem("joint handle leads elsewhere", i);
+    }
+    return {};
+}
+
+std::string validateAttachments(const State& state) {
+    const auto particles = state.particles.size();
+    for (std::size_t i = 0; i < state.attachments.size(); ++i) {
+        const Attachment& held = state.attachments[i];
+        if (held.particle >= particles || held.count < 1 || held.count > held.support.size())
+            return problem("attachment of nothing", i);
+        for (std::uint32_t k = 0; k < held.count; ++k)
+            if (held.support[k] >= particles) return problem("attachment to nothing", i);
+        if (!state.attachmentSlots.contains(held.id) || state.attachmentSlots.dense(held.id) != i)
+            return problem("attachment handle leads elsewhere", i);
+    }
+    return {};
+}
+
+std::string validateBodies(const State& state) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+        const BodyRecord& body = state.bodies[i];
+        if (body.firstParticle != next) return problem("body does not follow its predecessor", i);
+        if (body.particles.size() > state.particles.size() - next)
+            return problem("body has more particles than there are", i);
+        for (std::size_t k = 0; k < body.particles.size(); ++k)
+            if (state.particles.body[next + k] != i) return problem("particle of another body", i);
+        next += body.particles.size();
+        for (const JointId id : body.joints)
+            if (!state.jointSlots.contains(id)) return problem("body with a joint that is gone", i);
+        if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)
+            return problem("body handle leads elsewhere", i);
+    }
+    return next == state.particles.size() ? std::string() : "particles outside of bodies";
+}
+
+std::string validateClusters(const State& state) {
+    const Clusters& clusters = state.clusters;
+    const auto members = clusters.members.size();
+    if (clusters.places.size() != members) return "places of members of another length";
+    for (const auto i : clusters.members)
+        if (i >= state.particles.size()) return "a rigid component of nothing";
+    for (std::size_t i = 0; i < clusters.list.size(); ++i) {
+        const Cluster& c = clusters.list[i];
+        if (c.body >= state.bodies.size()) return problem("rigid component without a body", i);
+        if (c.first >= c.last || c.last > members)
+            return problem("rigid component without members", i);
+        if (!c.centre.allFinite() || !c.velocity.allFinite() || !std::isfinite(c.spin))
+            return problem("motion of a rigid component is not finite", i);
+        if (!(std::abs(c.heading.norm() - 1) < 1e-6))
+            return problem("rigid component whose heading is no direction", i);
+    }
+    for (std::size_t i = 0; i < clusters.hinges.size(); ++i)
+        if (clusters.hinges[i].cluster >= clusters.list.size() ||
+            clusters.hinges[i].particle >= state.particles.size())
+            return problem("hinge of nothing", i);
+    return {};
+}
+
+bool linkExists(const State& state, const TreeNode& n) {
+    switch (n.kind) {
+        case LinkKind::joint:
+            return n.link < state.joints.size();
+        case LinkKind::attachment:
+            return n.link < state.attachments.size();
+        case LinkKind::hinge:
+            return n.link < state.clusters.hinges.size();
+    }
+    return false;
+}
+
+std::string validateTrees(const State& state) {
+    const Trees& trees = state.trees;
+    const auto exists = [](std::uint32_t i, std::size_t count) { return i == none || i < count; };
+    for (std::size_t t = 0; t < trees.list.size(); ++t) {
+        const Tree& tree = trees.list[t];
+        if (tree.first >= tree.last || tree.last > trees.nodes.size() || tree.steps < 1)
+            return problem("tree without nodes", t);
+        for (auto k = tree.first; k < tree.last; ++k) {
+            const TreeNode& n = trees.nodes[k];
+            if (!exists(n.particle, state.particles.size()) ||
+                !exists(n.cluster, state.clusters.list.size()))
+                return problem("tree node of nothing", k);
+            const bool root = k == tree.first;
+            if (!root && (n.parent >= k - tree.first || !linkExists(state, n)))
+                return problem("tree node without a parent", k);
+            const bool support = n.particle == none && n.cluster == none;
+            if (support && n.link >= state.attachments.size())
+                return problem("tree node at no attachment", k);
+        }
+    }
+    if (state.structure.stale) return {};
+    if (trees.ofParticle.size() != state.particles.size() ||
+        trees.ofCluster.size() != state.clusters.list.size())
+        return "trees of other particles";
+    for (const auto* list : {&trees.ofParticle, &trees.ofCluster})
+        for (const auto t : *list)
+            if (!exists(t, trees.list.size())) return "a tree that there is not";
+    return {};
+}
+
+std::string validateStructure(const State& state) {
+    const Structure& s = state.structure;
+    const auto within = [](const std::vector<std::uint32_t>& list, std::size_t count) {
+        return std::all_of(list.begin(), list.end(), [&](std::uint32_t i) { return i < count; });
+    };
+    if (!within(state.fresh, state.particles.size())) return "a fresh particle that there is not";
+    if (s.stale) return {};  // it is derived again before anybody looks
+    if (!within(s.sweptJoints, state.joints.size()) ||
+        !within(s.sweptAttachments, state.attachments.size()) ||
+        !within(s.sweptHinges, state.clusters.hinges.size()))
+        return "a list that names what there is not";
+    return s.colours.size() == state.joints.size() ? "" : "colours of other joints";
+}
+
+}  // namespace
+
+std::string findBroken(const State& state) {
+    for (const auto check : {validateArrays, validateParticles, validateJoints, validateAttachments,
+                             validateBodies, validateClusters, validateTrees, validateStructure})
+        if (std::string broken = check(state); !broken.empty()) return broken;
+    return state.influences.validate();
+}
+
+}  // namespace sulfur::detail
