@@ -22,12 +22,12 @@ inline double errorLeft(double error, double duration) {
     return error > most ? error - most : error < -most ? error + most : 0;
 }
 
-inline constexpr int minTickRate = 60, maxTickRate = 10000;  // Hz
-inline constexpr double maxCoordinate = 1e9;                 // m
-inline constexpr double maxForce = 1e12;                     // N
-inline constexpr double minMass = 1e-9;                      // kg
-inline constexpr double maxMass = 1e12;                      // kg
-inline constexpr double maxAcceleration = 1e6;               // m/s^2, gravity
+inline constexpr int minTickRate = 60, maxTickRate = 10000;         // Hz
+inline constexpr double maxCoordinate = 1e9;                        // m
+inline constexpr double maxForce = 1e12;                            // N
+inline constexpr double minMass = static_cast<double>(Real(1e-9));  // kg
+inline constexpr double maxMass = 1e12;                             // kg
+inline constexpr double maxAcceleration = 1e6;                      // m/s^2, gravity
 
 /// Of an attached or grabbed point, in distances of its supports: a point much farther away would
 /// magnify their rounding.

@@ -32,6 +32,13 @@ TEST(Errors, BadBlueprintLeavesTheWorldUnchanged) {
     EXPECT_EQ(world.bodies().size(), 1u);
 }
 
+TEST(Errors, TheSmallestMassIsAllowed) {
+    World world;
+    EXPECT_NO_THROW(world.add(shapes::ball({.mass = Real(1e-9)})));
+    test::expectRefused(world, ErrorCode::outOfRange,
+                        [&] { world.add(shapes::ball({.mass = Real(0.9e-9)})); });
+}
+
 TEST(Errors, StaleAndNullHandles) {
     World world;
     const Body body = world.add(shapes::box());
