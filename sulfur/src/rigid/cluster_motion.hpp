@@ -5,13 +5,13 @@
 
 namespace sulfur::detail {
 
-/// Kicks velocity and spin by `step` seconds of the forces on the members, gravity and air
-/// friction, and clears those forces. Also used by trees for their own, shorter steps.
+/// How gravity and the forces on its members accelerate a cluster. Trees use it for their own,
+/// shorter steps.
 struct ClusterLoad {
     Point acceleration{0, 0};  // m/s^2 of the centre
     double turning = 0;        // rad/s^2
 };
-/// What gravity and the forces on its members do to a cluster; a pure function of the state.
+/// A pure function of the state; nothing for a cluster that sleeps or is held.
 ClusterLoad loadOf(const State& state, const Cluster& cluster);
 
 /// Velocity and spin from the particles' velocities, for clusters whose particles somebody changed.

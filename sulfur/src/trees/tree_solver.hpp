@@ -10,7 +10,7 @@ namespace sulfur::detail {
 void buildTrees(State& state);
 
 /// Leads every tree that moves alone through the tick, in as many steps as it needs (SHAKE
-/// directions, Newton passes to the residual that Tree::residual allows). Sets velocity and
+/// directions, Newton passes to treeTolerance). Sets velocity and
 /// displacement of its particles and clusters.
 void stepTrees(State& state);
 
