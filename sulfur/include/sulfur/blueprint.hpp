@@ -31,6 +31,9 @@ struct JointSpec {
         std::nullopt;          ///< metres, >= 0; the particles' distance when not given
     Real radius = 0;           ///< metres; > 0: a capsule that collides; 0: structural
     Real strength = infinite;  ///< newtons; a larger force breaks the joint
+    /// Of its surface, if that differs from its body's. A particle shows the surface of the
+    /// thickest capsule that ends in it.
+    std::optional<Material> material = std::nullopt;
 };
 
 /// A texture worn by a body: mapped at rest, drawn through the live particles.
@@ -55,6 +58,7 @@ struct Blueprint {
     std::vector<JointSpec> joints = {};        ///< between them
     Material material = {};                    ///< of its surface
     Filter filter = {};                        ///< what it collides with
+    bool selfCollision = false;                ///< whether its own parts touch each other
     std::optional<Skin> skin = std::nullopt;   ///< what it wears
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least

@@ -15,6 +15,23 @@ struct ContactBegun {
     Point point{0, 0};  ///< metres
     Vec2 normal{0, 0};  ///< unit length, from b towards a
     Real speed = 0;     ///< m/s at which they approached, >= 0
+    Real impulse = 0;   ///< N s with which all their contacts pushed in this tick
+};
+
+/// Two bodies touched in the last tick and still do. Told only while WorldSettings::tellPersisting
+/// is on, and not of sleepers.
+struct ContactPersisted {
+    BodyId a = {};      ///< the body whose particle touches
+    BodyId b = {};      ///< the other
+    Point point{0, 0};  ///< metres: of the contact that pushes most
+    Vec2 normal{0, 0};  ///< unit length, of the same, from b towards a
+    Real impulse = 0;   ///< N s with which all their contacts pushed in this tick
+};
+
+/// Two bodies touched in the last tick and no longer do. Falling asleep ends nothing.
+struct ContactEnded {
+    BodyId a = {};  ///< one; its handle is no longer valid if the body was removed
+    BodyId b = {};  ///< the other; likewise
 };
 
 /// A joint was loaded beyond its strength and is gone.
@@ -41,7 +58,9 @@ struct ParticleLost {
 
 /// Events of one tick, in a fixed order; overwritten by the next World::step.
 struct Events {
-    std::vector<ContactBegun> contactsBegun = {};  ///< bodies that began to touch
+    std::vector<ContactBegun> contactsBegun = {};          ///< bodies that began to touch
+    std::vector<ContactPersisted> contactsPersisted = {};  ///< bodies that go on touching
+    std::vector<ContactEnded> contactsEnded = {};          ///< bodies that no longer touch
     std::vector<JointBroken> jointsBroken = {};    ///< joints that broke
     std::vector<BodySplit> bodiesSplit = {};       ///< bodies that fell apart
     std::vector<ParticleLost> particlesLost = {};  ///< particles left without a joint

@@ -7,12 +7,16 @@
 
 namespace sulfur {
 
-/// Surface constants of a body. Where two bodies meet, friction is the geometric mean of the two
-/// and restitution the larger one.
+/// Surface constants of a body or of one of its joints. Where two surfaces meet, each coefficient
+/// of friction is the geometric mean of the two, restitution the larger one, and surface speeds
+/// add up.
 struct Material {
     Real staticFriction = Real(0.6);   ///< coefficient, >= kineticFriction
     Real kineticFriction = Real(0.5);  ///< coefficient, >= 0
     Real restitution = 0;              ///< 0 (no rebound) to 1 (full rebound)
+    /// m/s, up to 1000 either way, at which the surface runs along itself as a conveyor belt does:
+    /// to the right of its outward normal, so that a belt carries what lies on it towards +x.
+    Real surfaceSpeed = 0;
 
     /// Member by member.
     friend bool operator==(const Material&, const Material&) = default;

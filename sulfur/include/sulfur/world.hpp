@@ -28,6 +28,16 @@ enum class Damper : std::uint8_t {
     full,   ///< all relative motion of its ends, also turning, as equation (1) of the paper has it
 };
 
+/// How touching surfaces brake each other.
+enum class Friction : std::uint8_t {
+    /// Coulomb's: what sticks stays where it is until static friction is exceeded, then slides
+    /// against kinetic friction.
+    coulomb,
+    /// The paper's (section 3.3): a force against the sliding velocity and proportional to it. The
+    /// kinetic coefficients are read as N s/m; nothing ever sticks.
+    sliding,
+};
+
 /// What a world is made with.
 struct WorldSettings {
     Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
@@ -35,6 +45,8 @@ struct WorldSettings {
     int tickRate = 500;    ///< Hz, 60 to 10000
     bool sleeping = true;  ///< whether islands at rest fall asleep
     Damper damper = Damper::axial;  ///< of all elastic joints
+    Friction friction = Friction::coulomb;  ///< of all contacts
+    bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
     int sweeps = 4;                 ///< passes over the constraints in a tick, 1 to 100
 };
 
@@ -69,13 +81,14 @@ struct AttachmentInfo {
     std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
 };
 
-/// What a contact of the last tick was; for drawing and for the curious.
+/// What a contact of the last tick was, or of a sleeper's last tick awake.
 struct ContactInfo {
     BodyId a = {};      ///< the body whose particle touches
     BodyId b = {};      ///< the body whose capsule or disc is touched
     Point point{0, 0};  ///< metres
     Vec2 normal{0, 0};  ///< unit, from b towards a
-    Real impulse = 0;   ///< N s along the normal in the last tick
+    Real impulse = 0;   ///< N s along the normal in that tick
+    Real friction = 0;  ///< N s along the normal turned by a right angle counter-clockwise
 };
 
 /// Options of a joint between two particles that exist already.
@@ -85,6 +98,7 @@ struct ConnectOptions {
     std::optional<Real> restLength = std::nullopt;  ///< m; their distance now when not given
     Real radius = 0;                                ///< m; > 0 collides
     Real strength = infinite;                       ///< N
+    std::optional<Material> material = std::nullopt;  ///< of its surface; its body's when not given
 };
 
 /// The state of a world as bytes. Opaque; the same build of the library reads it back.
@@ -218,8 +232,14 @@ public:
     BodyKind kind(BodyId body) const;
     /// The surface of a body.
     const Material& material(BodyId body) const;
+    /// The surface of a joint: its own, or that of its body.
+    const Material& material(JointId joint) const;
     /// What a body collides with.
     const Filter& filter(BodyId body) const;
+    /// Whether the parts of a body touch each other.
+    bool selfCollision(BodyId body) const;
+    /// False after setCollision(a, b, false).
+    bool collision(BodyId a, BodyId b) const;
     /// What a body wears.
     const std::optional<Skin>& skin(BodyId body) const;
     /// What setUserData() left there; 0 at first.
@@ -250,7 +270,7 @@ public:
     /// at the middle of that step; after setVelocity, what was set. A step is a tick, except for
     /// ropes and what hangs on them, which take several steps in a tick when they need to.
     Vec2 velocity(ParticleId particle) const;
-    /// Contacts of the last tick.
+    /// Contacts that push: those of the last tick, and those of sleepers.
     std::vector<ContactInfo> contacts() const;
     /// Kinetic plus gravitational plus elastic energy of all dynamic bodies, joules, at the time of
     /// the velocities: half a tick before the positions (see velocity()).
@@ -273,6 +293,13 @@ public:
     void setDamper(Damper damper);
     /// Changes the surface of a body.
     void setMaterial(BodyId body, const Material& material);
+    /// Gives a joint a surface of its own, or its body's again.
+    void setMaterial(JointId joint, const std::optional<Material>& material);
+    /// Whether the parts of a body touch each other. What is nearer to each other in the blueprint
+    /// than 1.2 times its thickness never does, nor do the parts of a rigid component.
+    void setSelfCollision(BodyId body, bool on);
+    /// Lets two bodies pass through each other (false), whatever their filters say, or not (true).
+    void setCollision(BodyId a, BodyId b, bool on);
     /// Changes what a body collides with.
     void setFilter(BodyId body, const Filter& filter);
     /// Leaves a number with a body, for the caller's use; it is no part of hash().

@@ -1,6 +1,7 @@
 // Stage: candidates from the uniform grid.
 #include <algorithm>
 
+#include "collision/geometry.hpp"
 #include "collision/rasterise.hpp"
 #include "solver/stages.hpp"
 
@@ -136,9 +137,32 @@ void rasteriseMoving(State& state) {
     broad.movingGrid.build();
 }
 
+bool isVetoed(const State& state, std::uint32_t a, std::uint32_t b) {
+    if (state.vetoes.empty()) return false;
+    return std::binary_search(state.vetoes.begin(), state.vetoes.end(),
+                              BodyPair::of(state.bodies[a].id, state.bodies[b].id));
+}
+
 bool mayTouch(const State& state, const Collider& a, const Collider& b) {
-    if (a.body == b.body || (!state.movable(a.body) && !state.movable(b.body))) return false;
-    return mayCollide(state.bodies[a.body].filter, state.bodies[b.body].filter);
+    if (!state.movable(a.body) && !state.movable(b.body)) return false;
+    if (a.body == b.body) return state.bodies[a.body].selfCollision;
+    return mayCollide(state.bodies[a.body].filter, state.bodies[b.body].filter) &&
+           !isVetoed(state, a.body, b.body);
+}
+
+/// Parts of one body that are this near to each other in the blueprint, in thicknesses, belong
+/// together and never touch.
+constexpr Real togetherWithin = Real(1.2);
+
+bool belongsTogether(const State& state, std::uint32_t particle, const Collider& c) {
+    const Particles& p = state.particles;
+    if (p.body[particle] != c.body) return false;
+    if (particle == c.a || particle == c.b) return true;
+    const auto cluster = p.cluster[particle];
+    if (cluster != none && cluster == p.cluster[c.a] && cluster == p.cluster[c.b]) return true;
+    const Vec2 a = p.rest[c.a], b = p.rest[c.b], at = p.rest[particle];
+    const Vec2 nearest = a + nearestAlong<Vec2>(at, a, b) * (b - a);
+    return (at - nearest).norm() < togetherWithin * (p.reach[particle] + c.radius);
 }
 
 /// Whether the boxes around two colliders, with room for their skins, overlap.
@@ -181,8 +205,10 @@ void collectCandidates(State& state) {
     auto& candidates = broad.candidates;
     candidates.clear();
     const auto add = [&](std::uint32_t particle, std::uint32_t collider) {
-        const std::pair link(particle, broad.collider(collider).body);
-        if (!std::binary_search(broad.linked.begin(), broad.linked.end(), link))
+        const Collider& c = broad.collider(collider);
+        const std::pair link(particle, c.body);
+        if (!std::binary_search(broad.linked.begin(), broad.linked.end(), link) &&
+            !belongsTogether(state, particle, c))
             candidates.push_back({particle, collider});
     };
     const auto addEnds = [&](std::uint32_t of, std::uint32_t against) {
@@ -226,6 +252,7 @@ void refreshGrid(State& state, Real lookAhead) {
         collectColliders(state);
         collectLinks(state);
         broad.outlines.derive(state);
+        findSpokes(state, broad.spokes);
         chooseCellSize(state);
         broad.collidersStale = false;
         broad.pairsStale = true;

@@ -9,6 +9,7 @@
 #include "collision/contact.hpp"
 #include "collision/grid.hpp"
 #include "collision/outlines.hpp"
+#include "collision/spokes.hpp"
 
 namespace sulfur::detail {
 
@@ -30,6 +31,8 @@ struct BroadPhase {
     std::vector<std::uint64_t> pairs;   // of colliders, sorted; scratch and for crossings
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
     Outlines outlines;
+    Spokes spokes;
+    std::vector<std::uint32_t> surface;  // per particle: the joint whose surface it shows, or none
     std::uint64_t runs = 0;
     bool collidersStale = true;  // bodies or joints changed
     bool fixedStale = true;

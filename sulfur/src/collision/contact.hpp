@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <sulfur/math.hpp>
-#include <tuple>
 #include <vector>
 
 #include "rigid/clusters.hpp"
@@ -28,10 +27,11 @@ struct Candidate {
     friend auto operator<=>(const Candidate&, const Candidate&) = default;
 };
 
-/// A particle held off a point of a capsule.
+/// A particle held off a point of a capsule, or of a disc or corner (then a == b).
 struct Contact {
     std::uint32_t particle = 0;
-    std::uint32_t a = 0, b = 0;  // the capsule's particles
+    std::uint32_t a = 0, b = 0;     // the capsule's particles
+    std::uint32_t joint = 0;        // the capsule's, or none for a disc
     std::uint32_t bodyA = 0, bodyB = 0;
     Real weightA = 0, weightB = 0;          // of the capsule's particles, adding up to 1
     Grip gripOfParticle, gripOfA, gripOfB;  // what they take hold of
@@ -39,34 +39,41 @@ struct Contact {
     Vec2 normal{0, 0};              // unit, from the capsule towards the particle
     Real thickness = 0;             // m, of particle and capsule together
     Real gap = 0;                   // m at the start of the tick, negative when overlapping
+    Real slack = 0;                 // m of the gap in which it only stops what closes it
+    Real rise = 0;                  // m, the gap at the end of a tick in which it rebounds
     Real inverseEffectiveMass = 0;  // 1/kg along the normal
     Real tangentInverseMass = 0;    // 1/kg along the tangent
-    Real friction = 0;
+    Real staticFriction = 0, kineticFriction = 0;
     Real restitution = 0;
+    Real conveyed = 0;      // m, by which its surfaces run along the tangent in this tick
     Real approach = 0;      // m/s at which the predicted motion closes the gap
+    Real rebound = 0;       // m/s at which it must part after the tick, 0 for none
     Real normalLambda = 0;  // kg m, accumulated in this tick
     Real tangentLambda = 0;
-    Real drift = 0;  // m, along the tangent since it began to stick, up to this tick
+    Real recoveryLambda = 0;  // kg m, of the correction that becomes no velocity
+    Real drift = 0;           // m, along the tangent since it began to stick, up to this tick
+    bool sliding = false;     // it slid in the last tick, so that kinetic friction counts
+    bool rough = false;       // has friction that can hold it
 };
 
-/// What a contact pushed with in the last tick, with which its successor begins.
+/// What a contact was in the last tick, with which its successor begins.
 struct ContactMemory {
     std::uint32_t particle = 0, a = 0, b = 0;
+    Vec2 normal{0, 0};
     Real normalLambda = 0, tangentLambda = 0;  // kg m
     Real drift = 0;                            // m, from the place where it sticks
+    std::uint8_t sliding = 0;                  // it does not stick
 
     template <class Archive>
     void archive(Archive& archive) {
         archive(particle);
         archive(a);
         archive(b);
+        archive(normal);
         archive(normalLambda);
         archive(tangentLambda);
         archive(drift);
-    }
-
-    friend bool operator<(const ContactMemory& x, const ContactMemory& y) {
-        return std::tie(x.particle, x.a, x.b) < std::tie(y.particle, y.a, y.b);
+        archive(sliding);
     }
 };
 

@@ -4,92 +4,23 @@
 // capsule is all there is in two dimensions, beside pairs that cross already.
 //
 // Contacts are found for the positions at the start of the tick, where nothing has passed through
-// anything yet, and kept when the predicted displacements could close the gap. The constraint
-// gap + n . d >= 0 then stops even what would jump over a thin wall within one tick.
+// anything yet, or, between things so fast that they would pass each other within the tick, at the
+// time of impact. They are kept when the predicted displacements could close the gap; the
+// constraint gap + n . d >= 0 then stops even what would jump over a thin wall.
 #include <algorithm>
 #include <cmath>
 
+#include "collision/contact_memory.hpp"
 #include "collision/geometry.hpp"
+#include "collision/materials.hpp"
+#include "collision/meeting.hpp"
 #include "rigid/grip.hpp"
+#include "solver/restitution.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
 
 namespace {
-
-/// Share of an overlap that is taken back in a tick, and the speed that this may not exceed.
-constexpr Real recoveryShare = Real(0.3);
-constexpr Real recoverySpeed = 1;  // m/s
-
-/// Positions of a particle and a capsule relative to the capsule's first end.
-struct Local {
-    Vec2 p, b;        // at the start of the tick
-    Vec2 dp, da, db;  // displacements
-};
-
-Local localise(const Particles& particles, std::uint32_t p, const Collider& c) {
-    const auto& x = particles.position;
-    return {(x[p] - x[c.a]).cast<Real>(), (x[c.b] - x[c.a]).cast<Real>(), particles.displacement[p],
-            particles.displacement[c.a], particles.displacement[c.b]};
-}
-
-struct Meeting {
-    Real along = 0;
-    Vec2 normal{0, 0};
-    Real distance = 0;  // from the capsule's axis, along the normal
-};
-
-/// Beside the segment: the normal is the segment's own, on the particle's side.
-Meeting meetSide(const Local& l, Real along) {
-    Meeting m;
-    m.along = along;
-    m.normal = Vec2(-l.b[1], l.b[0]) / l.b.norm();
-    m.distance = m.normal.dot(l.p);
-    if (m.distance < 0) {
-        m.normal = -m.normal;
-        m.distance = -m.distance;
-    }
-    return m;
-}
-
-/// At an end of the segment: the normal points from that end to the particle.
-Meeting meetEnd(const Local& l, Real along) {
-    Meeting m;
-    m.along = along;
-    const Vec2 offset = l.p - along * l.b;
-    m.distance = offset.norm();
-    if (m.distance > 0)
-        m.normal = offset / m.distance;
-    else
-        m.normal = l.b.norm() > 0 ? Vec2(Vec2(-l.b[1], l.b[0]).normalized()) : Vec2(0, 1);
-    return m;
-}
-
-/// Where the particle and the capsule meet, for the positions at the start of the tick.
-///
-/// A particle that slides along a chain of capsules would touch the rounded end of the next one
-/// before it is beside it, which makes a bump. So when it will be beside it at the end of the tick,
-/// and is about as far from its axis as it would be then, it meets the side at once.
-Meeting meet(const Local& l, Real thickness) {
-    const Vec2 origin(0, 0);
-    const Real start = nearestAlong(l.p, origin, l.b);
-    if (start > 0 && start < 1) return meetSide(l, start);
-    const Real end = nearestAlong<Vec2>(l.p + l.dp - l.da, origin, l.b + l.db - l.da);
-    if (end > 0 && end < 1) {
-        const Meeting side = meetSide(l, end);
-        if (side.distance > Real(0.7) * thickness) return side;
-    }
-    return meetEnd(l, start);
-}
-
-struct MixedMaterial {
-    Real friction, restitution;
-};
-
-MixedMaterial mix(const Material& a, const Material& b) {
-    return {std::sqrt(a.kineticFriction * b.kineticFriction),
-            std::max(a.restitution, b.restitution)};
-}
 
 /// What the contact acts on: the capsule's point is one grip if a rigid component has both ends.
 void takeHold(const State& state, Contact& c) {
@@ -112,46 +43,159 @@ Real inverseMassAlong(const State& state, const Contact& c, const Vec2& directio
     return w;
 }
 
-Contact makeContact(const State& state, const Candidate& candidate, const Collider& c,
-                    const Meeting& m, Real thickness) {
+/// A particle and what it is held off: a point of a capsule, or the corner `a` (then a == b).
+struct Touch {
+    std::uint32_t particle = 0, a = 0, b = 0;
+    const Collider* collider = nullptr;
+    Meeting meeting;
+    Real thickness = 0;
+};
+
+Contact makeContact(const State& state, const Touch& t) {
     Contact contact;
-    contact.particle = candidate.particle;
-    contact.a = c.a;
-    contact.b = c.b;
-    contact.bodyA = state.particles.body[candidate.particle];
-    contact.bodyB = c.body;
-    contact.weightA = c.a == c.b ? 1 : 1 - m.along;
-    contact.weightB = c.a == c.b ? 0 : m.along;
-    contact.normal = m.normal;
-    contact.thickness = thickness;
-    contact.gap = m.distance - thickness;
+    contact.particle = t.particle;
+    contact.a = t.a;
+    contact.b = t.b;
+    contact.joint = t.collider->joint;
+    contact.bodyA = state.particles.body[t.particle];
+    contact.bodyB = t.collider->body;
+    contact.weightA = t.a == t.b ? 1 : 1 - t.meeting.along;
+    contact.weightB = t.a == t.b ? 0 : t.meeting.along;
+    contact.normal = t.meeting.normal;
+    contact.thickness = t.thickness;
+    contact.gap = t.meeting.distance - t.thickness;
     takeHold(state, contact);
     contact.inverseEffectiveMass = inverseMassAlong(state, contact, contact.normal);
     contact.tangentInverseMass = inverseMassAlong(state, contact, perpendicular(contact.normal));
-    const auto material =
-        mix(state.bodies[contact.bodyA].material, state.bodies[contact.bodyB].material);
-    contact.friction = material.friction;
-    contact.restitution = material.restitution;
+    giveSurface(state, contact);
     return contact;
 }
 
-Vec2 relativeDisplacement(const Particles& particles, const Contact& c) {
+Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
     const auto& d = particles.displacement;
-    return d[c.particle] - c.weightA * d[c.a] - c.weightB * d[c.b];
+    if (t.a == t.b) return d[t.particle] - d[t.a];
+    return d[t.particle] - (1 - t.meeting.along) * d[t.a] - t.meeting.along * d[t.b];
+}
+
+/// How near things are kept as contacts although nothing predicts that they will touch: what
+/// happens to them within the sweeps may bring them together.
+Real watchedGap(const State& state, Real thickness) {
+    return std::min(state.broad.baseSkin / 4, thickness / 2);
+}
+
+/// What rests may stand this much off the surface: as far as four times the earth's gravity moves
+/// it in a tick from rest, but no more than a share of the thickness. Within it a contact only
+/// stops what closes it, so that no sweep's remainder sets a stack rocking. What rebounds does so
+/// at the surface itself.
+Real slackOf(const State& state, const Contact& c) {
+    if (mayRebound(c)) return 0;
+    return std::min<Real>(Real(0.005) * c.thickness, Real(40) * state.h * state.h);
+}
+
+/// A kinematic body that runs into a sleeper can only wake it in this tick.
+void knock(State& state, const Contact& c, Real closing) {
+    if (c.gap + closing > 0) return;
+    for (const auto body : {c.bodyA, c.bodyB})
+        if (state.bodies[body].asleep) state.knocked.push_back(body);
 }
 
 /// Adds the contact if the predicted displacements could close its gap.
-void keepIfNear(State& state, Contact contact) {
-    if (contact.inverseEffectiveMass == 0) return;
-    const Real closing = contact.normal.dot(relativeDisplacement(state.particles, contact));
-    if (contact.gap + std::min<Real>(closing, 0) > state.broad.baseSkin / 4) return;
+void keepIfNear(State& state, const Touch& t) {
+    const Real closing = t.meeting.normal.dot(relativeDisplacement(state.particles, t));
+    const Real gap = t.meeting.distance - t.thickness;
+    if (gap + std::min<Real>(closing, 0) > watchedGap(state, t.thickness)) return;
+    Contact contact = makeContact(state, t);
+    if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing);
     contact.approach = -closing / state.h;
+    contact.slack = slackOf(state, contact);
+    if (mayRebound(contact)) planRebound(state, contact);
     state.contacts.push_back(contact);
 }
 
 Real thicknessOf(const State& state, const Candidate& candidate) {
     return state.particles.reach[candidate.particle] +
            state.broad.collider(candidate.collider).radius;
+}
+
+/// From where on, as a share of its length, a capsule's side counts as nearer than its end; less
+/// is lost in the rounding of meet().
+constexpr Real besideAt = Real(1e-5);
+
+/// Whether `corner` is the point nearest to `other` of all capsules that end in it. Otherwise the
+/// side of one of them is nearer, and the corner must not push: it would make a bump where a
+/// thing slides over the seam of two segments.
+bool isNearestAt(const State& state, std::uint32_t corner, std::uint32_t other, Real fraction) {
+    const auto& x = state.particles.position;
+    const auto& d = state.particles.displacement;
+    const auto towards = [&](std::uint32_t p) {
+        return Vec2((x[p] - x[corner]).cast<Real>() + fraction * (d[p] - d[corner]));
+    };
+    const Vec2 way = towards(other);
+    const Spokes& spokes = state.broad.spokes;
+    for (auto k = spokes.start[corner]; k < spokes.start[corner + 1]; ++k) {
+        const Vec2 spoke = towards(spokes.end[k]);
+        if (way.dot(spoke) > besideAt * spoke.squaredNorm()) return false;
+    }
+    return true;
+}
+
+/// Two corners that face each other come up as several candidates; the first of them counts.
+bool isNew(const State& state, std::uint32_t particle, std::uint32_t corner) {
+    for (auto c = state.contacts.rbegin(); c != state.contacts.rend(); ++c) {
+        if (c->particle != particle) return true;
+        if (c->a == corner && c->b == corner) return false;
+    }
+    return true;
+}
+
+bool meetsCorner(const State& state, const Touch& t, std::uint32_t corner) {
+    const Real fraction = t.meeting.fraction;
+    return t.particle < corner && isNew(state, t.particle, corner) &&
+           isNearestAt(state, corner, t.particle, fraction) &&
+           isNearestAt(state, t.particle, corner, fraction);
+}
+
+/// What was held off on one side stays on that side: when it is found on the other, it has been
+/// pressed through, and the normal keeps its direction.
+void keepSide(const State& state, Touch& t) {
+    if (t.meeting.distance > t.thickness || t.meeting.fraction > 0) return;
+    const ContactMemory* before = recall(state.contactMemory, t.particle, t.a, t.b);
+    if (!before || before->normal.dot(t.meeting.normal) >= 0) return;
+    t.meeting.normal = -t.meeting.normal;
+    t.meeting.distance = -t.meeting.distance;
+}
+
+/// Whether they are so far apart that this tick cannot bring them together, and by how much the
+/// fastest part moves against the other.
+bool farApart(const Local& l, Real thickness, Real margin, Real& travel) {
+    travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
+    const Real along = nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b);
+    const Real reach = thickness + margin + travel;
+    return (l.p - along * l.b).squaredNorm() > reach * reach;
+}
+
+void consider(State& state, const Candidate& candidate) {
+    const Collider& c = state.broad.collider(candidate.collider);
+    const Real thickness = thicknessOf(state, candidate);
+    const Local local = localise(state.particles, candidate.particle, c);
+    Real travel = 0;
+    if (farApart(local, thickness, watchedGap(state, thickness), travel)) return;
+    Touch t{candidate.particle, c.a, c.b, &c, {}, thickness};
+    t.meeting = travel > thickness ? meetOnTheWay(local, thickness) : meet(local);
+    if (t.meeting.atEnd) {
+        const auto corner = t.meeting.along < Real(0.5) ? c.a : c.b;
+        if (!meetsCorner(state, t, corner)) return;
+        t.a = t.b = corner;
+    }
+    if (t.meeting.fraction > 0) {
+        // The plane of the impact, seen from the start of the tick.
+        const Vec2 offset = t.a == t.b && t.a == c.b ? Vec2(local.p - local.b)
+                            : t.a == t.b             ? local.p
+                                                     : Vec2(local.p - t.meeting.along * local.b);
+        t.meeting.distance = t.meeting.normal.dot(offset);
+    }
+    keepSide(state, t);
+    keepIfNear(state, t);
 }
 
 /// For two capsules that cross, the end that is nearest to the other's axis is led back to the
@@ -163,8 +207,7 @@ struct Crossing {
 
 void considerEnd(const State& state, std::uint32_t particle, std::uint32_t collider,
                  Crossing& best) {
-    const Local local = localise(state.particles, particle, state.broad.collider(collider));
-    const Meeting m = meet(local, thicknessOf(state, {particle, collider}));
+    const Meeting m = meet(localise(state.particles, particle, state.broad.collider(collider)));
     if (m.distance < best.meeting.distance) best = {{particle, collider}, m};
 }
 
@@ -196,39 +239,25 @@ bool isCrossing(const std::vector<Crossing>& crossings, const Candidate& candida
     return at != crossings.end() && at->end == candidate;
 }
 
-/// Takes back a share of the overlap that was there before the tick by moving positions, not
-/// displacements, so that it leaves no velocity behind and nothing is thrown apart.
-void recover(State& state, Contact& contact) {
-    if (contact.gap >= 0) return;
-    const Real push = std::min(-contact.gap * recoveryShare, recoverySpeed * state.h);
-    const Vec2 impulse = push / contact.inverseEffectiveMass * contact.normal;
-    shift(state, contact.gripOfParticle, impulse);
-    shift(state, contact.gripOfA, -contact.shareA * impulse);
-    if (contact.shareB != 0) shift(state, contact.gripOfB, -contact.shareB * impulse);
+void considerCrossing(State& state, const Crossing& crossing) {
+    const Collider& c = state.broad.collider(crossing.end.collider);
+    Touch t{crossing.end.particle, c.a, c.b, &c, crossing.meeting, thicknessOf(state, crossing.end)};
+    t.meeting.normal = -t.meeting.normal;
+    t.meeting.distance = -t.meeting.distance;
+    keepIfNear(state, t);
 }
 
 }  // namespace
 
 void findContacts(State& state) {
     state.contacts.clear();
+    state.knocked.clear();
     thread_local std::vector<Crossing> crossings;  // nearly always empty
     crossings.clear();
     findCrossings(state, crossings);
-    for (const Candidate& candidate : state.broad.candidates) {
-        const Collider& c = state.broad.collider(candidate.collider);
-        if (!crossings.empty() && isCrossing(crossings, candidate)) continue;
-        const Real thickness = thicknessOf(state, candidate);
-        const Meeting m = meet(localise(state.particles, candidate.particle, c), thickness);
-        keepIfNear(state, makeContact(state, candidate, c, m, thickness));
-    }
-    for (Crossing& crossing : crossings) {
-        crossing.meeting.normal = -crossing.meeting.normal;
-        crossing.meeting.distance = -crossing.meeting.distance;
-        keepIfNear(state,
-                   makeContact(state, crossing.end, state.broad.collider(crossing.end.collider),
-                               crossing.meeting, thicknessOf(state, crossing.end)));
-    }
-    for (Contact& contact : state.contacts) recover(state, contact);
+    for (const Candidate& candidate : state.broad.candidates)
+        if (crossings.empty() || !isCrossing(crossings, candidate)) consider(state, candidate);
+    for (const Crossing& crossing : crossings) considerCrossing(state, crossing);
     state.statistics.contacts = static_cast<std::uint32_t>(state.contacts.size());
 }
 

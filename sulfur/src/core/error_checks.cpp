@@ -42,6 +42,7 @@ void validate(const Material& material) {
     requireRange(static_cast<double>(material.staticFriction),
                  static_cast<double>(material.kineticFriction), 1e6, "static friction");
     requireRange(static_cast<double>(material.restitution), 0, 1, "restitution");
+    requireRange(static_cast<double>(material.surfaceSpeed), -1000, 1000, "surface speed");
 }
 
 }  // namespace sulfur::detail

@@ -83,10 +83,15 @@ void classifyJoints(State& state) {
 void updateReach(State& state) {
     Particles& particles = state.particles;
     particles.reach = particles.radius;
+    auto& surface = state.broad.surface;
+    surface.assign(particles.size(), none);
     const Joints& joints = state.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        for (const auto p : {joints.a[j], joints.b[j]})
-            particles.reach[p] = std::max(particles.reach[p], joints.radius[j]);
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        for (const auto p : {joints.a[j], joints.b[j]}) {
+            if (joints.radius[j] <= particles.reach[p]) continue;
+            particles.reach[p] = joints.radius[j];
+            surface[p] = j;
+        }
 }
 
 }  // namespace sulfur::detail

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <sulfur/ids.hpp>
+#include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct Joints {
     std::vector<std::uint8_t> inCluster;  // held by a rigid component, so never solved
     std::vector<Real> radius;             // m, > 0: a capsule
     std::vector<Real> strength;           // N
+    std::vector<Material> material;       // of the surface, if the joint has its own
+    std::vector<std::uint8_t> ownMaterial;
     std::vector<std::uint32_t> body;      // dense index, or none between bodies
     std::vector<JointId> id;
 
@@ -54,6 +57,8 @@ struct Joints {
         f(inCluster);
         f(radius);
         f(strength);
+        f(material);
+        f(ownMaterial);
         f(body);
         f(id);
     }

@@ -23,6 +23,7 @@ struct Particles {
     std::vector<Real> inverseMass;       // 1/kg, 0 for what physics does not move
     std::vector<std::uint32_t> cluster;  // rigid component that moves it, or none
     std::vector<Vec2> arm;               // m, from that component's centre
+    std::vector<Vec2> shift;             // m, correction of this tick that becomes no velocity
     // Warm: collision.
     std::vector<Real> reach;          // m, own radius or that of the thickest capsule ending here
     std::vector<std::uint32_t> body;  // dense index
@@ -44,6 +45,7 @@ struct Particles {
         f(inverseMass);
         f(cluster);
         f(arm);
+        f(shift);
         f(reach);
         f(body);
         f(mass);

@@ -75,11 +75,18 @@ inline void push(State& state, const Grip& grip, const Vec2& impulse) {
     turnBy(c, static_cast<double>(c.inverseInertia * cross(grip.arm, impulse)));
 }
 
+/// What shift() has added up for the grip in this tick.
+inline Vec2 shiftOf(const State& state, const Grip& grip) {
+    if (grip.cluster == none) return state.particles.shift[grip.particle];
+    const Cluster& c = state.clusters.list[grip.cluster];
+    return c.shift + static_cast<Real>(c.twist) * perpendicular(grip.arm);
+}
+
 /// Moves positions, not displacements, so that it becomes no velocity.
 inline void shift(State& state, const Grip& grip, const Vec2& impulse) {
     if (grip.cluster == none) {
-        state.particles.position[grip.particle] +=
-            (state.particles.inverseMass[grip.particle] * impulse).cast<double>();
+        state.particles.shift[grip.particle] +=
+            state.particles.inverseMass[grip.particle] * impulse;
         return;
     }
     Cluster& c = state.clusters.list[grip.cluster];

@@ -10,8 +10,13 @@ void solveImplicitJoints(State& state);
 /// Contacts begin with what they pushed with in the last tick, so that a stack does not have to be
 /// found anew in every tick.
 void warmStartContacts(State& state);
-void rememberContacts(State& state);
-void solveContacts(State& state);
+/// Takes down what the next tick begins with.
+void finishContacts(State& state);
+void solveContacts(State& state, bool backwards);
+/// What overlapped before the tick is led apart by moving positions, not displacements, so that
+/// it leaves no velocity behind and nothing is thrown. applyRecovery() does the move.
+void solveRecovery(State& state);
+void applyRecovery(State& state);
 /// After the last sweep: nothing that joints pushed may be past the surface that it touches.
 void guardContacts(State& state);
 void solveAttachments(State& state);

@@ -4,6 +4,7 @@
 // in the same sweep; rigid joints come last, and trees, which are solved as a whole, last of all.
 #include "rigid/loads.hpp"
 #include "solver/constraint_kinds.hpp"
+#include "solver/contact_forest.hpp"
 #include "solver/grabs.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
@@ -15,16 +16,21 @@ void solveConstraints(State& state) {
     startGrabs(state);
     touchTrees(state);
     warmStartContacts(state);
+    thread_local ContactForest forest;
+    forest.forget();
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
         solveImplicitJoints(state);
-        solveContacts(state);
+        solveContacts(state, sweep % 2 != 0);
+        forest.solve(state);
+        solveRecovery(state);
         solveAttachments(state);
         solveGrabs(state);
         solveRigidJoints(state);
         sweepTrees(state);
     }
     guardContacts(state);
-    rememberContacts(state);
+    finishContacts(state);
+    applyRecovery(state);
     recordTreeForces(state);
     recordForces(state);
     recoverLoads(state);

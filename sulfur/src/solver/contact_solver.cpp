@@ -1,98 +1,162 @@
-// Contacts: projection by the least distance with the masses' shares, and sliding friction.
+// Contacts: projection by the least distance with the masses' shares, and friction.
 #include <algorithm>
 #include <cmath>
 
-#include "rigid/grip.hpp"
+#include "collision/contact_memory.hpp"
 #include "solver/constraint_kinds.hpp"
+#include "solver/contact_motion.hpp"
 
 namespace sulfur::detail {
 
 namespace {
 
-Vec2 relativeDisplacement(const State& state, const Contact& c) {
-    Vec2 moved =
-        displacementOf(state, c.gripOfParticle) - c.shareA * displacementOf(state, c.gripOfA);
-    if (c.shareB != 0) moved -= c.shareB * displacementOf(state, c.gripOfB);
-    return moved;
-}
-
-void push(State& state, const Contact& c, const Vec2& impulse) {
-    push(state, c.gripOfParticle, impulse);
-    push(state, c.gripOfA, -c.shareA * impulse);
-    if (c.shareB != 0) push(state, c.gripOfB, -c.shareB * impulse);
-}
-
-/// The gap at the end of the tick may not be negative; what was negative at its start is taken
-/// back elsewhere (see findContacts), so that it becomes no velocity. The accumulated multiplier
-/// never pulls.
-void solveNormal(State& state, Contact& c) {
-    const Real gap = std::max<Real>(c.gap, 0) + c.normal.dot(relativeDisplacement(state, c));
-    const Real before = c.normalLambda;
-    c.normalLambda = std::max<Real>(0, before - gap / c.inverseEffectiveMass);
-    push(state, c, (c.normalLambda - before) * c.normal);
-}
-
-Vec2 tangentOf(const Contact& c) {
-    return {-c.normal[1], c.normal[0]};
-}
-
-/// Friction takes away sliding, by at most its coefficient times the normal multiplier (Coulomb);
-/// also what was left of it in the ticks before, back to the place where the contact sticks.
-void solveFriction(State& state, Contact& c) {
-    if (c.tangentInverseMass == 0) return;  // held by a pin in that direction
-    const Vec2 tangent = tangentOf(c);
-    const Real slip = c.drift + tangent.dot(relativeDisplacement(state, c));
-    const Real before = c.tangentLambda;
-    const Real most = c.friction * c.normalLambda;
-    c.tangentLambda = std::clamp(before - slip / c.tangentInverseMass, -most, most);
-    push(state, c, (c.tangentLambda - before) * tangent);
-}
+/// Share of an overlap that is taken back in a tick, and the speed that this may not exceed.
+constexpr Real recoveryShare = Real(0.2);
+constexpr Real recoverySpeed = Real(0.5);  // m/s
 
 /// How deep the sweeps may leave a contact, as a share of its thickness.
 constexpr Real guardedDepth = Real(0.25);
 
+/// The accumulated multiplier never pulls.
+void solveNormal(State& state, Contact& c) {
+    const Real before = c.normalLambda;
+    c.normalLambda = std::max<Real>(0, before - gapLeft(state, c) / c.inverseEffectiveMass);
+    push(state, c, (c.normalLambda - before) * c.normal);
+}
+
+/// Coulomb: what sticks is held as long as static friction suffices, what slides is braked by
+/// kinetic friction.
+Real coulombLambda(const State& state, const Contact& c) {
+    const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
+    return std::clamp(c.tangentLambda - slipOf(state, c) / c.tangentInverseMass, -most, most);
+}
+
+/// The paper's: a force of -mu v, here implicitly, so that no mu is too large.
+Real slidingLambda(const State& state, const Contact& c) {
+    if (c.normalLambda <= 0) return 0;
+    const Real rate = c.kineticFriction * state.h;
+    return c.tangentLambda -
+           (rate * slipOf(state, c) + c.tangentLambda) / (1 + rate * c.tangentInverseMass);
+}
+
+void solveFriction(State& state, Contact& c) {
+    if (c.tangentInverseMass == 0) return;  // held by a pin in that direction
+    const Real before = c.tangentLambda;
+    c.tangentLambda = state.settings.friction == Friction::coulomb ? coulombLambda(state, c)
+                                                                   : slidingLambda(state, c);
+    push(state, c, (c.tangentLambda - before) * tangentOf(c));
+}
+
+void solve(State& state, Contact& c) {
+    solveNormal(state, c);
+    if (c.staticFriction > 0) solveFriction(state, c);
+}
+
+void recoverGap(State& state, Contact& c) {
+    const Real wanted = std::min(-c.gap * recoveryShare, recoverySpeed * state.h);
+    const Real left = wanted - c.normal.dot(relativeShift(state, c));
+    const Real before = c.recoveryLambda;
+    c.recoveryLambda = std::max<Real>(0, before + left / c.inverseEffectiveMass);
+    shift(state, c, (c.recoveryLambda - before) * c.normal);
+}
+
+/// What sticks is led back to the place where it began to stick.
+void recoverDrift(State& state, Contact& c) {
+    const Real most = recoverySpeed * state.h;
+    const Real wanted = std::clamp(-c.drift * recoveryShare, -most, most);
+    const Real left = wanted - tangentOf(c).dot(relativeShift(state, c));
+    shift(state, c, left / c.tangentInverseMass * tangentOf(c));
+}
+
+}  // namespace
+
+namespace {
+
+void warmStart(State& state, Contact& c, const ContactMemory& before) {
+    c.normalLambda = before.normalLambda;
+    if (c.rough) {
+        c.drift = before.drift;
+        c.sliding = before.sliding != 0;
+        const Real most = c.staticFriction * c.normalLambda;
+        c.tangentLambda = std::clamp(before.tangentLambda, -most, most);
+    }
+    push(state, c, c.normalLambda * c.normal + c.tangentLambda * tangentOf(c));
+}
+
 }  // namespace
 
 void warmStartContacts(State& state) {
-    const auto& memory = state.contactMemory;
+    thread_local std::vector<std::uint8_t> taken;  // of the memories, each has one heir
+    taken.assign(state.contactMemory.size(), 0);
+    const auto inherit = [&](bool exactly) {
+        for (Contact& c : state.contacts) {
+            if (c.normalLambda > 0) continue;
+            const ContactMemory* before = recall(state.contactMemory, c.particle, c.a, c.b);
+            if (!before || (before->a == c.a && before->b == c.b) != exactly) continue;
+            auto& isTaken = taken[static_cast<std::size_t>(before - state.contactMemory.data())];
+            if (isTaken || before->normal.dot(c.normal) < Real(0.9)) continue;
+            isTaken = 1;
+            warmStart(state, c, *before);
+        }
+    };
+    inherit(true);
+    inherit(false);
+}
+
+void solveContacts(State& state, bool backwards) {
+    if (!backwards)
+        for (auto c = state.contacts.begin(); c != state.contacts.end(); ++c) solve(state, *c);
+    else
+        for (auto c = state.contacts.rbegin(); c != state.contacts.rend(); ++c) solve(state, *c);
+}
+
+void solveRecovery(State& state) {
     for (Contact& c : state.contacts) {
-        const ContactMemory key{c.particle, c.a, c.b, 0, 0, 0};
-        const auto at = std::lower_bound(memory.begin(), memory.end(), key);
-        if (at == memory.end() || key < *at) continue;
-        c.drift = at->drift;
-        c.normalLambda = at->normalLambda;
-        const Real most = c.friction * c.normalLambda;
-        c.tangentLambda = std::clamp(at->tangentLambda, -most, most);
-        push(state, c, c.normalLambda * c.normal + c.tangentLambda * tangentOf(c));
+        if (c.gap < 0) recoverGap(state, c);
+        if (c.drift != 0 && c.tangentInverseMass > 0) recoverDrift(state, c);
     }
 }
 
-void rememberContacts(State& state) {
-    auto& memory = state.contactMemory;
-    memory.clear();
+void applyRecovery(State& state) {
+    Particles& p = state.particles;
     for (const Contact& c : state.contacts) {
-        if (c.normalLambda <= 0) continue;
-        const bool sticks = std::abs(c.tangentLambda) < c.friction * c.normalLambda;
-        const Real slip = tangentOf(c).dot(relativeDisplacement(state, c));
-        memory.push_back(
-            {c.particle, c.a, c.b, c.normalLambda, c.tangentLambda, sticks ? c.drift + slip : 0});
+        if (c.gap >= 0 && c.drift == 0) continue;
+        for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) {
+            if (grip.cluster != none) continue;
+            p.position[grip.particle] += p.shift[grip.particle].cast<double>();
+            p.shift[grip.particle] = Vec2(0, 0);
+        }
     }
-    std::sort(memory.begin(), memory.end());
 }
 
-void solveContacts(State& state) {
-    for (Contact& contact : state.contacts) {
-        solveNormal(state, contact);
-        if (contact.friction > 0) solveFriction(state, contact);
-    }
+namespace {
+
+/// m/s^2: a contact slides when friction gives all it can and still the slip of a tick is more
+/// than what this makes of a tick. Less is what sweeps leave of contacts that share a load.
+constexpr Real slidingStarts = Real(0.25);
+
+void judgeSliding(const State& state, Contact& c) {
+    const Real slip = slipOf(state, c);
+    if (c.sliding)
+        c.sliding = std::abs(c.tangentLambda) >= c.kineticFriction * c.normalLambda;
+    else
+        c.sliding = std::abs(c.tangentLambda) >= c.staticFriction * c.normalLambda &&
+                    std::abs(slip) > slidingStarts * state.h * state.h;
+    const bool sticks = c.normalLambda > 0 && !c.sliding;
+    c.drift = sticks ? c.drift + slip + tangentOf(c).dot(relativeShift(state, c)) : 0;
+}
+
+}  // namespace
+
+void finishContacts(State& state) {
+    for (Contact& c : state.contacts)
+        if (c.rough) judgeSliding(state, c);
+    rememberContacts(state);
 }
 
 void guardContacts(State& state) {
-    for (Contact& contact : state.contacts) {
-        const Vec2 moved = relativeDisplacement(state, contact);
-        const Real gap = std::max<Real>(contact.gap, 0) + contact.normal.dot(moved);
-        if (gap < -guardedDepth * contact.thickness) solveNormal(state, contact);
-    }
+    for (Contact& c : state.contacts)
+        if (gapLeft(state, c) < -guardedDepth * c.thickness) solveNormal(state, c);
 }
 
 }  // namespace sulfur::detail

@@ -55,11 +55,31 @@ void findIslands(State& state, DisjointSets& islands) {
 }
 
 void wakeTouched(State& state) {
+    for (const auto body : state.knocked) wakeBody(state, body);
     for (const Contact& c : state.contacts) {
         if (static_cast<double>(c.approach) < wakingSpeed) continue;
         for (const auto body : {c.bodyA, c.bodyB})
             if (state.bodies[body].asleep) wakeBody(state, body);
     }
+}
+
+bool isMovingKinematic(const State& state, const BodyRecord& body) {
+    return body.kind == BodyKind::kinematic &&
+           state.particles.velocity[body.firstParticle].squaredNorm() > 0;
+}
+
+/// What sleeps on a kinematic body that starts to move does not stay behind.
+void wakeCarried(State& state) {
+    const bool any = std::any_of(state.bodies.begin(), state.bodies.end(), [&](const auto& body) {
+        return isMovingKinematic(state, body);
+    });
+    if (!any) return;
+    const auto& body = state.particles.body;
+    for (const ContactMemory& m : state.contactMemory)
+        for (const auto& [one, other] : {std::pair(m.particle, m.a), std::pair(m.a, m.particle)})
+            if (state.bodies[body[one]].asleep &&
+                isMovingKinematic(state, state.bodies[body[other]]))
+                wakeBody(state, body[one]);
 }
 
 /// What is tied to something that moves moves with it.
@@ -79,21 +99,47 @@ void wakeTied(State& state) {
         for (std::uint32_t k = 0; k < held.count; ++k) wake(held.particle, held.support[k]);
 }
 
+/// Joins the rings of two sleepers, so that they wake together.
+void joinRings(State& state, std::uint32_t a, std::uint32_t b) {
+    BodyRecord& first = state.bodies[a];
+    BodyRecord& second = state.bodies[b];
+    if (a == b || !first.asleep || !second.asleep) return;
+    const bool alone = first.nextAsleep == first.id || second.nextAsleep == second.id;
+    for (BodyId id = first.nextAsleep; !alone && id != first.id;
+         id = state.bodies[state.bodySlots.dense(id)].nextAsleep)
+        if (id == second.id) return;
+    std::swap(first.nextAsleep, second.nextAsleep);
+}
+
 }  // namespace
 
 void wakeBody(State& state, std::uint32_t index) {
-    BodyRecord& body = state.bodies[index];
-    body.restingTime = 0;
-    if (!body.asleep) return;
-    body.asleep = false;
-    restoreInverseMass(state, index);
-    state.work.stale = true;
-    state.broad.pairsStale = true;
+    BodyRecord* body = &state.bodies[index];
+    body->restingTime = 0;
+    while (body->asleep) {
+        body->asleep = false;
+        body->restingTime = 0;
+        index = state.bodySlots.dense(body->id);
+        restoreInverseMass(state, index);
+        body = &state.bodies[state.bodySlots.dense(body->nextAsleep)];
+        state.work.stale = true;
+        state.broad.pairsStale = true;
+    }
+}
+
+void wakeTouching(State& state, std::uint32_t gone) {
+    const auto& body = state.particles.body;
+    for (const ContactMemory& m : state.contactMemory) {
+        if (body[m.particle] == gone) wakeBody(state, body[m.a]);
+        if (body[m.a] == gone) wakeBody(state, body[m.particle]);
+    }
+    wakeBody(state, gone);
 }
 
 void sleepBody(State& state, std::uint32_t index) {
     BodyRecord& body = state.bodies[index];
     body.asleep = true;
+    body.nextAsleep = body.id;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
         state.particles.velocity[i] = Point(0, 0);
@@ -109,6 +155,7 @@ void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wakeTouched(state);
     wakeTied(state);
+    wakeCarried(state);
     measureRest(state);
     // Memory is taken when bodies are added, not when they first tire.
     thread_local DisjointSets islands;
@@ -125,9 +172,12 @@ void updateSleep(State& state) {
         if (isDynamic(state, i) && !state.bodies[i].asleep &&
             state.bodies[i].restingTime < timeToSleep)
             restless[islands.find(i)] = true;
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        if (!isDynamic(state, i) || state.bodies[i].asleep || restless[islands.find(i)]) continue;
+        sleepBody(state, i);
+    }
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
-        if (isDynamic(state, i) && !state.bodies[i].asleep && !restless[islands.find(i)])
-            sleepBody(state, i);
+        if (isDynamic(state, i) && state.bodies[i].asleep) joinRings(state, islands.find(i), i);
 }
 
 }  // namespace sulfur::detail

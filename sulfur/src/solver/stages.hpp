@@ -29,8 +29,11 @@ void updateSleep(State& state);
 /// Tells what happened.
 void collectEvents(State& state);
 
-/// Makes a body take part again, or lets it rest, at once.
+/// Makes a body take part again, with all that fell asleep with it or leans on it, or lets it rest,
+/// at once.
 void wakeBody(State& state, std::uint32_t body);
+/// Wakes a body that goes away or leaves its place, and what touches it.
+void wakeTouching(State& state, std::uint32_t body);
 void sleepBody(State& state, std::uint32_t body);
 
 /// Makes the grid valid for the present positions (lookAhead 0) or for those that the predicted

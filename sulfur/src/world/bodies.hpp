@@ -17,8 +17,10 @@ struct BodyRecord {
     bool moving = false;              // kinematic: has a target for the next tick
     bool stopping = false;            // kinematic: had a target for the last tick
     bool clustersStale = true;        // its rigid components must be found again
+    bool selfCollision = false;       // its own parts touch each other
     bool strained = false;            // they were not, because it was bent out of shape
     Real restingTime = 0;             // s for which its island has been at rest
+    BodyId nextAsleep;  // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index
     Material material;
     Filter filter;
@@ -38,7 +40,9 @@ struct BodyRecord {
         a(stopping);
         a(clustersStale);
         a(strained);
+        a(selfCollision);
         a(restingTime);
+        a(nextAsleep);
         a(firstParticle);
         a(material);
         a(filter);

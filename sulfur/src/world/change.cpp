@@ -1,4 +1,6 @@
 // World: changing what exists.
+#include <algorithm>
+
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "rigid/find_clusters.hpp"
@@ -99,7 +101,45 @@ void World::setFilter(BodyId id, const Filter& filter) {
     State& state = impl_->state;
     const auto index = indexOf(state, id);
     state.bodies[index].filter = filter;
+    detail::wakeTouching(state, index);
+    detail::bodyChanged(state);
+}
+
+void World::setMaterial(JointId id, const std::optional<Material>& material) {
+    State& state = impl_->state;
+    const auto j = indexOf(state, id);
+    if (material) detail::validate(*material);
+    state.joints.material[j] = material.value_or(Material{});
+    state.joints.ownMaterial[j] = material ? 1 : 0;
+    for (const auto p : {state.joints.a[j], state.joints.b[j]}) wakeOwner(state, p);
+}
+
+void World::setSelfCollision(BodyId id, bool on) {
+    State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    if (state.bodies[index].selfCollision == on) return;
+    state.bodies[index].selfCollision = on;
     detail::wakeBody(state, index);
+    detail::bodyChanged(state);
+}
+
+void World::setCollision(BodyId a, BodyId b, bool on) {
+    State& state = impl_->state;
+    const auto first = indexOf(state, a), second = indexOf(state, b);
+    if (first == second)
+        throw Error(ErrorCode::degenerate,
+                    "collision of a body with itself; allowed are two bodies, and "
+                    "setSelfCollision for one");
+    const auto pair = detail::BodyPair::of(a, b);
+    auto& vetoes = state.vetoes;
+    const auto at = std::lower_bound(vetoes.begin(), vetoes.end(), pair);
+    const bool vetoed = at != vetoes.end() && *at == pair;
+    if (vetoed != on) return;
+    if (on)
+        vetoes.erase(at);
+    else
+        vetoes.insert(at, pair);
+    for (const auto body : {first, second}) detail::wakeTouching(state, body);
     detail::bodyChanged(state);
 }
 
@@ -161,7 +201,7 @@ void World::setPosition(ParticleId id, Point position) {
     const auto i = indexOf(state, id);
     for (int axis = 0; axis < 2; ++axis)
         requireRange(position[axis], -maxCoordinate, maxCoordinate, "position");
-    wakeOwner(state, i);
+    detail::wakeTouching(state, state.particles.body[i]);
     if (state.particles.position[i] == position) return;
     state.particles.position[i] = position;
     detail::shapeChanged(state, state.particles.body[i]);

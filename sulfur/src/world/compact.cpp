@@ -61,6 +61,9 @@ void forgetHandles(State& state, const Removal& removal) {
         if (removal.attachments[i]) state.attachmentSlots.erase(state.attachments[i].id);
     for (std::size_t i = 0; i < removal.bodies.size(); ++i)
         if (removal.bodies[i]) state.bodySlots.erase(state.bodies[i].id);
+    std::erase_if(state.vetoes, [&](const BodyPair& pair) {
+        return !state.bodySlots.contains(pair.a) || !state.bodySlots.contains(pair.b);
+    });
 }
 
 void squeezeBodies(State& state, const Removal& removal) {
@@ -159,7 +162,9 @@ void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex)
     for (ContactMemory& m : state.contactMemory)
         for (auto* p : {&m.particle, &m.a, &m.b}) renumber(*p);
     std::erase_if(state.contactMemory, gone);
-    std::sort(state.contactMemory.begin(), state.contactMemory.end());
+    std::stable_sort(
+        state.contactMemory.begin(), state.contactMemory.end(),
+        [](const ContactMemory& x, const ContactMemory& y) { return x.particle < y.particle; });
     for (Contact& c : state.contacts)
         for (auto* p : {&c.particle, &c.a, &c.b}) renumber(*p);
     std::erase_if(state.contacts, gone);

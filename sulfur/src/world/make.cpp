@@ -40,6 +40,7 @@ void addParticle(State& state, const ParticleSpec& spec, const Pose& pose, const
     p.inverseMass.push_back(0);
     p.cluster.push_back(none);
     p.arm.emplace_back(0, 0);
+    p.shift.emplace_back(0, 0);
     p.reach.push_back(spec.radius);
     p.body.push_back(bodyIndex);
     p.mass.push_back(spec.mass);
@@ -68,6 +69,8 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     j.inCluster.push_back(0);
     j.radius.push_back(options.radius);
     j.strength.push_back(options.strength);
+    j.material.push_back(options.material.value_or(Material{}));
+    j.ownMaterial.push_back(options.material.has_value() ? 1 : 0);
     j.body.push_back(body);
     j.id.push_back(state.jointSlots.insert(index));
     return j.id.back();
@@ -82,6 +85,7 @@ void validateConnection(const ConnectOptions& options, Real rest) {
     requireRange(static_cast<double>(options.damping), 0, 1e12, "damping");
     requireRange(static_cast<double>(options.radius), 0, 1e6, "radius");
     requireNonNegativeOrInfinite(static_cast<double>(options.strength), "strength");
+    if (options.material) validate(*options.material);
     requireRange(static_cast<double>(rest), 0, 1e9, "rest length");
     if (rest == 0 && (options.stiffness == infinite || options.radius > 0))
         throw Error(ErrorCode::degenerate,
@@ -151,28 +155,6 @@ AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle
     return held.id;
 }
 
-/// Wakes sleepers that may have lost their support: all whose particles are within a metre of
-/// what goes.
-void wakeAround(State& state, std::uint32_t gone) {
-    const auto& x = state.particles.position;
-    const BodyRecord& body = state.bodies[gone];
-    Point low(1e300, 1e300), high(-1e300, -1e300);
-    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
-        low = low.cwiseMin(x[body.firstParticle + k]);
-        high = high.cwiseMax(x[body.firstParticle + k]);
-    }
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        if (!state.bodies[i].asleep) continue;
-        for (std::uint32_t k = 0; k < state.bodies[i].particles.size(); ++k) {
-            const Point& p = x[state.bodies[i].firstParticle + k];
-            if ((p.array() < low.array() - 1).any() || (p.array() > high.array() + 1).any())
-                continue;
-            wakeBody(state, i);
-            break;
-        }
-    }
-}
-
 }  // namespace
 
 void restoreInverseMass(State& state, std::uint32_t index) {
@@ -221,6 +203,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     body.firstParticle = static_cast<std::uint32_t>(state.particles.size());
     body.material = plan.material;
     body.filter = plan.filter;
+    body.selfCollision = plan.selfCollision;
     body.name = plan.name;
     body.skin = plan.skin;
     const Point turn = detail::unitVector(pose.angle);
@@ -230,7 +213,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
         const auto a = body.firstParticle + spec.a, b = body.firstParticle + spec.b;
         const Vec2 apart = plan.particles[spec.b].position - plan.particles[spec.a].position;
         body.joints.push_back(detail::addJoint(
-            state, a, b, {spec.stiffness, spec.damping, {}, spec.radius, spec.strength},
+            state, a, b, {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
             spec.restLength.value_or(apart.norm()), index));
     }
     state.bodyIds.push_back(body.id);
@@ -243,7 +226,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
 void World::remove(BodyId id) {
     detail::State& state = impl_->state;
     const auto index = indexOf(state, id);
-    detail::wakeAround(state, index);
+    detail::wakeTouching(state, index);
     detail::Removal removal(state);
     removal.bodies[index] = true;
     detail::compact(state, removal);

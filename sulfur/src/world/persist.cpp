@@ -21,6 +21,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.sleeping);
     a(state.settings.sweeps);
     a(state.settings.damper);
+    a(state.settings.friction);
     a(state.lastTick);
     a(state.rateTick);
     a(state.rateTime);
@@ -34,12 +35,14 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.fresh);
     a(state.contactMemory);
     a(state.touching);
+    a(state.vetoes);
     a(state.broad.cellSize);
 }
 
 template <class Archive>
 void archiveAll(Archive& a, State& state) {
     a(state.h);
+    a(state.settings.tellPersisting);
     archiveDecisive(a, state);
     a(state.bodies);
     a(state.bodyIds);
@@ -58,6 +61,8 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.moving);
         hasher(body.stopping);
         hasher(body.restingTime);
+        hasher(body.nextAsleep);
+        hasher(body.selfCollision);
         hasher(body.material);
         hasher(body.filter);
         hasher(body.target.position);

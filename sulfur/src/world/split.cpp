@@ -76,6 +76,16 @@ Breakup breakUp(const State& state, std::uint32_t body, const std::vector<std::u
     return result;
 }
 
+void inheritVetoes(State& state, BodyId from, BodyId piece) {
+    auto& vetoes = state.vetoes;
+    for (std::size_t i = 0, count = vetoes.size(); i < count; ++i) {
+        const BodyPair pair = vetoes[i];
+        if (pair.a == from) vetoes.push_back(BodyPair::of(piece, pair.b));
+        if (pair.b == from) vetoes.push_back(BodyPair::of(piece, pair.a));
+    }
+    std::sort(vetoes.begin(), vetoes.end());
+}
+
 /// Makes a piece a body at the end of the list. Its particles still stand among those of the body
 /// that it broke from; see reorderParticles().
 void makePiece(State& state, std::uint32_t from, const std::vector<std::uint32_t>& group) {
@@ -99,6 +109,7 @@ void makePiece(State& state, std::uint32_t from, const std::vector<std::uint32_t
         piece.joints.push_back(id);
         state.joints.body[j] = index;
     }
+    inheritVetoes(state, state.bodies[from].id, piece.id);
     state.bodies.push_back(std::move(piece));
     state.bodyIds.push_back(state.bodies.back().id);
     state.events.bodiesSplit.push_back({state.bodies[from].id, state.bodies.back().id});

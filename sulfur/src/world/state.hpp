@@ -26,6 +26,14 @@ struct Range {
     std::uint32_t first = 0, last = 0;
 };
 
+/// Two bodies, the one with the smaller handle first.
+struct BodyPair {
+    BodyId a, b;
+
+    static BodyPair of(BodyId p, BodyId q) { return q < p ? BodyPair{q, p} : BodyPair{p, q}; }
+    friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
 /// The colour of what the others left none for.
 inline constexpr std::uint8_t noColour = 63;
 
@@ -100,8 +108,9 @@ struct State {
     std::vector<Contact> contacts;
     std::vector<Vec2> loads;                   // N on members of watched clusters in this tick
     std::vector<ContactMemory> contactMemory;  // of the last tick, sorted
-    std::vector<std::uint64_t> touching;       // pairs of bodies in contact, sorted
-    std::vector<std::uint64_t> touchingNow, touchingReported;  // scratch
+    std::vector<BodyPair> touching;            // in contact, sorted
+    std::vector<BodyPair> vetoes;              // that never are, sorted
+    std::vector<std::uint32_t> knocked;        // sleepers that something ran into, dense indices
     Events events;
     Statistics statistics;
     bool profiling = false;
@@ -134,7 +143,8 @@ void restoreInverseMass(State& state, std::uint32_t body);
 /// The inverse mass that a particle has while its body is awake, 0 if nothing moves it then.
 Real inverseMassAwake(const State& state, std::uint32_t particle);
 
-/// Derives how each joint is solved; the collision radius of particles.
+/// Derives how each joint is solved; the collision radius of particles, and whose surface they
+/// show: that of the thickest capsule that ends there.
 void classifyJoints(State& state);
 void updateReach(State& state);
 

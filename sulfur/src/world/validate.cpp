@@ -167,6 +167,38 @@ std::string validateTrees(const State& state) {
     return {};
 }
 
+/// Sleepers that must wake together form rings.
+std::string validateSleepers(const State& state) {
+    std::vector<bool> followed(state.bodies.size(), false);
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+        const BodyRecord& body = state.bodies[i];
+        if (!body.asleep) continue;
+        if (!state.bodySlots.contains(body.nextAsleep)) return problem("sleeper before nobody", i);
+        const auto next = state.bodySlots.dense(body.nextAsleep);
+        if (next >= state.bodies.size() || !state.bodies[next].asleep || followed[next])
+            return problem("sleeper outside of any ring", i);
+        followed[next] = true;
+    }
+    return {};
+}
+
+std::string validateContacts(const State& state) {
+    const auto count = state.particles.size();
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < state.contactMemory.size(); ++i) {
+        const ContactMemory& m = state.contactMemory[i];
+        if (m.particle >= count || m.a >= count || m.b >= count)
+            return problem("contact of nothing", i);
+        if (m.particle < last) return problem("contact out of order", i);
+        if (!m.normal.allFinite() || !std::isfinite(m.normalLambda) ||
+            !std::isfinite(m.tangentLambda) || !std::isfinite(m.drift))
+            return problem("contact that is not finite", i);
+        last = m.particle;
+    }
+    if (!std::is_sorted(state.touching.begin(), state.touching.end())) return "touching out of order";
+    return std::is_sorted(state.vetoes.begin(), state.vetoes.end()) ? "" : "vetoes out of order";
+}
+
 std::string validateStructure(const State& state) {
     const Structure& s = state.structure;
     const auto within = [](const std::vector<std::uint32_t>& list, std::size_t count) {
@@ -185,7 +217,7 @@ std::string validateStructure(const State& state) {
 
 std::string findBroken(const State& state) {
     for (const auto check : {validateArrays, validateParticles, validateJoints, validateAttachments,
-                             validateBodies, validateClusters, validateTrees, validateStructure})
+                             validateBodies, validateSleepers, validateContacts, validateClusters, validateTrees, validateStructure})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }

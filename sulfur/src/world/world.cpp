@@ -1,6 +1,8 @@
 // World: life, time, and looking at things.
+#include <algorithm>
 #include <string>
 
+#include "collision/materials.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
@@ -172,6 +174,24 @@ BodyKind World::kind(BodyId id) const {
 const Material& World::material(BodyId id) const {
     return record(impl_->state, id).material;
 }
+const Material& World::material(JointId id) const {
+    const State& state = impl_->state;
+    const auto j = indexOf(state, id);
+    const auto owner = state.joints.body[j] != detail::none
+                           ? state.joints.body[j]
+                           : state.particles.body[state.joints.a[j]];
+    return detail::surfaceOf(state, j, owner);
+}
+bool World::selfCollision(BodyId id) const {
+    return record(impl_->state, id).selfCollision;
+}
+bool World::collision(BodyId a, BodyId b) const {
+    const State& state = impl_->state;
+    indexOf(state, a);
+    indexOf(state, b);
+    return !std::binary_search(state.vetoes.begin(), state.vetoes.end(),
+                               detail::BodyPair::of(a, b));
+}
 const Filter& World::filter(BodyId id) const {
     return record(impl_->state, id).filter;
 }
@@ -264,14 +284,14 @@ Vec2 World::velocity(ParticleId id) const {
 
 std::vector<ContactInfo> World::contacts() const {
     const State& state = impl_->state;
+    const auto& p = state.particles;
     std::vector<ContactInfo> found;
-    for (const auto& c : state.contacts) {
+    for (const auto& c : state.contactMemory) {
         if (c.normalLambda <= 0) continue;
-        const Real reach = state.particles.reach[c.particle];
         const Point point =
-            state.particles.position[c.particle] - (reach * c.normal).cast<double>();
-        found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id, point, c.normal,
-                         c.normalLambda / state.h});
+            p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
+        found.push_back({state.bodies[p.body[c.particle]].id, state.bodies[p.body[c.a]].id, point,
+                         c.normal, c.normalLambda / state.h, c.tangentLambda / state.h});
     }
     return found;
 }

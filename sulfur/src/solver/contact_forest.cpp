@@ -1,0 +1,322 @@
+#include "solver/contact_forest.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "rigid/grip.hpp"
+#include "solver/contact_motion.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Of the penalty, in effective masses of the contact: what is left of an error is about a part in
+/// so many, and rounding, in double, is far below.
+constexpr double stiffnessOfPenalty = 1e5;
+
+/// What sweeps may leave: 10 micrometres a second at 500 Hz.
+constexpr Real mostError = Real(2e-8);  // m
+
+/// Of the active set, in a sweep.
+constexpr int mostSteps = 6;
+
+using Vector3 = Eigen::Matrix<double, 3, 1>;
+using Matrix3 = Eigen::Matrix<double, 3, 3>;
+
+/// What is not moved along an axis has as good as infinite mass there.
+double massOf(Real inverse) {
+    return inverse > 0 ? 1 / static_cast<double>(inverse) : 1e30;
+}
+
+Vector3 masses(const State& state, std::uint32_t cluster, std::uint32_t particle) {
+    if (cluster == none) {
+        const double m = massOf(state.particles.inverseMass[particle]);
+        return {m, m, 1};
+    }
+    const Cluster& c = state.clusters.list[cluster];
+    const double m = massOf(c.inverseMass);
+    return {m, m, massOf(c.inverseInertia)};
+}
+
+/// How the motion of what the grip holds moves the grip along `direction`.
+Vector3 jacobian(const Grip& grip, const Vec2& direction) {
+    const Point along = direction.cast<double>();
+    const double lever = grip.cluster == none ? 0 : cross(grip.arm.cast<double>(), along);
+    return {along[0], along[1], lever};
+}
+
+}  // namespace
+
+/// The node of what the grip holds, or none if it does not move, or is part of something soft.
+std::uint32_t ContactForest::nodeOf(const State& state, const Grip& grip) {
+    const bool rigid = grip.cluster != none;
+    if (rigid) {
+        const Cluster& c = state.clusters.list[grip.cluster];
+        if (c.inverseMass == 0 && c.inverseInertia == 0) return none;
+    } else if (state.particles.inverseMass[grip.particle] == 0) {
+        return none;
+    }
+    auto& node = rigid ? nodeOfCluster_[grip.cluster] : nodeOfParticle_[grip.particle];
+    if (node == none) {
+        node = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.emplace_back();
+        nodes_.back().cluster = grip.cluster;
+        nodes_.back().particle = grip.particle;
+    }
+    return node;
+}
+
+namespace {
+
+/// Whether the grip holds something soft: a particle that joints hold to others.
+bool isSoft(const State& state, const Grip& grip) {
+    if (grip.cluster != none || state.particles.inverseMass[grip.particle] == 0) return false;
+    return state.bodies[state.particles.body[grip.particle]].particles.size() > 1;
+}
+
+}  // namespace
+
+void ContactForest::collectContacts(const State& state) {
+    nodes_.clear();
+    keyed_.clear();
+    nodeOfCluster_.assign(state.clusters.list.size(), none);
+    nodeOfParticle_.assign(state.particles.size(), none);
+    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
+        const Contact& c = state.contacts[i];
+        if (c.shareB != 0 && (isSoft(state, c.gripOfB) || isSoft(state, c.gripOfA))) continue;
+        if (isSoft(state, c.gripOfParticle) || isSoft(state, c.gripOfA)) continue;
+        std::uint64_t a = nodeOf(state, c.gripOfParticle), b = nodeOf(state, c.gripOfA);
+        if (a > b) std::swap(a, b);
+        if (a != none) keyed_.push_back({a << 32 | b, i});
+    }
+    std::sort(keyed_.begin(), keyed_.end(), [](const Keyed& p, const Keyed& q) {
+        return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
+    });
+}
+
+void ContactForest::collectEdges(const State& state) {
+    edges_.clear();
+    for (std::uint32_t k = 0; k < keyed_.size(); ++k) {
+        const auto nodes = keyed_[k].nodes;
+        if (k == 0 || keyed_[k - 1].nodes != nodes) {
+            edges_.emplace_back();
+            edges_.back().a = static_cast<std::uint32_t>(nodes >> 32);
+            edges_.back().b = static_cast<std::uint32_t>(nodes);
+            edges_.back().first = k;
+        }
+        edges_.back().last = k + 1;
+        edges_.back().carried += state.contacts[keyed_[k].contact].normalLambda;
+    }
+}
+
+/// A spanning forest of those edges that carry most (Kruskal). What does not move closes no cycle.
+void ContactForest::chooseEdges() {
+    byLoad_.resize(edges_.size());
+    std::iota(byLoad_.begin(), byLoad_.end(), 0u);
+    std::sort(byLoad_.begin(), byLoad_.end(), [&](std::uint32_t p, std::uint32_t q) {
+        if (edges_[p].carried != edges_[q].carried) return edges_[p].carried > edges_[q].carried;
+        return p < q;
+    });
+    trees_.reset(nodes_.size());
+    for (const auto e : byLoad_)
+        edges_[e].chosen = edges_[e].b == none || trees_.unite(edges_[e].a, edges_[e].b);
+}
+
+/// Parents before their children.
+void ContactForest::orderNodes() {
+    start_.assign(nodes_.size() + 1, 0);
+    const auto forEachLink = [&](auto&& visit) {
+        for (const Edge& e : edges_) {
+            if (!e.chosen || e.b == none) continue;
+            visit(e.a, e.b);
+            visit(e.b, e.a);
+        }
+    };
+    forEachLink([&](std::uint32_t from, std::uint32_t) { ++start_[from + 1]; });
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    neighbour_.resize(start_.back());
+    forEachLink([&](std::uint32_t from, std::uint32_t to) { neighbour_[start_[from]++] = to; });
+    for (std::size_t i = start_.size() - 1; i > 0; --i) start_[i] = start_[i - 1];
+    start_[0] = 0;
+    order_.clear();
+    for (std::uint32_t root = 0; root < nodes_.size(); ++root) {
+        if (trees_.find(root) != root) continue;
+        order_.push_back(root);
+        for (auto at = order_.size() - 1; at < order_.size(); ++at) {
+            const auto i = order_[at];
+            for (auto k = start_[i]; k < start_[i + 1]; ++k) {
+                if (neighbour_[k] == nodes_[i].parent) continue;
+                nodes_[neighbour_[k]].parent = i;
+                order_.push_back(neighbour_[k]);
+            }
+        }
+    }
+}
+
+void ContactForest::grow(const State& state) {
+    collectContacts(state);
+    collectEdges(state);
+    chooseEdges();
+    orderNodes();
+    grown_ = true;
+}
+
+void ContactForest::addRow(const State& state, std::uint32_t edge, std::uint32_t contact,
+                           bool isNormal) {
+    const Contact& c = state.contacts[contact];
+    const Vec2 direction = isNormal ? c.normal : tangentOf(c);
+    Row row;
+    row.contact = contact;
+    row.edge = edge;
+    row.isNormal = isNormal;
+    row.error = static_cast<double>(isNormal ? gapLeft(state, c) : slipOf(state, c));
+    const Real w = isNormal ? c.inverseEffectiveMass : c.tangentInverseMass;
+    row.weight = stiffnessOfPenalty / static_cast<double>(w);
+    const Vector3 particle = jacobian(c.gripOfParticle, direction);
+    const Vector3 capsule = -static_cast<double>(c.shareA) * jacobian(c.gripOfA, direction);
+    const auto node = c.gripOfParticle.cluster != none ? nodeOfCluster_[c.gripOfParticle.cluster]
+                                                       : nodeOfParticle_[c.gripOfParticle.particle];
+    const bool particleFirst = node == edges_[edge].a;
+    row.a = particleFirst ? particle : capsule;
+    row.b = particleFirst ? capsule : particle;
+    rows_.push_back(row);
+}
+
+bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
+    const Contact& c = state.contacts[contact];
+    return c.normalLambda > 0 && c.rough && !c.sliding && !slipping_[contact] && c.tangentInverseMass > 0;
+}
+
+/// Of the chosen edges: normals that push or should, tangents that stick.
+void ContactForest::collectRows(const State& state) {
+    rows_.clear();
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        if (!edges_[e].chosen) continue;
+        for (auto k = edges_[e].first; k < edges_[e].last; ++k) {
+            const auto i = keyed_[k].contact;
+            const Contact& c = state.contacts[i];
+            std::uint32_t normal = none;
+            if (!given_[i] && (c.normalLambda > 0 || gapLeft(state, c) < 0)) {
+                normal = static_cast<std::uint32_t>(rows_.size());
+                addRow(state, e, i, true);
+            }
+            if (!sticks(state, i)) continue;
+            addRow(state, e, i, false);
+            rows_.back().normal = normal;
+        }
+    }
+}
+
+/// (M + sum of weight J^T J) u = - sum of weight J^T error.
+void ContactForest::assemble(const State& state) {
+    for (Node& node : nodes_) {
+        node.system = masses(state, node.cluster, node.particle).asDiagonal();
+        node.towardsParent.setZero();
+        node.motion.setZero();
+    }
+    for (const Row& row : rows_) {
+        const Edge& e = edges_[row.edge];
+        nodes_[e.a].system += row.weight * row.a * row.a.transpose();
+        nodes_[e.a].motion -= row.weight * row.error * row.a;
+        if (e.b == none) continue;
+        nodes_[e.b].system += row.weight * row.b * row.b.transpose();
+        nodes_[e.b].motion -= row.weight * row.error * row.b;
+        if (nodes_[e.a].parent == e.b)
+            nodes_[e.a].towardsParent += row.weight * row.a * row.b.transpose();
+        else
+            nodes_[e.b].towardsParent += row.weight * row.b * row.a.transpose();
+    }
+}
+
+/// From the leaves to the roots.
+void ContactForest::eliminate() {
+    for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
+        Node& node = nodes_[*i];
+        const Eigen::LLT<Matrix3> system(node.system);
+        const Matrix3 through = system.solve(node.towardsParent);
+        node.motion = system.solve(node.motion);
+        if (node.parent != none) {
+            Node& parent = nodes_[node.parent];
+            parent.system -= node.towardsParent.transpose() * through;
+            parent.motion -= node.towardsParent.transpose() * node.motion;
+        }
+        node.towardsParent = through;
+    }
+}
+
+/// And back.
+void ContactForest::substitute() {
+    for (const auto i : order_)
+        if (nodes_[i].parent != none)
+            nodes_[i].motion -= nodes_[i].towardsParent * nodes_[nodes_[i].parent].motion;
+}
+
+/// How much each multiplier must change for the solution.
+void ContactForest::findChanges() {
+    for (Row& row : rows_) {
+        const Edge& e = edges_[row.edge];
+        double left = row.error + row.a.dot(nodes_[e.a].motion);
+        if (e.b != none) left += row.b.dot(nodes_[e.b].motion);
+        row.change = static_cast<Real>(-row.weight * left);
+    }
+}
+
+/// The share of the change that a row allows: until a normal would pull, or a tangent would hold
+/// by more than static friction.
+Real ContactForest::allowed(const State& state, const Row& row) const {
+    const Contact& c = state.contacts[row.contact];
+    const auto share = [](Real room, Real change) {
+        return change <= room ? Real(1) : std::max<Real>(room, 0) / change;
+    };
+    if (row.isNormal) return share(c.normalLambda, -row.change);
+    const Real normalChange = row.normal == none ? 0 : rows_[row.normal].change;
+    const Real bound = c.staticFriction * c.normalLambda;
+    const Real growth = c.staticFriction * normalChange;
+    return std::min(share(bound - c.tangentLambda, row.change - growth),
+                    share(bound + c.tangentLambda, -row.change - growth));
+}
+
+/// Takes the step as far as all rows allow, and lets go of those that allowed no more. Returns
+/// whether there were any.
+bool ContactForest::takeStep(State& state) {
+    Real step = 1;
+    for (Row& row : rows_) step = std::min(step, row.allowed = allowed(state, row));
+    for (const Row& row : rows_) {
+        Contact& c = state.contacts[row.contact];
+        const Real change = step * row.change;
+        (row.isNormal ? c.normalLambda : c.tangentLambda) += change;
+        push(state, c, change * (row.isNormal ? c.normal : tangentOf(c)));
+    }
+    if (step == 1) return false;
+    for (const Row& row : rows_)
+        if (row.allowed <= step) (row.isNormal ? given_ : slipping_)[row.contact] = 1;
+    return true;
+}
+
+/// Whether a contact that pushes is left with an error, or one that should push does not.
+bool ContactForest::isNeeded(const State& state) const {
+    for (const Contact& c : state.contacts) {
+        const Real gap = gapLeft(state, c);
+        if (gap < -mostError || (c.normalLambda > 0 && gap > mostError)) return true;
+        if (c.normalLambda > 0 && c.rough && !c.sliding && std::abs(slipOf(state, c)) > mostError) return true;
+    }
+    return false;
+}
+
+void ContactForest::solve(State& state) {
+    if (!isNeeded(state)) return;
+    if (!grown_) grow(state);
+    given_.assign(state.contacts.size(), 0);
+    slipping_.assign(state.contacts.size(), 0);
+    for (int i = 0; i < mostSteps; ++i) {
+        collectRows(state);
+        if (rows_.empty()) return;
+        assemble(state);
+        eliminate();
+        substitute();
+        findChanges();
+        if (!takeStep(state)) return;
+    }
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,94 @@
+// Direct solution of contacts along the paths on which load is carried.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include "core/disjoint_sets.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Sweeps carry the weight of a stack down by one body each, and an error between its bodies dies
+/// out only after as many sweeps as the square of its height. So bodies that move as one (rigid
+/// components, discs) are joined by the contacts that carry most into trees, and the multipliers
+/// of a whole tree are found at once, with all others as they are: a step of block coordinate
+/// descent. Bounds are put on afterwards (Silcowitz-Hansen, Niebe and Erleben 2010, "Projected
+/// Gauss-Seidel subspace minimization"), and sweeps mend what that changes.
+///
+/// Holds scratch memory only.
+class ContactForest {
+public:
+    /// A new tick: other contacts.
+    void forget() { grown_ = false; }
+    /// Changes multipliers and displacements so that the active constraints of each tree hold.
+    /// Does nothing where the sweeps have left no error.
+    void solve(State& state);
+
+private:
+    using Vector3 = Eigen::Matrix<double, 3, 1>;
+    using Matrix3 = Eigen::Matrix<double, 3, 3>;
+
+    /// A rigid component, or a disc that moves by itself (its third freedom is never used).
+    struct Node {
+        std::uint32_t cluster = none, particle = none;
+        std::uint32_t parent = none;     // node
+        Matrix3 system, towardsParent;   // of the linear system, then what elimination makes of it
+        Vector3 motion;                  // the right-hand side, then the solution
+    };
+    /// All contacts between two nodes, or of one node with what does not move.
+    struct Edge {
+        std::uint32_t a = none, b = none;  // nodes; b is none for what does not move
+        std::uint32_t first = 0, last = 0;  // part of keyed_
+        Real carried = 0;                   // kg m
+        bool chosen = false;
+    };
+    /// A constraint error + a . u_a + b . u_b = 0, held by a penalty.
+    struct Row {
+        std::uint32_t contact = 0, edge = 0;
+        std::uint32_t normal = none;  // of a tangent: the row of the same contact's normal
+        bool isNormal = false;
+        Vector3 a, b;
+        double error = 0;   // m
+        double weight = 0;  // kg
+        Real change = 0;    // kg m, of the multiplier
+        Real allowed = 1;   // share of it that bounds leave
+    };
+    /// A contact and the nodes that it holds apart.
+    struct Keyed {
+        std::uint64_t nodes = 0;
+        std::uint32_t contact = 0;
+    };
+
+    bool isNeeded(const State& state) const;
+    void grow(const State& state);
+    std::uint32_t nodeOf(const State& state, const Grip& grip);
+    void collectContacts(const State& state);
+    void collectEdges(const State& state);
+    void chooseEdges();
+    void orderNodes();
+    void collectRows(const State& state);
+    void addRow(const State& state, std::uint32_t edge, std::uint32_t contact, bool isNormal);
+    bool sticks(const State& state, std::uint32_t contact) const;
+    void assemble(const State& state);
+    void eliminate();
+    void substitute();
+    void findChanges();
+    Real allowed(const State& state, const Row& row) const;
+    bool takeStep(State& state);
+
+    std::vector<Node> nodes_;
+    std::vector<Edge> edges_;
+    std::vector<Row> rows_;
+    std::vector<Keyed> keyed_;
+    std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
+    std::vector<std::uint32_t> byLoad_, order_;
+    std::vector<std::uint32_t> start_, neighbour_;
+    std::vector<std::uint8_t> given_, slipping_;  // per contact: no longer active
+    DisjointSets trees_;
+    bool grown_ = false;
+};
+
+}  // namespace sulfur::detail

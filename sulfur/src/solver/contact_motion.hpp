@@ -1,0 +1,52 @@
+// How the two sides of a contact move against each other, and how they are pushed.
+#pragma once
+
+#include <algorithm>
+
+#include "rigid/grip.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+inline Vec2 tangentOf(const Contact& c) {
+    return {-c.normal[1], c.normal[0]};
+}
+
+inline Vec2 relativeDisplacement(const State& state, const Contact& c) {
+    Vec2 moved =
+        displacementOf(state, c.gripOfParticle) - c.shareA * displacementOf(state, c.gripOfA);
+    if (c.shareB != 0) moved -= c.shareB * displacementOf(state, c.gripOfB);
+    return moved;
+}
+
+inline void push(State& state, const Contact& c, const Vec2& impulse) {
+    push(state, c.gripOfParticle, impulse);
+    push(state, c.gripOfA, -c.shareA * impulse);
+    if (c.shareB != 0) push(state, c.gripOfB, -c.shareB * impulse);
+}
+
+inline Vec2 relativeShift(const State& state, const Contact& c) {
+    Vec2 moved = shiftOf(state, c.gripOfParticle) - c.shareA * shiftOf(state, c.gripOfA);
+    if (c.shareB != 0) moved -= c.shareB * shiftOf(state, c.gripOfB);
+    return moved;
+}
+
+inline void shift(State& state, const Contact& c, const Vec2& impulse) {
+    shift(state, c.gripOfParticle, impulse);
+    shift(state, c.gripOfA, -c.shareA * impulse);
+    if (c.shareB != 0) shift(state, c.gripOfB, -c.shareB * impulse);
+}
+
+/// By how much the gap at the end of the tick is more than it must be; what was negative at its
+/// start is taken back by the recovery.
+inline Real gapLeft(const State& state, const Contact& c) {
+    const Real start = std::max<Real>(c.gap - c.slack, 0);
+    return start - c.rise + c.normal.dot(relativeDisplacement(state, c));
+}
+
+/// How far the surfaces slide along the tangent in this tick.
+inline Real slipOf(const State& state, const Contact& c) {
+    return c.conveyed + tangentOf(c).dot(relativeDisplacement(state, c));
+}
+
+}  // namespace sulfur::detail
