@@ -1,5 +1,6 @@
 #include "battery/battery.hpp"
 
+#include "battery/contacts/contacts.hpp"
 #include "battery/fall.hpp"
 #include "battery/hanging.hpp"
 #include "battery/pendulums.hpp"
@@ -117,6 +118,10 @@ const std::vector<BatteryGroup>& batteryGroups() {
         {"ropes", "ropes with a load, released horizontally", ropes},
         {"lattices", "random lattices",
          [](const Setup& setup) { return randomLattices(RandomLattices::all(), setup); }},
+        {"contacts-inclines", "a crate on a slope", inclines},
+        {"contacts-rebounds", "a disc that bounces", rebounds},
+        {"contacts-stacks", "crates one on another", stacks},
+        {"contacts-pyramids", "pyramids of crates", pyramids},
         {"nonsense", "what a caller may not pass", [](const Setup&) { return refusals(); }},
     };
     return all;

@@ -9,7 +9,7 @@ namespace sulfur::lab {
 struct Row {
     std::string name;     ///< scene, quantity and its unit
     double measured = 0;  ///< NaN where nothing could be measured; it then fails
-    double bound = 0;     ///< the largest value that passes
+    double bound = 0;     ///< the largest value that passes; infinite when it is only reported
     bool passed = false;  ///< measured <= bound
 };
 
@@ -18,10 +18,21 @@ using Rows = std::vector<Row>;
 /// A row that passes when `measured` is a number and at most `bound`.
 Row atMost(std::string name, double measured, double bound);
 
+/// A row that tells something for which nothing must hold but that it is a number.
+Row reported(std::string name, double measured);
+
+class Album;
+
 /// What the scenes of the battery are run with.
 struct Setup {
     int tickRate = 500;  ///< Hz, where a scene says no other
     int sweeps = 4;
+    bool quick = false;      ///< shorter runs of the scenes that take minutes
+    int shots = 10000;       ///< of each kind
+    Album* album = nullptr;  ///< gets pictures of the scenes with contacts, if there is one
+
+    /// Whether a quick run has `quickSeconds` instead.
+    double seconds(double whole, double quickSeconds) const { return quick ? quickSeconds : whole; }
 };
 
 }  // namespace sulfur::lab

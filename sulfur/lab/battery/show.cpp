@@ -34,8 +34,9 @@ std::string asText(const std::vector<GroupResult>& groups, const Setup& setup) {
     for (const GroupResult& group : groups) {
         out += fmt::format("\n{} ({})\n         measured      bound\n", group.title, group.key);
         for (const Row& row : group.rows) {
-            out += fmt::format("{}  {:>9.3g}  {:>9.3g}  {}\n", row.passed ? "pass " : "FAIL ",
-                               row.measured, row.bound, row.name);
+            out += fmt::format(
+                "{}  {:>9.3g}  {:>9}  {}\n", row.passed ? "pass " : "FAIL ", row.measured,
+                std::isinf(row.bound) ? "-" : fmt::format("{:.3g}", row.bound), row.name);
             passed += row.passed ? 1 : 0;
             ++all;
         }

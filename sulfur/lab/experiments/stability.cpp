@@ -6,6 +6,7 @@
 #include "battery/show.hpp"
 #include "experiments/experiment.hpp"
 #include "stability/stability_map.hpp"
+#include "svg_scene.hpp"
 
 namespace sulfur::lab {
 
@@ -30,7 +31,7 @@ public:
         for (const IntegratorEntry& entry : integrators()) names.push_back(entry.key);
         app.add_option("--integrator", integrators_, "Only heat maps of these")
             ->check(CLI::IsMember(names));
-        app.add_flag("--quick", quick_, "Coarser heat maps");
+        app.add_flag("--quick", quick_, "Coarser heat maps; shorter runs in the battery");
         std::vector<std::string> keys;
         for (const BatteryGroup& group : batteryGroups()) keys.push_back(group.key);
         app.add_option("--group", groups_, "Only these groups of the battery")
@@ -40,6 +41,9 @@ public:
             ->capture_default_str();
         app.add_option("--rate", setup_.tickRate, "Hz, where a scene says no other")
             ->check(CLI::Range(60, 10000))
+            ->capture_default_str();
+        app.add_option("--shots", setup_.shots, "Random shots of each kind in the battery")
+            ->check(CLI::Range(1, 10'000'000))
             ->capture_default_str();
     }
 
@@ -62,13 +66,18 @@ private:
 
     Report runBattery() {
         std::vector<GroupResult> results;
+        Album album;
+        setup_.quick = quick_;
+        setup_.album = &album;
         for (const BatteryGroup& group : batteryGroups())
             if (wanted(groups_, group.key))
                 results.push_back({group.key, group.title, group.run(setup_)});
-        return {.text = asText(results, setup_),
-                .csv = asCsv(results),
-                .json = asJson(results, setup_),
-                .passed = allPassed(results)};
+        Report report{.text = asText(results, setup_),
+                      .csv = asCsv(results),
+                      .json = asJson(results, setup_),
+                      .passed = allPassed(results)};
+        for (auto& [file, svg] : album.pictures) report.pictures.push_back({file, std::move(svg)});
+        return report;
     }
 
     /// Whether `key` is among the named ones, or none is named.
