@@ -34,8 +34,7 @@ public:
             cover(b.high);
         } else {
             colour_[b.id] = b.kind == BodyKind::fixed ? "#808080" : "#404040";
-            others_.push_back(b.low);
-            others_.push_back(b.high);
+            others_.emplace_back(b.low, b.high);
         }
     }
     void capsule(const Capsule& c) override {
@@ -48,12 +47,14 @@ public:
     void joint(const Joint& j) override { bones.emplace_back(j.a, j.b); }
     void contact(const ContactInfo& c) override { dots.push_back(c.point); }
 
-    /// Around all that moves, and around the rest as far as it is not far away.
+    /// Around all that moves, and around the rest unless it is much larger, as floors are.
     void finish() {
-        for (const Point& p : others_)
-            if (!seen_ || ((p - low).cwiseAbs().maxCoeff() < widestView / 4 &&
-                           (p - high).cwiseAbs().maxCoeff() < widestView / 4))
-                cover(p);
+        const double reach = seen_ ? 2 * (high - low).maxCoeff() + 2 : widestView;
+        for (const auto& [from, to] : others_) {
+            if ((to - from).maxCoeff() > reach) continue;
+            cover(from);
+            cover(to);
+        }
         low -= Point(0.5, 0.5);
         high += Point(0.5, 0.5);
     }
@@ -80,7 +81,7 @@ private:
     }
 
     std::map<BodyId, const char*> colour_;
-    std::vector<Point> others_;
+    std::vector<std::pair<Point, Point>> others_;
     std::size_t next_ = 0;
     bool seen_ = false;
 };

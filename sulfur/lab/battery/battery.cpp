@@ -122,6 +122,14 @@ const std::vector<BatteryGroup>& batteryGroups() {
         {"contacts-rebounds", "a disc that bounces", rebounds},
         {"contacts-stacks", "crates one on another", stacks},
         {"contacts-pyramids", "pyramids of crates", pyramids},
+        {"contacts-arches", "an arch and a house of cards", arches},
+        {"contacts-weights", "weight at the floor", weights},
+        {"contacts-ropes", "loaded ropes over edges", ropesOverEdges},
+        {"contacts-overlaps", "bodies that start in each other", overlaps},
+        {"contacts-impulses", "equal impulses on soft and rigid bodies", impulses},
+        {"contacts-seams", "sliding over seams", seams},
+        {"contacts-segments", "segments on a floor of segments", segments},
+        {"contacts-crumbling", "a wall that breaks", crumbling},
         {"nonsense", "what a caller may not pass", [](const Setup&) { return refusals(); }},
     };
     return all;
