@@ -105,7 +105,8 @@ public:
         for (const Line& line : scene_.lines)
             stroke(line.a, line.b, 2 * line.radius * scale_, line.colour, line.opacity);
         for (const auto& [a, b] : scene_.bones) stroke(a, b, 0.5, "#202020", 0.5);
-        for (const Point& dot : scene_.dots) stroke(dot, dot, 5, "#d00000", 1);
+        const double dotSize = std::clamp(0.04 * scale_, 1.5, 5.0);
+        for (const Point& dot : scene_.dots) stroke(dot, dot, dotSize, "#d00000", 1);
         return out_ + "</svg>\n";
     }
 

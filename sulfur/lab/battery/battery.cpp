@@ -129,6 +129,8 @@ const std::vector<BatteryGroup>& batteryGroups() {
         {"contacts-impulses", "equal impulses on soft and rigid bodies", impulses},
         {"contacts-seams", "sliding over seams", seams},
         {"contacts-segments", "segments on a floor of segments", segments},
+        {"contacts-shots", "random shots at up to 300 m/s", shots},
+        {"contacts-crowds", "a thousand bodies", crowds},
         {"contacts-crumbling", "a wall that breaks", crumbling},
         {"nonsense", "what a caller may not pass", [](const Setup&) { return refusals(); }},
     };

@@ -1,8 +1,10 @@
 // stability: heat maps of the integrators, and the battery of the library.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 
 #include "battery/battery.hpp"
+#include "battery/contacts/shots.hpp"
 #include "battery/show.hpp"
 #include "experiments/experiment.hpp"
 #include "stability/stability_map.hpp"
@@ -45,9 +47,11 @@ public:
         app.add_option("--shots", setup_.shots, "Random shots of each kind in the battery")
             ->check(CLI::Range(1, 10'000'000))
             ->capture_default_str();
+        app.add_option("--shot", shot_, "Only this shot of the battery, tick by tick")
+            ->check(CLI::Range(0, 20'000'000));
     }
 
-    Report run() override { return battery_ ? runBattery() : drawMaps(); }
+    Report run() override { return shot_ ? replay() : battery_ ? runBattery() : drawMaps(); }
 
 private:
     Report drawMaps() {
@@ -80,12 +84,22 @@ private:
         return report;
     }
 
+    Report replay() {
+        Album album;
+        setup_.album = &album;
+        const ShotReplay replay = replayShot(*shot_, setup_);
+        Report report{asText(replay), asCsv(replay), asJson(replay)};
+        for (auto& [file, svg] : album.pictures) report.pictures.push_back({file, std::move(svg)});
+        return report;
+    }
+
     /// Whether `key` is among the named ones, or none is named.
     static bool wanted(const std::vector<std::string>& named, const std::string& key) {
         return named.empty() || std::find(named.begin(), named.end(), key) != named.end();
     }
 
     bool battery_ = false, quick_ = false;
+    std::optional<long> shot_;
     std::vector<std::string> groups_, integrators_;
     StabilityMapOptions map_;
     Setup setup_;

@@ -126,25 +126,14 @@ Outline outlineOf(const World& world, BodyId body) {
 
 /// How deep `p` is within the outline's axes, m; negative outside.
 double depthWithin(const Outline& outline, const Point& p) {
-    int turns = 0;
+    if (windingNumber(outline.corners, p) == 0) return -1;
     double apart = std::numeric_limits<double>::max();
     const std::size_t n = outline.corners.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point &a = outline.corners[i], &b = outline.corners[(i + 1) % n];
-        apart = std::min(apart, distanceToSegment(p, a, b));
-        const bool above = a.y() > p.y();
-        if (above == (b.y() > p.y())) continue;
-        const double side = sulfur::cross(b - a, p - a);
-        if (above ? side < 0 : side > 0) turns += above ? -1 : 1;
-    }
-    return turns != 0 ? apart : -1;
+    for (std::size_t i = 0; i < n; ++i)
+        apart =
+            std::min(apart, distanceToSegment(p, outline.corners[i], outline.corners[(i + 1) % n]));
+    return apart;
 }
-
-struct Solid {
-    BodyId body;
-    Outline outline;
-    Point low, high;
-};
 
 class Search {
 public:
@@ -238,6 +227,18 @@ private:
 };
 
 }  // namespace
+
+int windingNumber(const std::vector<Point>& line, const Point& p) {
+    int turns = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const Point &a = line[i], &b = line[(i + 1) % line.size()];
+        const bool above = a.y() > p.y();
+        if (above == (b.y() > p.y())) continue;
+        const double side = sulfur::cross(b - a, p - a);
+        if (above ? side < 0 : side > 0) turns += above ? -1 : 1;
+    }
+    return turns;
+}
 
 Overlap deepestOverlap(const World& world, const PairFilter& counts) {
     return Search(world, counts).run();

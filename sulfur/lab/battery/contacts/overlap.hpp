@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <sulfur/sulfur.hpp>
+#include <vector>
 
 namespace sulfur::lab {
 
@@ -28,6 +29,10 @@ inline bool allPairs(BodyId, BodyId) {
 ///
 /// Complexity: n log n for n capsules that lie apart.
 Overlap deepestOverlap(const World& world, const PairFilter& counts = allPairs);
+
+/// How often a closed line goes round a point, counter-clockwise. While both move it changes only
+/// when the one passes over the other, whatever knots the line makes.
+int windingNumber(const std::vector<Point>& line, const Point& p);
 
 /// The overlap of two bodies.
 double overlapOf(const World& world, BodyId a, BodyId b);
