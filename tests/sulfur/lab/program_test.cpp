@@ -100,6 +100,22 @@ TEST(Program, RunsTheBatteryRowByRow) {
     EXPECT_NE(json.output.find("\"bound\": "), std::string::npos);
 }
 
+TEST(Program, DrawsTheScenesWithContacts) {
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("sulfur_lab_scenes_" + std::to_string(::getpid()));
+    const std::string plot = " --plot '" + folder.string() + "'";
+    const auto rows = lab("stability --battery --group contacts-impulses --csv" + plot);
+    EXPECT_EQ(rows.output.rfind("group,row,measured,bound,passed\n", 0), 0u) << rows.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "scene_projectile-crate-0.svg"));
+    const auto shot = lab("stability --shot 12 --csv" + plot);
+    EXPECT_EQ(shot.status, 0) << shot.output;
+    // Names, and 0.2 s of ticks.
+    EXPECT_EQ(std::count(shot.output.begin(), shot.output.end(), '\n'), 1 + 100);
+    EXPECT_TRUE(std::filesystem::exists(folder / "scene_shot-12.svg"));
+    EXPECT_EQ(lab("stability --shot 12 --json").output.front(), '{');
+    std::filesystem::remove_all(folder);
+}
+
 TEST(Program, DrawsErrorAgainstRunTime) {
     const auto folder = std::filesystem::temp_directory_path() /
                         ("sulfur_lab_accuracy_" + std::to_string(::getpid()));

@@ -65,15 +65,46 @@ void launch(World& world, const Body& body, const Vec& velocity, double omega) {
         world.setVelocity(id, world.velocity(id) + velocity.cast<Real>());
 }
 
+/// For each particle of a plan whether it has a surface: a radius, or a capsule.
+std::vector<bool> surfaceOf(const Blueprint& plan) {
+    std::vector<bool> surface;
+    for (const ParticleSpec& p : plan.particles) surface.push_back(p.radius > 0);
+    for (const JointSpec& joint : plan.joints)
+        if (joint.radius > 0) surface[joint.a] = surface[joint.b] = true;
+    return surface;
+}
+
+/// Where the projectile is that it may not be.
+struct Verdict {
+    bool through = false;  // its surface
+    bool inner = false;    // a particle that touches nothing, after the last tick
+};
+
 /// A shot, set up and ready to be let go.
 class Shot {
 public:
     Shot(const Setup& setup, Random& random)
-        : world(still(setup, 0)), projectile_(randomProjectile(random)) {}
+        : world(still(setup, 0)),
+          projectile_(randomProjectile(random)),
+          surface_(surfaceOf(projectile_.plan)) {}
     virtual ~Shot() = default;
 
-    /// Whether the projectile is now where it may not be. Called after every tick.
-    virtual bool through() = 0;
+    /// Call after every tick; `last` says that it was the last one.
+    Verdict judge(bool last) {
+        look();
+        Verdict verdict;
+        Point sum(0, 0);
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const Point p = world.position(body[i]);
+            if (surface_[i]) sum += p;
+            if (!behind(i, p)) continue;
+            if (surface_[i]) verdict.through = verdict.through || last || atAnyTime();
+            if (!surface_[i]) verdict.inner = last;
+        }
+        const auto count = static_cast<double>(std::count(surface_.begin(), surface_.end(), true));
+        verdict.through = verdict.through || behind(body.size(), sum / count);
+        return verdict;
+    }
 
     World world;
     Body body;
@@ -85,7 +116,16 @@ protected:
     const Blueprint& plan() const { return projectile_.plan; }
 
 private:
+    /// Called before behind() in each tick.
+    virtual void look() {}
+    /// Whether a place is behind what is shot at, or not finite: that of particle `i`, or of the
+    /// middle of all that have a surface, which has the number after the last one.
+    virtual bool behind(std::size_t i, const Point& p) = 0;
+    /// Whether no particle may ever be behind, or only none at the end and the middle never.
+    virtual bool atAnyTime() const = 0;
+
     Thing projectile_;
+    std::vector<bool> surface_;
 };
 
 class RoomShot final : public Shot {
@@ -107,13 +147,12 @@ public:
         ticks = setup.tickRate / 5;
     }
 
-    bool through() override {
-        return std::any_of(body.particles().begin(), body.particles().end(), [&](ParticleId id) {
-            return !(rotated(world.position(id), -angle_).cwiseAbs().maxCoeff() < half);
-        });
-    }
-
 private:
+    bool behind(std::size_t, const Point& p) override {
+        return !(rotated(p, -angle_).cwiseAbs().maxCoeff() < half);
+    }
+    bool atAnyTime() const override { return true; }
+
     static constexpr double half = 2;  // m
     double angle_;
 };
@@ -205,29 +244,37 @@ public:
         ticks = static_cast<int>(std::ceil((distance + after) / speed * setup.tickRate)) + 2;
     }
 
-    bool through() override {
-        const Point centre = world.centreOfMass(body);
-        if (!centre.allFinite()) return true;
-        if (aim_.front.empty()) {
-            const Point way = centre - world.centreOfMass(target_);
-            return way.norm() < bigBall / 2 || way.dot(way_) > 0;
-        }
-        std::vector<Point> front;
-        for (const std::size_t i : aim_.front) front.push_back(world.position(target_[i]));
-        // Once it is beyond an end, it may be anywhere.
-        beyond_ = beyond_ || beyondEnds(front, centre);
+private:
+    void look() override {
+        beyond_.resize(body.size() + 1, false);
+        front_.clear();
+        for (const std::size_t i : aim_.front) front_.push_back(world.position(target_[i]));
+        if (front_.empty()) return;
         // Closed far behind, the front goes round what has passed through it.
         constexpr double far = 100;  // m
-        front.insert(front.end(), {front.back() + far * behind_, front.front() + far * behind_});
-        return !beyond_ && windingNumber(front, centre) != 0;
+        closed_ = front_;
+        closed_.push_back(front_.back() + far * behind_);
+        closed_.push_back(front_.front() + far * behind_);
     }
 
-private:
+    bool behind(std::size_t i, const Point& p) override {
+        if (!p.allFinite()) return true;
+        if (front_.empty()) {
+            const Point way = p - world.centreOfMass(target_);
+            return way.norm() < bigBall / 2 || (i == body.size() && way.dot(way_) > 0);
+        }
+        // Once it is beyond an end, it may be anywhere.
+        beyond_[i] = beyond_[i] || beyondEnds(front_, p);
+        return !beyond_[i] && windingNumber(closed_, p) != 0;
+    }
+    bool atAnyTime() const override { return false; }
+
     Target aim_;
     Body target_;
     Vec way_;
     Point behind_{0, 0};  // from the front into the thing
-    bool beyond_ = false;
+    std::vector<Point> front_, closed_;
+    std::vector<bool> beyond_;  // of each particle, and of the middle
 };
 
 std::unique_ptr<Shot> prepare(long number, const Setup& setup) {
@@ -251,7 +298,7 @@ ShotTick look(const Shot& shot, double energy, bool through) {
 
 /// What became of all shots of one projectile at one target.
 struct Tally {
-    int shots = 0, through = 0, gained = 0;
+    int shots = 0, through = 0, inner = 0, gained = 0;
     long firstThrough = -1, firstGained = -1;
     double gain = 0;
 };
@@ -261,6 +308,7 @@ constexpr double gainBound = 1e-4;
 void count(Tally& tally, const ShotResult& result, long number) {
     ++tally.shots;
     if (result.through && tally.through++ == 0) tally.firstThrough = number;
+    tally.inner += result.inner ? 1 : 0;
     if (!(result.energyGain <= gainBound) && tally.gained++ == 0) tally.firstGained = number;
     tally.gain = worst(tally.gain, result.energyGain);
 }
@@ -282,11 +330,12 @@ ShotResult shoot(long number, const Setup& setup, std::vector<ShotTick>* ticks) 
     const double start = shot->world.energy();
     for (int i = 0; i < shot->ticks; ++i) {
         shot->world.step();
-        const bool through = shot->through();
+        const Verdict verdict = shot->judge(i + 1 == shot->ticks);
         const double energy = shot->world.energy();
-        result.through = result.through || through;
+        result.through = result.through || verdict.through;
+        result.inner = result.inner || verdict.inner;
         result.energyGain = worst(result.energyGain, energy / start - 1);
-        if (ticks != nullptr) ticks->push_back(look(*shot, energy, through));
+        if (ticks != nullptr) ticks->push_back(look(*shot, energy, verdict.through));
     }
     if (ticks != nullptr) keepPicture(setup, fmt::format("shot-{}", number), shot->world);
     return result;
@@ -338,6 +387,8 @@ Rows shots(const Setup& setup) {
         const std::string name =
             fmt::format("{} shots of a {} at {}: ", tally.shots, pair[1], pair[0]);
         rows.push_back(atMost(name + "pass through" + first(tally.firstThrough), tally.through, 0));
+        if (pair[1] == "jelly")
+            rows.push_back(reported(name + "inner particles behind at the end", tally.inner));
         rows.push_back(atMost(fmt::format("{}gain of energy (share; {} above the bound{})", name,
                                           tally.gained, first(tally.firstGained)),
                               tally.gain, gainBound));

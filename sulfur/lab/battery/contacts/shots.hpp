@@ -12,6 +12,7 @@ namespace sulfur::lab {
 struct ShotResult {
     std::string projectile, target;
     bool through = false;   ///< it is where it can only be by passing through, or is not finite
+    bool inner = false;     ///< a particle without a surface, which touches nothing, ended there
     double energyGain = 0;  ///< largest gain of World::energy over the start, share of that
 };
 
@@ -25,10 +26,11 @@ struct ShotTick {
     bool through = false;
 };
 
-/// Even numbers: a rod, a crate, a jelly or a ball at up to 300 m/s in a closed room of thin walls
-/// (half as thick as 1 to 5 cm), for 0.2 s; no particle may be behind the walls' axes. Odd numbers:
-/// the same at the middle of a plank, a crate, a jelly, a rope or a large ball, which rests or
-/// moves; the projectile's centre may not come behind the surface at which it was aimed.
+/// Even numbers: a rod, a crate, a jelly or a ball at up to 300 m/s in a closed room of walls of
+/// 2 to 10 cm, for 0.2 s; nothing of its surface may be behind the walls' axes. Odd numbers: the
+/// same at the middle of a plank, a crate, a jelly, a rope or a large ball, which rests or moves;
+/// the middle of the projectile's surface may never be behind the surface at which it was aimed,
+/// and at the end no particle of it.
 /// `ticks` gets each tick, `setup.album` a picture of the end, if they are there.
 ShotResult shoot(long number, const Setup& setup, std::vector<ShotTick>* ticks = nullptr);
 
