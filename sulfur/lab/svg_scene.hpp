@@ -1,6 +1,7 @@
 // A world as an SVG picture.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <sulfur/sulfur.hpp>
 #include <utility>
@@ -15,9 +16,11 @@ std::string drawScene(const World& world, const std::string& title);
 /// Pictures of scenes, each with the name of its file, without a folder.
 class Album {
 public:
-    /// Draws `world`. `name` becomes part of the file's name: letters, digits and dashes.
+    /// Draws `world`. `name` becomes part of the file's name, with dashes for spaces.
     void add(const std::string& name, const World& world) {
-        pictures.emplace_back("scene_" + name + ".svg", drawScene(world, name));
+        std::string file = "scene_" + name + ".svg";
+        std::replace(file.begin(), file.end(), ' ', '-');
+        pictures.emplace_back(std::move(file), drawScene(world, name));
     }
 
     std::vector<std::pair<std::string, std::string>> pictures;
