@@ -53,6 +53,7 @@ struct Contact {
     Real recoveryLambda = 0;  // kg m, of the correction that becomes no velocity
     Real drift = 0;           // m, along the tangent since it began to stick, up to this tick
     bool sliding = false;     // it slid in the last tick, so that kinetic friction counts
+    bool inherited = false;   // it goes on from a contact of the last tick
     bool rough = false;       // has friction that can hold it
 };
 

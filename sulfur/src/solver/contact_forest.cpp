@@ -66,16 +66,6 @@ std::uint32_t ContactForest::nodeOf(const State& state, const Grip& grip) {
     return node;
 }
 
-namespace {
-
-/// Whether the grip holds something soft: a particle that joints hold to others.
-bool isSoft(const State& state, const Grip& grip) {
-    if (grip.cluster != none || state.particles.inverseMass[grip.particle] == 0) return false;
-    return state.bodies[state.particles.body[grip.particle]].particles.size() > 1;
-}
-
-}  // namespace
-
 void ContactForest::collectContacts(const State& state) {
     nodes_.clear();
     keyed_.clear();

@@ -8,6 +8,12 @@
 
 namespace sulfur::detail {
 
+/// Whether the grip holds a particle that joints hold to others.
+inline bool isSoft(const State& state, const Grip& grip) {
+    if (grip.cluster != none || state.particles.inverseMass[grip.particle] == 0) return false;
+    return state.bodies[state.particles.body[grip.particle]].particles.size() > 1;
+}
+
 inline Vec2 tangentOf(const Contact& c) {
     return {-c.normal[1], c.normal[0]};
 }

@@ -72,11 +72,21 @@ void recoverDrift(State& state, Contact& c) {
 
 namespace {
 
+/// The stiff joints of something soft begin every tick without their multipliers; contacts that
+/// began with theirs would push it out of shape before the sweeps have found the joints' answer.
+bool touchesSoft(const State& state, const Contact& c) {
+    return isSoft(state, c.gripOfParticle) || isSoft(state, c.gripOfA) ||
+           (c.shareB != 0 && isSoft(state, c.gripOfB));
+}
+
 void warmStart(State& state, Contact& c, const ContactMemory& before) {
-    c.normalLambda = before.normalLambda;
     if (c.rough) {
         c.drift = before.drift;
         c.sliding = before.sliding != 0;
+    }
+    if (touchesSoft(state, c)) return;
+    c.normalLambda = before.normalLambda;
+    if (c.rough) {
         const Real most = c.staticFriction * c.normalLambda;
         c.tangentLambda = std::clamp(before.tangentLambda, -most, most);
     }
@@ -90,12 +100,12 @@ void warmStartContacts(State& state) {
     taken.assign(state.contactMemory.size(), 0);
     const auto inherit = [&](bool exactly) {
         for (Contact& c : state.contacts) {
-            if (c.normalLambda > 0) continue;
+            if (c.inherited) continue;
             const ContactMemory* before = recall(state.contactMemory, c.particle, c.a, c.b);
             if (!before || (before->a == c.a && before->b == c.b) != exactly) continue;
             auto& isTaken = taken[static_cast<std::size_t>(before - state.contactMemory.data())];
             if (isTaken || before->normal.dot(c.normal) < Real(0.9)) continue;
-            isTaken = 1;
+            isTaken = c.inherited = true;
             warmStart(state, c, *before);
         }
     };
@@ -137,11 +147,9 @@ constexpr Real slidingStarts = Real(0.25);
 
 void judgeSliding(const State& state, Contact& c) {
     const Real slip = slipOf(state, c);
-    if (c.sliding)
-        c.sliding = std::abs(c.tangentLambda) >= c.kineticFriction * c.normalLambda;
-    else
-        c.sliding = std::abs(c.tangentLambda) >= c.staticFriction * c.normalLambda &&
-                    std::abs(slip) > slidingStarts * state.h * state.h;
+    const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
+    c.sliding = std::abs(slip) > slidingStarts * state.h * state.h &&
+                std::abs(c.tangentLambda) > Real(0.9) * most;
     const bool sticks = c.normalLambda > 0 && !c.sliding;
     c.drift = sticks ? c.drift + slip + tangentOf(c).dot(relativeShift(state, c)) : 0;
 }

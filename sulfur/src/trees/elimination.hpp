@@ -32,7 +32,7 @@ public:
         int rows = 0;  // 0: the link is inert
         std::array<Vector, 2> rowHere, rowThere, columnHere, columnThere;
         std::array<double, 2> value{0, 0};  // C, to become 0
-        double compliance = 0;              // alpha
+        std::array<double, 2> compliance{0, 0};  // alpha
 
         // What the way down leaves for the way up.
         std::array<double, 2> offset{0, 0};
@@ -80,7 +80,7 @@ private:
     static void eliminateOne(const Node& child, Node& parent, Link& link) {
         const double here = link.rowHere[0].dot(child.mobility * link.columnHere[0]);
         const Vector a = parent.mobility * link.columnThere[0];
-        const double whole = here + link.compliance + link.rowThere[0].dot(a);
+        const double whole = here + link.compliance[0] + link.rowThere[0].dot(a);
         const double scale = child.inverseMass[0] + parent.inverseMass[0];
         const double inverse = std::abs(whole) > redundant * scale ? 1 / whole : 0;
         link.offset[0] =
@@ -99,7 +99,7 @@ private:
             a[c] = parent.mobility * link.columnThere[c];
             for (std::size_t r = 0; r < 2; ++r)
                 whole[r][c] = link.rowHere[r].dot(here) + link.rowThere[r].dot(a[c]) +
-                              (r == c ? link.compliance : 0);
+                              (r == c ? link.compliance[r] : 0);
         }
         invert(whole, child.inverseMass[0] + parent.inverseMass[0], link.inverse);
         for (std::size_t r = 0; r < 2; ++r) {

@@ -49,7 +49,7 @@ void setMeeting(typename Elimination<N>::Link& link, const Span& start, const Sp
         link.columnThere[axis] = -rowAlong<N>(unit, start.armThere);
         link.value[axis] = now.apart[static_cast<Eigen::Index>(axis)];
     }
-    link.compliance = 0;
+    link.compliance = {0, 0};
 }
 
 /// A distance as the equation lambda + hk C + hb (C - C0) = 0 wants it: value and compliance for

@@ -331,7 +331,7 @@ private:
             const Point direction = now.apart / length;
             setDistance<N>(row, fallback ? now : link.start, now,
                            fallback ? direction : link.direction, direction);
-            row.compliance = complianceOf(link.elastic);
+            row.compliance[0] = complianceOf(link.elastic);
             row.value[0] = valueOf(link.elastic, length - link.rest - link.left[0],
                                    length - link.length, link.lambda[0]);
             worst = std::max(worst, std::abs(row.value[0]) / std::max(link.rest, 1e-3));

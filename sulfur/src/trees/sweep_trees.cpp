@@ -4,10 +4,12 @@
 // answers with the masses and directions that it has there. A line through a mesh is solved like
 // one rigid joint among others: along its directions at the tick's start.
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
-#include "rigid/grip.hpp"
+#include "solver/contact_motion.hpp"
 #include "trees/geometry.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -17,6 +19,17 @@ namespace {
 
 /// A line whose light nodes whip more than this in a tick pulls along its present directions.
 constexpr double mostWhip = 0.2;
+
+/// Of contacts that would have to pull, in a sweep.
+constexpr int mostReleases = 4;
+/// Of a contact, as a share of the tree's own mobility: where a link points along the normal, both
+/// would otherwise be the same row.
+constexpr double softest = 1e-3;
+
+std::vector<std::uint32_t>& heldContacts() {
+    thread_local std::vector<std::uint32_t> scratch;
+    return scratch;
+}
 
 template <int N>
 class TreeSweeper {
@@ -42,13 +55,26 @@ public:
     }
 
     void sweep() {
-        for (std::size_t i = 1; i < count_; ++i) updateLink(i);
+        held_.clear();
+        const auto first = state_.trees.contact.begin() + tree_.first;
+        touching_ = static_cast<double>(
+            std::count_if(first, first + static_cast<std::ptrdiff_t>(count_),
+                          [](std::uint32_t contact) { return contact != none; }));
+        for (std::size_t i = 1; i < count_; ++i) {
+            updateLink(i);
+            addContact(i);
+        }
         solver_.solve();
+        for (int k = 0; k < mostReleases && releaseContacts(); ++k) solver_.solve();
         for (std::size_t i = 0; i < count_; ++i) apply(i);
-        for (std::size_t i = 1; i < count_; ++i)
+        for (std::size_t i = 1; i < count_; ++i) {
+            const auto& link = solver_.links[i];
+            const bool joint = node(i).kind == LinkKind::joint;
+            if (link.rows == 2 && joint) pushContact(i, link.lambda[1]);
             for (std::size_t r = 0; r < 2; ++r)
-                if (static_cast<int>(r) < solver_.links[i].rows)
-                    state_.trees.lambda[tree_.first + i][r] += solver_.links[i].lambda[r];
+                if (static_cast<int>(r) < link.rows && !(joint && r == 1))
+                    state_.trees.lambda[tree_.first + i][r] += link.lambda[r];
+        }
     }
 
 private:
@@ -135,6 +161,66 @@ private:
         setValue(i, before, met[0]);
     }
 
+    /// A contact that presses on a node of points, or on the capsule of its joint, is a second row
+    /// of that link, so that what the whole tree pulls with meets the surface at once. The other
+    /// side's mobility stands in the place of a compliance, as many times as the tree touches it
+    /// (mass splitting: Tonge, Benevolenski and Voroshilov 2012).
+    void addContact(std::size_t i) {
+        const auto at = state_.trees.contact[tree_.first + i];
+        auto& link = solver_.links[i];
+        if (at == none || link.rows != 1) return;
+        const Contact& c = state_.contacts[at];
+        const double gap = static_cast<double>(gapLeft(state_, c));
+        if (c.normalLambda <= 0 && gap >= 0) return;
+        const Point n = c.normal.template cast<double>();
+        const double here = sideOf(c, node(i).particle), there = sideOf(c, node(node(i).parent).particle);
+        link.rows = 2;
+        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(Point(here * n), Point(0, 0));
+        link.rowThere[1] = link.columnThere[1] = rowAlong<N>(Point(there * n), Point(0, 0));
+        link.value[1] = gap;
+        const double own = here * here * solver_.nodes[i].inverseMass[0] +
+                           there * there * solver_.nodes[link.parent].inverseMass[0];
+        const double other = static_cast<double>(c.inverseEffectiveMass) - own;
+        link.compliance[1] = touching_ * std::max(other, 0.0) + softest * own;
+        held_.push_back(static_cast<std::uint32_t>(i));
+    }
+
+    /// With what share, and which sign, the contact moves with a particle.
+    static double sideOf(const Contact& c, std::uint32_t particle) {
+        if (particle == none) return 0;
+        if (c.particle == particle) return 1;
+        if (c.a == particle) return -static_cast<double>(c.weightA);
+        return c.b == particle ? -static_cast<double>(c.weightB) : 0;
+    }
+
+    /// Contacts that would have to pull are let go. Returns whether there were any.
+    bool releaseContacts() {
+        const auto pulls = [&](std::uint32_t i) {
+            const Contact& c = state_.contacts[state_.trees.contact[tree_.first + i]];
+            return static_cast<double>(c.normalLambda) + solver_.links[i].lambda[1] < 0;
+        };
+        const auto kept = std::partition(held_.begin(), held_.end(),
+                                         [&](std::uint32_t i) { return !pulls(i); });
+        if (kept == held_.end()) return false;
+        for (auto i = kept; i != held_.end(); ++i) solver_.links[*i].rows = 1;
+        held_.erase(kept, held_.end());
+        return true;
+    }
+
+    /// What the tree's side of the contact got with the links' impulses, the other side gets here.
+    void pushContact(std::size_t i, double lambda) {
+        Contact& c = state_.contacts[state_.trees.contact[tree_.first + i]];
+        const double change = std::max(lambda, -static_cast<double>(c.normalLambda));
+        c.normalLambda += static_cast<Real>(change);
+        const Vec2 impulse = static_cast<Real>(change) * c.normal;
+        if (c.particle == node(i).particle) {
+            push(state_, c.gripOfA, -c.shareA * impulse);
+            if (c.shareB != 0) push(state_, c.gripOfB, -c.shareB * impulse);
+        } else {
+            push(state_, c.gripOfParticle, impulse);
+        }
+    }
+
     double whip(std::uint32_t joint, double length) const {
         const auto& w = state_.particles.inverseMass;
         const Joints& joints = state_.joints;
@@ -158,7 +244,7 @@ private:
         const double rest = static_cast<double>(joints.restLength[j]);
         const double wanted =
             tree_.alone ? met : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
-        link.compliance = complianceOf(elastic);
+        link.compliance[0] = complianceOf(elastic);
         link.value[0] =
             valueOf(elastic, lengthNow_ - wanted, lengthNow_ - (tree_.alone ? met : before),
                     state_.trees.lambda[tree_.first + i][0]);
@@ -182,7 +268,9 @@ private:
     const Tree& tree_;
     Elimination<N>& solver_;
     std::size_t count_;
+    double touching_ = 0;   // contacts of the tree
     double lengthNow_ = 0;  // of the link that was updated last
+    std::vector<std::uint32_t>& held_ = heldContacts();
 };
 
 template <class Function>
@@ -205,6 +293,50 @@ void touch(State& state, const Grip& grip) {
     if (tree != none) trees.touched[tree] = 1;
 }
 
+/// The node whose link a contact becomes a row of: that of the particle, or of the capsule's lower
+/// end; none when both sides are of one tree, or neither is.
+std::uint32_t nodeFor(const State& state, const Contact& c) {
+    const Trees& trees = state.trees;
+    const auto treeOf = [&](const Grip& g) {
+        return g.cluster != none ? trees.ofCluster[g.cluster] : trees.ofParticle[g.particle];
+    };
+    const auto p = treeOf(c.gripOfParticle), a = treeOf(c.gripOfA), b = treeOf(c.gripOfB);
+    if (p == a || p == b) return none;
+    const auto nodeOf = [&](const Grip& g) {
+        return g.cluster == none ? trees.nodeOfParticle[g.particle] : none;
+    };
+    const auto heldByJoint = [&](std::uint32_t k) {
+        return k != none && trees.nodes[k].parent != none &&
+               trees.nodes[k].kind == LinkKind::joint;
+    };
+    if (p != none) return heldByJoint(nodeOf(c.gripOfParticle)) ? nodeOf(c.gripOfParticle) : none;
+    if (a == none || a != b) return none;
+    const auto first = nodeOf(c.gripOfA), second = nodeOf(c.gripOfB);
+    if (first == none || second == none) return none;
+    const auto root = trees.list[a].first;
+    for (const auto& [child, parent] : {std::pair(first, second), std::pair(second, first)})
+        if (heldByJoint(child) && (c.a == c.b || trees.nodes[child].parent + root == parent))
+            return child;
+    return none;
+}
+
+/// Gives each node the contact that pushes most on it.
+void giveContacts(State& state) {
+    Trees& trees = state.trees;
+    trees.contact.assign(trees.nodes.size(), none);
+    if (state.contacts.empty()) return;
+    trees.nodeOfParticle.assign(state.particles.size(), none);
+    for (std::uint32_t k = 0; k < trees.nodes.size(); ++k)
+        if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
+            trees.nodeOfParticle[trees.nodes[k].particle] = k;
+    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
+        const auto k = nodeFor(state, state.contacts[i]);
+        if (k == none) continue;
+        auto& held = trees.contact[k];
+        if (held == none || state.contacts[held].gap > state.contacts[i].gap) held = i;
+    }
+}
+
 }  // namespace
 
 void touchTrees(State& state) {
@@ -213,6 +345,7 @@ void touchTrees(State& state) {
     trees.met.assign(trees.nodes.size(), {0, 0});
     trees.lambda.assign(trees.nodes.size(), {0, 0});
     trees.touched.assign(trees.list.size(), 0);
+    giveContacts(state);
     for (const Contact& c : state.contacts)
         for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) touch(state, grip);
     for (const Grab& grab : state.influences.grabs)

@@ -64,8 +64,6 @@ struct Tree {
     std::uint8_t tied = 0;    // swept constraints pull on it
     std::uint32_t steps = 1;  // in the next tick, a power of two
     double lastStep = 0;      // s, duration of its last step
-    std::uint32_t guard =
-        none;  // a particle or, from clusters, a body that tells whether it sleeps
 
     template <class Archive>
     void archive(Archive& a) {
@@ -77,7 +75,6 @@ struct Tree {
         a(tied);
         a(steps);
         a(lastStep);
-        a(guard);
     }
 };
 
@@ -93,6 +90,9 @@ struct Trees {
     std::vector<std::array<double, 2>> met;     // m, constraint values after the prediction
     std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
     std::vector<std::uint8_t> touched;          // tree
+    /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
+    std::vector<std::uint32_t> contact;
+    std::vector<std::uint32_t> nodeOfParticle;
 
     template <class Archive>
     void archive(Archive& a) {
