@@ -225,6 +225,7 @@ void refreshGrid(State& state, Real lookAhead) {
         updateReach(state);
         collectColliders(state);
         collectLinks(state);
+        broad.outlines.derive(state);
         chooseCellSize(state);
         broad.collidersStale = false;
         broad.pairsStale = true;

@@ -8,6 +8,7 @@
 
 #include "collision/contact.hpp"
 #include "collision/grid.hpp"
+#include "collision/outlines.hpp"
 
 namespace sulfur::detail {
 
@@ -28,6 +29,7 @@ struct BroadPhase {
     std::vector<Candidate> candidates;  // sorted, without duplicates
     std::vector<std::uint64_t> pairs;   // of colliders, sorted; scratch and for crossings
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
+    Outlines outlines;
     std::uint64_t runs = 0;
     bool collidersStale = true;  // bodies or joints changed
     bool fixedStale = true;
