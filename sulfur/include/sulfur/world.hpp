@@ -322,8 +322,37 @@ public:
 
     // --- queries ---------------------------------------------------------------------------
 
-    /// The first surface between two points. Complexity: the cells crossed.
-    std::optional<RayHit> castRay(Point from, Point to, const QueryFilter& filter = {}) const;
+    // Coordinates are -1e7 to 1e7 m; Error otherwise. See queries.hpp for what they see and cost.
+
+    /// The first surface between two points. What starts inside of a capsule or disc meets it at
+    /// once; what starts in the hollow of an outline meets the inner side of its capsules.
+    std::optional<CastHit> castSegment(Point from, Point to, const QueryFilter& filter = {}) const;
+    /// The first surface in a direction of any length above 0, at most `reach` metres away (0 to
+    /// 1e6). Throws Error{degenerate} when the direction is zero. However far it reaches, it costs
+    /// no more than the part of the way that runs through what there is.
+    std::optional<CastHit> castRay(Point from, Vec2 direction, double reach,
+                                   const QueryFilter& filter = {}) const;
+    /// All capsules and discs between two points, each once where the way enters it, nearest first.
+    std::vector<CastHit> castAll(Point from, Point to, const QueryFilter& filter = {}) const;
+    /// The first surface that a shape meets when it is moved, without turning, by `translation`
+    /// (each axis -1e7 to 1e7 m). A shape that overlaps a body at the start, also in the hollow of
+    /// its outline, meets it at the fraction 0, with the normal zero. Exact: what it moves past is
+    /// a polygon with round corners (the Minkowski difference), against which it is a ray.
+    std::optional<CastHit> castShape(const QueryShape& shape, Point translation,
+                                     const QueryFilter& filter = {}) const;
+    /// The place of a surface that is nearest to a point and at most `reach` metres away (0 to
+    /// 1e6); where bodies contain the point, of that one in which it is deepest.
+    std::optional<ClosestPoint> closestPoint(Point point, double reach,
+                                             const QueryFilter& filter = {}) const;
+    /// All bodies that touch or enclose a shape, by their ids, each once.
+    std::vector<Overlap> overlap(const QueryShape& shape, const QueryFilter& filter = {}) const;
+    /// The same for the upright rectangle between two corners, `low` at most `high` in each axis.
+    std::vector<Overlap> overlapBox(Point low, Point high, const QueryFilter& filter = {}) const;
+    /// The same for a disc of 0 to 1e6 m.
+    std::vector<Overlap> overlapCircle(Point centre, double radius,
+                                       const QueryFilter& filter = {}) const;
+    /// All bodies that contain a point, by their ids: what a mouse points at.
+    std::vector<BodyId> bodiesAt(Point point, const QueryFilter& filter = {}) const;
     /// The particle nearest to a point and at most `reach` metres away.
     std::optional<ParticleId> nearestParticle(Point point, Real reach) const;
 

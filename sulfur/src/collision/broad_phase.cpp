@@ -77,12 +77,7 @@ void chooseCellSize(State& state) {
         broad.fixedStale = true;
     }
     broad.baseSkin = static_cast<Real>(0.1 * broad.cellSize);
-}
-
-/// Cells are numbered by 32 bits; what is beyond shares the outermost cells.
-Point inCells(const BroadPhase& broad, const Point& p) {
-    const Point scaled = p / broad.cellSize;
-    return scaled.cwiseMax(-1e9).cwiseMin(1e9);
+    broad.cellSizeStale = false;
 }
 
 /// More cells than this cost more than comparing with everything.
@@ -217,19 +212,31 @@ bool insideSkins(const State& state, Real lookAhead) {
     return true;
 }
 
+/// What follows from bodies and joints alone.
+void collectAnew(State& state) {
+    BroadPhase& broad = state.broad;
+    updateReach(state);
+    collectColliders(state);
+    collectLinks(state);
+    broad.outlines.derive(state);
+    broad.collidersStale = false;
+    broad.cellSizeStale = true;
+    broad.pairsStale = true;
+}
+
 }  // namespace
 
 void refreshGrid(State& state, Real lookAhead) {
     BroadPhase& broad = state.broad;
+    const bool query = lookAhead == 0;
     if (broad.collidersStale) {
-        updateReach(state);
-        collectColliders(state);
-        collectLinks(state);
-        broad.outlines.derive(state);
-        chooseCellSize(state);
-        broad.collidersStale = false;
-        broad.pairsStale = true;
+        collectAnew(state);
+    } else if (query && broad.queriedTick == state.tick && !broad.fixedStale && !broad.pairsStale) {
+        return;
     }
+    broad.queriedTick = query ? state.tick : ~std::uint64_t{0};
+    // Only ticks choose: the skin that follows from the size decides which contacts there are.
+    if (broad.cellSizeStale && !query) chooseCellSize(state);
     if (broad.fixedStale) rasteriseFixed(state);
     if (!broad.pairsStale && insideSkins(state, lookAhead)) return;
     rasteriseMoving(state);
