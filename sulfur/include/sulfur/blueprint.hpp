@@ -55,6 +55,7 @@ struct Blueprint {
     std::vector<JointSpec> joints = {};        ///< between them
     Material material = {};                    ///< of its surface
     Filter filter = {};                        ///< what it collides with
+    bool sensor = false;                       ///< whether it only feels; see World::setSensor
     std::optional<Skin> skin = std::nullopt;   ///< what it wears
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least

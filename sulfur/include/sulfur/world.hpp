@@ -220,6 +220,11 @@ public:
     const Material& material(BodyId body) const;
     /// What a body collides with.
     const Filter& filter(BodyId body) const;
+    /// Whether a body is a sensor; see setSensor().
+    bool sensor(BodyId body) const;
+    /// Who was in a sensor at the end of the last tick and is still there, by their ids; nobody
+    /// for other bodies.
+    std::vector<BodyId> visitors(BodyId sensor) const;
     /// What a body wears.
     const std::optional<Skin>& skin(BodyId body) const;
     /// What setUserData() left there; 0 at first.
@@ -275,6 +280,13 @@ public:
     void setMaterial(BodyId body, const Material& material);
     /// Changes what a body collides with.
     void setFilter(BodyId body, const Filter& filter);
+    /// Makes a body a sensor or an ordinary body. The capsules and discs of a sensor push nothing
+    /// and are pushed by nothing. It feels the dynamic and kinematic bodies that touch them or
+    /// are inside of its outline, which may be drawn either way round, also sleeping ones, unless
+    /// the filters of both forbid them to collide; it does not feel fixed bodies and other
+    /// sensors. Who comes and goes is told at the end of each tick in events(); where a sensor is
+    /// removed, or made an ordinary body, nothing is told. Wakes what is near.
+    void setSensor(BodyId body, bool sensor);
     /// Leaves a number with a body, for the caller's use; it is no part of hash().
     void setUserData(BodyId body, std::uint64_t data);
     /// N/m, 0 to `infinite`.

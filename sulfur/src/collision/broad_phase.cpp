@@ -133,6 +133,7 @@ void rasteriseMoving(State& state) {
 
 bool mayTouch(const State& state, const Collider& a, const Collider& b) {
     if (a.body == b.body || (!state.movable(a.body) && !state.movable(b.body))) return false;
+    if (state.bodies[a.body].sensor || state.bodies[b.body].sensor) return false;
     return mayCollide(state.bodies[a.body].filter, state.bodies[b.body].filter);
 }
 
@@ -219,6 +220,7 @@ void collectAnew(State& state) {
     collectColliders(state);
     collectLinks(state);
     broad.outlines.derive(state);
+    listSensors(state);
     broad.collidersStale = false;
     broad.cellSizeStale = true;
     broad.pairsStale = true;

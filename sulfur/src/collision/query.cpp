@@ -67,7 +67,7 @@ void prepareQuery(State& state) {
 bool admits(const State& state, const QueryFilter& filter, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
     return (body.filter.category & filter.mask) != 0 && body.id != filter.ignore &&
-           (!filter.accept || filter.accept(body.id));
+           (filter.sensors || !body.sensor) && (!filter.accept || filter.accept(body.id));
 }
 
 Span clip(const Point& from, const Point& way, const Point& low, const Point& high) {

@@ -151,8 +151,8 @@ AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle
     return held.id;
 }
 
-/// Wakes sleepers that may have lost their support: all whose particles are within a metre of
-/// what goes.
+}  // namespace
+
 void wakeAround(State& state, std::uint32_t gone) {
     const auto& x = state.particles.position;
     const BodyRecord& body = state.bodies[gone];
@@ -172,8 +172,6 @@ void wakeAround(State& state, std::uint32_t gone) {
         }
     }
 }
-
-}  // namespace
 
 void restoreInverseMass(State& state, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
@@ -221,6 +219,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     body.firstParticle = static_cast<std::uint32_t>(state.particles.size());
     body.material = plan.material;
     body.filter = plan.filter;
+    body.sensor = plan.sensor;
     body.name = plan.name;
     body.skin = plan.skin;
     const Point turn = detail::unitVector(pose.angle);

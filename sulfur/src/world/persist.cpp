@@ -48,6 +48,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.bodySlots);
     a(state.attachmentSlots);
     a(state.influences);
+    a(state.sensing.visits);
 }
 
 void archiveBodyMotion(Hasher& hasher, State& state) {
@@ -60,6 +61,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.restingTime);
         hasher(body.material);
         hasher(body.filter);
+        if (body.sensor) hasher(body.sensor);
         hasher(body.target.position);
         hasher(body.target.angle);
     }

@@ -14,6 +14,7 @@
 #include "joints/joints.hpp"
 #include "particles/particles.hpp"
 #include "rigid/clusters.hpp"
+#include "solver/sensing.hpp"
 #include "solver/swept_joints.hpp"
 #include "trees/trees.hpp"
 #include "world/bodies.hpp"
@@ -102,6 +103,7 @@ struct State {
     std::vector<ContactMemory> contactMemory;  // of the last tick, sorted
     std::vector<std::uint64_t> touching;       // pairs of bodies in contact, sorted
     std::vector<std::uint64_t> touchingNow, touchingReported;  // scratch
+    Sensing sensing;
     Events events;
     Statistics statistics;
     bool profiling = false;
