@@ -122,6 +122,9 @@ TEST(Overlap, ShapesAreRefused) {
     refused(ErrorCode::outOfRange, [] { QueryShape::polygon(std::vector<Point>(9)); });
     refused(ErrorCode::degenerate, [&] { world.overlapBox({1, 0}, {0, 1}); });
     refused(ErrorCode::outOfRange, [&] { world.overlapCircle({0, 0}, 2e6); });
+    refused(ErrorCode::outOfRange, [&] {
+        world.castShape(QueryShape::circle({0, 0}, 1), {2e7, 0});
+    });
     refused(ErrorCode::degenerate, [&] { world.castRay({0, 0}, {0, 0}, 1); });
     refused(ErrorCode::outOfRange, [&] { world.castRay({0, 0}, {1, 0}, 2e6); });
     refused(ErrorCode::outOfRange, [&] { world.closestPoint({0, 0}, -1); });

@@ -53,6 +53,9 @@ TEST(Errors, StaleAndNullHandles) {
     expectRefused(world, ErrorCode::staleHandle, [&] { world.remove(joint); });
     expectRefused(world, ErrorCode::staleHandle, [&] { world.remove(body); });
     expectRefused(world, ErrorCode::staleHandle, [&] { world.body(body.id()); });
+    expectRefused(world, ErrorCode::staleHandle, [&] { world.setSensor(body, true); });
+    expectRefused(world, ErrorCode::staleHandle, [&] { world.sensor(body); });
+    expectRefused(world, ErrorCode::staleHandle, [&] { world.visitors(body); });
     expectRefused(world, ErrorCode::staleHandle, [&] { world.remove(AttachmentId{1, 1}); });
 }
 
