@@ -1,7 +1,9 @@
 // The surface, and the particle, that is nearest to a point.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "collision/geometry.hpp"
 #include "collision/query.hpp"
@@ -51,40 +53,50 @@ Nearest wayOut(const State& state, std::uint32_t body, const Point& point) {
     return best;
 }
 
-/// The cells at the distance `ring` from a cell, counted like a king moves, as up to four strips.
+/// Cells, both ends included; 64 bits, because a ring may be wider than the numbers of cells.
 struct Strip {
-    Point low{0, 0}, high{0, 0};  // cells, both included
+    std::int64_t west = 0, south = 0, east = 0, north = 0;
 };
-std::array<Strip, 4> stripsOf(const Point& cell, double ring) {
-    const double west = cell[0] - ring, east = cell[0] + ring;
-    const double south = cell[1] - ring, north = cell[1] + ring;
-    return {{{{west, south}, {east, south}},
-             {{west, north}, {east, north}},
-             {{west, south + 1}, {west, north - 1}},
-             {{east, south + 1}, {east, north - 1}}}};
+
+/// The cells at the distance `ring` from a cell, counted like a king moves.
+std::array<Strip, 4> stripsOf(std::int64_t x, std::int64_t y, std::int64_t ring) {
+    const auto west = x - ring, east = x + ring, south = y - ring, north = y + ring;
+    return {{{west, south, east, south},
+             {west, north, east, north},
+             {west, south + 1, west, north - 1},
+             {east, south + 1, east, north - 1}}};
+}
+
+std::int64_t cellNumber(double place) {
+    return static_cast<std::int64_t>(std::floor(place));
 }
 
 /// Calls visit(collider) ring by ring of cells around the point, until what is farther away than
 /// `enough()` metres is all that is left. Cells may be visited up to `most`; then false.
 template <class Enough, class Visit>
-bool searchRings(const BroadPhase& broad, const Point& point, Enough&& enough, double most,
+bool searchRings(const BroadPhase& broad, const Point& point, Enough&& enough, std::size_t most,
                  Visit&& visit) {
     const GridExtent extent = extentOf(broad);
     if (extent.empty) return true;
-    const Point cell = (point / broad.cellSize).array().floor();
-    const Point low = extent.low, high = extent.high - Point(1, 1);
-    double ring = std::max(0.0, (low - cell).cwiseMax(cell - high).maxCoeff());
-    const double last = (cell - low).cwiseAbs().cwiseMax((high - cell).cwiseAbs()).maxCoeff();
-    for (; ring <= last; ++ring) {
+    const auto x = cellNumber(point[0] / broad.cellSize);
+    const auto y = cellNumber(point[1] / broad.cellSize);
+    const Strip all{cellNumber(extent.low[0]), cellNumber(extent.low[1]),
+                    cellNumber(extent.high[0]) - 1, cellNumber(extent.high[1]) - 1};
+    const auto sides = {all.west - x, x - all.east, all.south - y, y - all.north};
+    const auto nearest = std::max<std::int64_t>(0, std::max(sides));
+    const auto farthest = -std::min(sides);
+    for (auto ring = nearest; ring <= farthest; ++ring) {
         // Nothing in this ring is nearer than the ring inside of it is wide.
-        if ((ring - 1) * broad.cellSize > enough()) return true;
-        for (const Strip& strip : stripsOf(cell, ring)) {
-            const Point from = strip.low.cwiseMax(low), to = strip.high.cwiseMin(high);
-            for (double y = from[1]; y <= to[1]; ++y) {
-                for (double x = from[0]; x <= to[0]; ++x) {
-                    if (--most < 0) return false;
-                    forEachInCell(
-                        broad, {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)}, visit);
+        if (static_cast<double>(ring - 1) * broad.cellSize > enough()) return true;
+        for (const Strip& strip : stripsOf(x, y, ring)) {
+            const auto north = std::min(strip.north, all.north);
+            const auto east = std::min(strip.east, all.east);
+            for (auto row = std::max(strip.south, all.south); row <= north; ++row) {
+                for (auto column = std::max(strip.west, all.west); column <= east; ++column) {
+                    if (most-- == 0) return false;
+                    const Cell cell{static_cast<std::int32_t>(column),
+                                    static_cast<std::int32_t>(row)};
+                    forEachInCell(broad, cell, visit);
                 }
             }
             if (ring == 0) break;
@@ -109,7 +121,7 @@ Nearest nearestCollider(const State& state, const Point& point, double reach,
     forEachLarge(broad, test);
     const auto enough = [&] { return std::min(reach, best.distance); };
     const auto entries = broad.movingGrid.entries().size() + broad.fixedGrid.entries().size();
-    if (searchRings(broad, point, enough, static_cast<double>(entries) + 9, test)) return best;
+    if (searchRings(broad, point, enough, entries + 9, test)) return best;
     std::vector<std::uint32_t> near;
     const Point room(enough(), enough());
     collectInBox(broad, point - room, point + room, near);

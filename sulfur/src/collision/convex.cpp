@@ -35,7 +35,7 @@ double enterSide(const Point& way, const Point& from, const Point& along, const 
 }  // namespace
 
 ConvexHull::ConvexHull(std::span<const Point> points) {
-    assert(points.size() >= 1 && points.size() <= maxCorners);
+    assert(!points.empty() && points.size() <= maxCorners);
     std::array<Point, maxCorners> sorted;
     const auto end = std::copy(points.begin(), points.end(), sorted.begin());
     std::sort(sorted.begin(), end, [](const Point& a, const Point& b) {

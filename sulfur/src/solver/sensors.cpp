@@ -3,6 +3,7 @@
 // Candidates are found when the broad phase has run: colliders of visitors in the cells of a
 // sensor's box. In between a tick looks only at these, and at nothing where both bodies are still.
 #include <algorithm>
+#include <array>
 
 #include "collision/query.hpp"
 #include "solver/stages.hpp"
@@ -103,10 +104,11 @@ void addAround(State& state) {
     Hollows& hollows = state.broad.hollows;
     if (hollows.stale(state.broad.runs)) hollows.derive(state);
     std::uint32_t last = none;
-    for (const auto& [sensor, collider] : sensing.parts) {
+    for (const Sensing::Part& part : sensing.parts) {
+        const auto sensor = part.sensor;
         if (sensor == last) continue;
         last = sensor;
-        const Point& place = state.particles.position[state.broad.collider(collider).a];
+        const Point& place = state.particles.position[state.broad.collider(part.collider).a];
         hollows.forEachNear(place, [&](std::uint32_t visitor) {
             if (feels(state, sensor, visitor) && encloses(state, visitor, place))
                 sensing.now.push_back(visitOf(state, sensor, visitor));
