@@ -13,7 +13,7 @@ namespace {
 
 /// Whether nothing fixed stands between two places.
 bool free(const sulfur::World& world, const Point& from, const Point& to) {
-    const auto hit = world.castRay(from, to, {.mask = Category::scenery});
+    const auto hit = world.castSegment(from, to, {.mask = Category::scenery});
     return !hit || world.kind(hit->body) != sulfur::BodyKind::fixed;
 }
 

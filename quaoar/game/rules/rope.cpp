@@ -36,7 +36,7 @@ Rope::Landing Rope::fly(sulfur::World& world, sulfur::ParticleId hand, const Gri
     const Real next = std::min(flown_ + rules_.headSpeed * world.tickDuration(), rules_.reach);
     const Point from = moved(flyFrom_, flyDirection_, flown_);
     const Point to = moved(flyFrom_, flyDirection_, next);
-    const auto hit = world.castRay(from, to, {.mask = touches});
+    const auto hit = world.castSegment(from, to, {.mask = touches});
     if (hit && !grip.holds(hit->body)) {
         state_ = State::idle;
         return Landing::slipped;
@@ -51,7 +51,7 @@ Rope::Landing Rope::fly(sulfur::World& world, sulfur::ParticleId hand, const Gri
     return Landing::missed;
 }
 
-void Rope::lay(sulfur::World& world, sulfur::ParticleId hand, const sulfur::RayHit& hit) {
+void Rope::lay(sulfur::World& world, sulfur::ParticleId hand, const sulfur::CastHit& hit) {
     const Point end = world.position(hand);
     const Vec2 handVelocity = world.velocity(hand);
     const Vec2 span = (end - hit.point).cast<Real>();

@@ -165,7 +165,7 @@ AimPreview Session::preview(Vec2 direction) const {
     preview.from = heroPosition();
     preview.to = preview.from + (direction * rope_.rules().reach).cast<double>();
     const auto hit =
-        world_->castRay(preview.from, preview.to, {.mask = ~(Category::hero | Category::rope)});
+        world_->castSegment(preview.from, preview.to, {.mask = ~(Category::hero | Category::rope)});
     if (!hit) return preview;
     preview.to = hit->point;
     preview.hits = true;

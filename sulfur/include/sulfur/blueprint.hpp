@@ -59,6 +59,7 @@ struct Blueprint {
     Material material = {};                    ///< of its surface
     Filter filter = {};                        ///< what it collides with
     bool selfCollision = false;                ///< whether its own parts touch each other
+    bool sensor = false;                       ///< whether it only feels; see World::setSensor
     std::optional<Skin> skin = std::nullopt;   ///< what it wears
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least

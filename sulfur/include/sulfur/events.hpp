@@ -56,6 +56,18 @@ struct ParticleLost {
     Point point{0, 0};         ///< metres: where it was
 };
 
+/// A body came into a sensor; see World::setSensor.
+struct SensorEntered {
+    BodyId sensor = {};   ///< what felt it
+    BodyId visitor = {};  ///< what came
+};
+
+/// A body left a sensor, or was removed while it was in one.
+struct SensorLeft {
+    BodyId sensor = {};   ///< what felt it
+    BodyId visitor = {};  ///< what left; no longer valid when it was removed
+};
+
 /// Events of one tick, in a fixed order; overwritten by the next World::step.
 struct Events {
     std::vector<ContactBegun> contactsBegun = {};          ///< bodies that began to touch
@@ -64,6 +76,10 @@ struct Events {
     std::vector<JointBroken> jointsBroken = {};    ///< joints that broke
     std::vector<BodySplit> bodiesSplit = {};       ///< bodies that fell apart
     std::vector<ParticleLost> particlesLost = {};  ///< particles left without a joint
+    /// Bodies that came into sensors, by the ids of sensor and visitor.
+    std::vector<SensorEntered> sensorsEntered = {};
+    /// Bodies that left sensors, in the same order.
+    std::vector<SensorLeft> sensorsLeft = {};
 };
 
 }  // namespace sulfur

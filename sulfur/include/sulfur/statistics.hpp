@@ -19,6 +19,7 @@ enum class Stage : std::uint8_t {
     velocities,
     breakage,
     sleep,
+    sensors,
     count
 };
 

@@ -240,6 +240,11 @@ public:
     bool selfCollision(BodyId body) const;
     /// False after setCollision(a, b, false).
     bool collision(BodyId a, BodyId b) const;
+    /// Whether a body is a sensor; see setSensor().
+    bool sensor(BodyId body) const;
+    /// Who was in a sensor at the end of the last tick and is still there, by their ids; nobody
+    /// for other bodies.
+    std::vector<BodyId> visitors(BodyId sensor) const;
     /// What a body wears.
     const std::optional<Skin>& skin(BodyId body) const;
     /// What setUserData() left there; 0 at first.
@@ -302,6 +307,13 @@ public:
     void setCollision(BodyId a, BodyId b, bool on);
     /// Changes what a body collides with.
     void setFilter(BodyId body, const Filter& filter);
+    /// Makes a body a sensor or an ordinary body. The capsules and discs of a sensor push nothing
+    /// and are pushed by nothing. It feels the dynamic and kinematic bodies that touch them or
+    /// are inside of its outline, which may be drawn either way round, also sleeping ones, unless
+    /// the filters of both forbid them to collide; it does not feel fixed bodies and other
+    /// sensors. Who comes and goes is told at the end of each tick in events(); where a sensor is
+    /// removed, or made an ordinary body, nothing is told. Wakes what is near.
+    void setSensor(BodyId body, bool sensor);
     /// Leaves a number with a body, for the caller's use; it is no part of hash().
     void setUserData(BodyId body, std::uint64_t data);
     /// N/m, 0 to `infinite`.
@@ -349,8 +361,37 @@ public:
 
     // --- queries ---------------------------------------------------------------------------
 
-    /// The first surface between two points. Complexity: the cells crossed.
-    std::optional<RayHit> castRay(Point from, Point to, const QueryFilter& filter = {}) const;
+    // Coordinates are -1e7 to 1e7 m; Error otherwise. See queries.hpp for what they see and cost.
+
+    /// The first surface between two points. What starts inside of a capsule or disc meets it at
+    /// once; what starts in the hollow of an outline meets the inner side of its capsules.
+    std::optional<CastHit> castSegment(Point from, Point to, const QueryFilter& filter = {}) const;
+    /// The first surface in a direction of any length above 0, at most `reach` metres away (0 to
+    /// 1e6). Throws Error{degenerate} when the direction is zero. However far it reaches, it costs
+    /// no more than the part of the way that runs through what there is.
+    std::optional<CastHit> castRay(Point from, Vec2 direction, double reach,
+                                   const QueryFilter& filter = {}) const;
+    /// All capsules and discs between two points, each once where the way enters it, nearest first.
+    std::vector<CastHit> castAll(Point from, Point to, const QueryFilter& filter = {}) const;
+    /// The first surface that a shape meets when it is moved, without turning, by `translation`
+    /// (each axis -1e7 to 1e7 m). A shape that overlaps a body at the start, also in the hollow of
+    /// its outline, meets it at the fraction 0, with the normal zero. Exact: what it moves past is
+    /// a polygon with round corners (the Minkowski difference), against which it is a ray.
+    std::optional<CastHit> castShape(const QueryShape& shape, Point translation,
+                                     const QueryFilter& filter = {}) const;
+    /// The place of a surface that is nearest to a point and at most `reach` metres away (0 to
+    /// 1e6); where bodies contain the point, of that one in which it is deepest.
+    std::optional<ClosestPoint> closestPoint(Point point, double reach,
+                                             const QueryFilter& filter = {}) const;
+    /// All bodies that touch or enclose a shape, by their ids, each once.
+    std::vector<Overlap> overlap(const QueryShape& shape, const QueryFilter& filter = {}) const;
+    /// The same for the upright rectangle between two corners, `low` at most `high` in each axis.
+    std::vector<Overlap> overlapBox(Point low, Point high, const QueryFilter& filter = {}) const;
+    /// The same for a disc of 0 to 1e6 m.
+    std::vector<Overlap> overlapCircle(Point centre, double radius,
+                                       const QueryFilter& filter = {}) const;
+    /// All bodies that contain a point, by their ids: what a mouse points at.
+    std::vector<BodyId> bodiesAt(Point point, const QueryFilter& filter = {}) const;
     /// The particle nearest to a point and at most `reach` metres away.
     std::optional<ParticleId> nearestParticle(Point point, Real reach) const;
 

@@ -73,6 +73,7 @@ private:
         placement.kind.reset();
         placement.material.reset();
         placement.filter.reset();
+        placement.sensor.reset();
         if (rest == nullptr) placement.pose = {world_.centreOfMass(body), 0};
         Prefab prefab;
         prefab.blueprint = blueprintNow(body, rest, placement.pose.position);
@@ -93,6 +94,7 @@ private:
         plan.kind = world_.kind(body);
         plan.material = world_.material(body);
         plan.filter = world_.filter(body);
+        plan.sensor = world_.sensor(body);
         plan.skin = world_.skin(body);
         std::map<ParticleId, std::uint32_t> places;
         for (const ParticleId id : world_.particles(body)) {
@@ -118,7 +120,8 @@ private:
                                   ? blueprintNow(body, &plan, Point(0, 0))
                                   : Blueprint{};
         if (plan.kind != now.kind || !(plan.material == now.material) ||
-            !(plan.filter == now.filter) || plan.joints.size() != now.joints.size())
+            !(plan.filter == now.filter) || plan.sensor != now.sensor ||
+            plan.joints.size() != now.joints.size())
             return false;
         const auto sameParticle = [](const ParticleSpec& a, const ParticleSpec& b) {
             return a.mass == b.mass && a.radius == b.radius && a.pinned == b.pinned;

@@ -71,6 +71,7 @@ std::string formatPrefab(const Prefab& prefab, std::size_t indent) {
         text.material("material", plan.material);
     }
     text.part("filter", plan.filter, false);
+    text.flag("sensor", plan.sensor, false);
     if (plan.skin) text.add("skin", formatSkin(prefab, indent + 2));
     text.finish();
     return generated ? text.inLine() : text.inLines(indent);
@@ -98,6 +99,7 @@ std::string formatBody(const Placement& body) {
         text.add("kind", json(std::string_view(kindNames[static_cast<std::size_t>(*body.kind)])));
     if (body.material) text.part("material", *body.material, true);
     if (body.filter) text.part("filter", *body.filter, true);
+    if (body.sensor) text.add("sensor", *body.sensor ? "true" : "false");
     if (body.state) text.add("state", formatState(body, 6));
     text.finish();
     return text.inLine();

@@ -86,11 +86,11 @@ Table makeTable() {
          {"format", "version", "title", "description", "world", "blueprints", "bodies",
           "connections", "attachments", "fields"}},
         {"blueprintFile", {"format", "version", "name", "blueprint"}},
-        {"explicit", {"kind", "particles", "joints", "material", "filter", "skin"}},
+        {"explicit", {"kind", "particles", "joints", "material", "filter", "sensor", "skin"}},
         {"skin", {"texture", "uv", "triangles"}},
         {"body",
          {"id", "blueprint", "position", "angle", "velocity", "kind", "material", "filter",
-          "state"}},
+          "sensor", "state"}},
         {"state", {"positions", "velocities"}},
         {"connection", connection.keys},
         {"attachment", {"particle", "body", "point"}},
@@ -105,7 +105,7 @@ Table makeTable() {
     table["uniformField"] = described<UniformField>({"type"});
     table["radialField"] = described<RadialField>({"type"});
     table["windField"] = described<WindField>({"type"});
-    const KeyList shape{"shape", "kind", "filter", "skin"};
+    const KeyList shape{"shape", "kind", "filter", "sensor", "skin"};
     table["floor"] = described<FloorOptions>(shape);
     table["ground"] = described<shapes::GroundOptions>(shape);
     table["box"] = described<shapes::BoxOptions>(shape);

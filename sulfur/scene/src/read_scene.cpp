@@ -131,6 +131,7 @@ private:
         if (reader.find("kind")) reader.kind("kind", body.kind.emplace());
         if (reader.find("material")) reader.material("material", body.material.emplace());
         if (reader.find("filter")) reader.filter("filter", body.filter.emplace());
+        if (reader.find("sensor")) reader.flag("sensor", body.sensor.emplace(), false);
     }
 
     static void readState(const Node& node, Reader& body, const Blueprint& plan,

@@ -77,6 +77,7 @@ Blueprint blueprintOf(const Scene& scene, const Placement& body) {
     if (body.kind) plan.kind = *body.kind;
     if (body.material) plan.material = *body.material;
     if (body.filter) plan.filter = *body.filter;
+    if (body.sensor) plan.sensor = *body.sensor;
     return plan;
 }
 

@@ -78,12 +78,7 @@ void chooseCellSize(State& state) {
         broad.fixedStale = true;
     }
     broad.baseSkin = static_cast<Real>(0.1 * broad.cellSize);
-}
-
-/// Cells are numbered by 32 bits; what is beyond shares the outermost cells.
-Point inCells(const BroadPhase& broad, const Point& p) {
-    const Point scaled = p / broad.cellSize;
-    return scaled.cwiseMax(-1e9).cwiseMin(1e9);
+    broad.cellSizeStale = false;
 }
 
 /// More cells than this cost more than comparing with everything.
@@ -145,6 +140,7 @@ bool isVetoed(const State& state, std::uint32_t a, std::uint32_t b) {
 
 bool mayTouch(const State& state, const Collider& a, const Collider& b) {
     if (!state.movable(a.body) && !state.movable(b.body)) return false;
+    if (state.bodies[a.body].sensor || state.bodies[b.body].sensor) return false;
     if (a.body == b.body) return state.bodies[a.body].selfCollision;
     return mayCollide(state.bodies[a.body].filter, state.bodies[b.body].filter) &&
            !isVetoed(state, a.body, b.body);
@@ -243,20 +239,33 @@ bool insideSkins(const State& state, Real lookAhead) {
     return true;
 }
 
+/// What follows from bodies and joints alone.
+void collectAnew(State& state) {
+    BroadPhase& broad = state.broad;
+    updateReach(state);
+    collectColliders(state);
+    collectLinks(state);
+    broad.outlines.derive(state);
+    findSpokes(state, broad.spokes);
+    listSensors(state);
+    broad.collidersStale = false;
+    broad.cellSizeStale = true;
+    broad.pairsStale = true;
+}
+
 }  // namespace
 
 void refreshGrid(State& state, Real lookAhead) {
     BroadPhase& broad = state.broad;
+    const bool query = lookAhead == 0;
     if (broad.collidersStale) {
-        updateReach(state);
-        collectColliders(state);
-        collectLinks(state);
-        broad.outlines.derive(state);
-        findSpokes(state, broad.spokes);
-        chooseCellSize(state);
-        broad.collidersStale = false;
-        broad.pairsStale = true;
+        collectAnew(state);
+    } else if (query && broad.queriedTick == state.tick && !broad.fixedStale && !broad.pairsStale) {
+        return;
     }
+    broad.queriedTick = query ? state.tick : ~std::uint64_t{0};
+    // Only ticks choose: the skin that follows from the size decides which contacts there are.
+    if (broad.cellSizeStale && !query) chooseCellSize(state);
     if (broad.fixedStale) rasteriseFixed(state);
     if (!broad.pairsStale && insideSkins(state, lookAhead)) return;
     rasteriseMoving(state);

@@ -8,6 +8,7 @@
 
 #include "collision/contact.hpp"
 #include "collision/grid.hpp"
+#include "collision/hollows.hpp"
 #include "collision/outlines.hpp"
 #include "collision/spokes.hpp"
 
@@ -33,14 +34,24 @@ struct BroadPhase {
     Outlines outlines;
     Spokes spokes;
     std::vector<std::uint32_t> surface;  // per particle: the joint whose surface it shows, or none
+    Hollows hollows;  // for queries, made when one needs it
     std::uint64_t runs = 0;
     bool collidersStale = true;  // bodies or joints changed
+    bool cellSizeStale = true;   // the same, since the last tick
     bool fixedStale = true;
     bool pairsStale = true;
+    /// The tick before which a query last found the grid valid.
+    std::uint64_t queriedTick = ~std::uint64_t{0};
 
     const Collider& collider(std::uint32_t i) const {
         return i < moving.size() ? moving[i] : fixed[i - moving.size()];
     }
 };
+
+/// A place in units of cells. Cells are numbered by 32 bits; what is beyond shares the outermost.
+inline Point inCells(const BroadPhase& broad, const Point& p) {
+    const Point scaled = p / broad.cellSize;
+    return scaled.cwiseMax(-1e9).cwiseMin(1e9);
+}
 
 }  // namespace sulfur::detail

@@ -1,8 +1,23 @@
 #include "collision/grid.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace sulfur::detail {
+
+namespace {
+
+CellBox boundsOf(const std::vector<Grid::Entry>& entries) {
+    if (entries.empty()) return {};
+    CellBox box{entries.front().cell, entries.front().cell};
+    for (const auto& [cell, item] : entries) {
+        box.low = {std::min(box.low.x, cell.x), std::min(box.low.y, cell.y)};
+        box.high = {std::max(box.high.x, cell.x), std::max(box.high.y, cell.y)};
+    }
+    return box;
+}
+
+}  // namespace
 
 void Grid::build() {
     if (sorted_.capacity() < entries_.size()) {
@@ -26,6 +41,7 @@ void Grid::build() {
     // Now start_[b + 1] is the first entry of bucket b: shift by one.
     for (std::size_t i = 0; i < buckets; ++i) start_[i] = start_[i + 1];
     start_[buckets] = static_cast<std::uint32_t>(entries_.size());
+    bounds_ = boundsOf(entries_);
 }
 
 }  // namespace sulfur::detail

@@ -13,6 +13,13 @@ struct Cell {
     friend auto operator<=>(const Cell&, const Cell&) = default;
 };
 
+/// All cells from `low` to `high`, both included; none when they are the wrong way round.
+struct CellBox {
+    Cell low{0, 0}, high{-1, -1};
+
+    bool empty() const { return low.x > high.x || low.y > high.y; }
+};
+
 /// An unbounded grid that stores only the cells that something covers. Cells are hashed into
 /// buckets and the buckets filled by a counting sort, so building is linear and the order within
 /// a bucket is the order of insertion.
@@ -27,6 +34,7 @@ public:
         entries_.clear();
         sorted_.clear();
         start_.clear();
+        bounds_ = {};
     }
     void insert(Cell cell, std::uint32_t item) { entries_.push_back({cell, item}); }
     /// Sorts what was inserted since clear() into buckets. Queries come after it.
@@ -51,6 +59,8 @@ public:
     }
 
     const std::vector<Entry>& entries() const { return entries_; }
+    /// Outside of it there is nothing.
+    const CellBox& bounds() const { return bounds_; }
 
 private:
     std::uint32_t bucketOf(Cell cell) const {
@@ -63,6 +73,7 @@ private:
     std::vector<Entry> entries_;
     std::vector<Entry> sorted_;
     std::vector<std::uint32_t> start_;  // first entry of each bucket, and one past the last
+    CellBox bounds_;
     int shift_ = 63;
 };
 

@@ -154,8 +154,8 @@ std::vector<bool> bracedParticles(const State& state) {
 bool isSolid(const State& state, const std::vector<OutlineEdge>& outline,
              const std::vector<bool>& braced) {
     if (!(twiceArea(state, outline) > 0)) return false;
-    if (state.bodies[state.particles.body[outline.front().from]].kind == BodyKind::dynamic)
-        return true;
+    const BodyRecord& body = state.bodies[state.particles.body[outline.front().from]];
+    if (body.kind == BodyKind::dynamic || body.sensor) return true;
     const auto isBraced = [&](const OutlineEdge& edge) { return braced[edge.from]; };
     const auto againstWalk = [&](const OutlineEdge& edge) {
         return state.joints.a[edge.joint] != edge.from;

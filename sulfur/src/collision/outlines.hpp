@@ -32,7 +32,7 @@ struct OutlineEdge {
 /// shapes.hpp, by joints without a radius that end on the outline, it is solid; if it is a mere
 /// line of capsules, the ground is to the right of the line, so that it is solid when its joints
 /// lead round clockwise, from a to b, and a room or a hollow ring otherwise. (A terrain drawn from
-/// left to right has its ground below by the same rule.)
+/// left to right has its ground below by the same rule.) A sensor is never a room.
 class Outlines {
 public:
     /// Complexity: linear in particles, n log n in capsules.

@@ -1,11 +1,10 @@
-// The first surface that a ray meets.
+// The surfaces that a straight way meets.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "collision/geometry.hpp"
+#include "collision/query.hpp"
 #include "core/error_checks.hpp"
-#include "core/limits.hpp"
-#include "solver/stages.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -14,134 +13,113 @@ namespace detail {
 
 namespace {
 
-struct Strike {
-    double fraction = std::numeric_limits<double>::infinity();
-    Point normal{0, 0};
-    std::uint32_t collider = none;
-};
+constexpr double maxReach = 1e6;  // m
 
-/// Smallest fraction of the way at which a ray from `from` along `way` enters the circle.
-double enterCircle(const Point& from, const Point& way, const Point& centre, double radius) {
-    const Point offset = from - centre;
-    const double a = way.squaredNorm(), b = offset.dot(way);
-    const double c = offset.squaredNorm() - radius * radius;
-    const double discriminant = b * b - a * c;
-    if (a == 0 || discriminant < 0) return std::numeric_limits<double>::infinity();
-    return (-b - std::sqrt(discriminant)) / a;
-}
-
-/// The ray against a capsule whose ends are `a` and `b`: its two sides, then its two caps.
-void strikeCapsule(const Point& from, const Point& way, const Point& a, const Point& b,
-                   double radius, std::uint32_t number, Strike& best) {
-    const auto consider = [&](double fraction, const Point& normal) {
-        if (fraction >= 0 && fraction <= 1 && fraction < best.fraction)
-            best = {fraction, normal, number};
-    };
-    const Point nearest = a + nearestAlong<Point>(from, a, b) * (b - a);
-    if ((from - nearest).squaredNorm() <= radius * radius) return consider(0, Point(0, 0));
-    const Point along = b - a;
-    const double length = along.norm();
-    if (length > 0) {
-        Point normal = Point(-along[1], along[0]) / length;
-        if (normal.dot(from - a) < 0) normal = -normal;
-        const double speed = normal.dot(way);
-        if (speed < 0) {
-            const double fraction = (radius - normal.dot(from - a)) / speed;
-            const double place = (from + fraction * way - a).dot(along) / (length * length);
-            if (place >= 0 && place <= 1) consider(fraction, normal);
-        }
-    }
-    for (const Point& end : {a, b}) {
-        const double fraction = enterCircle(from, way, end, radius);
-        if (fraction >= 0 && fraction <= 1)
-            consider(fraction, (from + fraction * way - end) / radius);
-    }
-}
-
-/// Calls visit(cell, leaving fraction) along the way, until it returns false (Amanatides and Woo
-/// 1987: always step over the nearer cell border).
+/// Calls visit(cell, leaving fraction) along the part `span` of the way, until it returns false
+/// (Amanatides and Woo 1987: always step over the nearer cell border). In units of cells.
 template <class Visit>
-void walkCells(const Point& from, const Point& to, double cellSize, Visit&& visit) {
-    const Point start = from / cellSize, way = (to - from) / cellSize;
-    Cell cell{static_cast<std::int32_t>(std::floor(start[0])),
-              static_cast<std::int32_t>(std::floor(start[1]))};
+void walkCells(const Point& start, const Point& way, const Span& span, Visit&& visit) {
+    const Point first = start + span.enter * way;
+    Cell cell{static_cast<std::int32_t>(std::floor(first[0])),
+              static_cast<std::int32_t>(std::floor(first[1]))};
     std::int32_t* const at[2] = {&cell.x, &cell.y};
-    double next[2], step[2];
-    int direction[2];
-    for (int axis = 0; axis < 2; ++axis) {
-        const double w = way[axis];
-        direction[axis] = w > 0 ? 1 : -1;
-        const double border = *at[axis] + (w > 0 ? 1 : 0);
-        step[axis] = w != 0 ? std::abs(1 / w) : std::numeric_limits<double>::infinity();
-        next[axis] = w != 0 ? (border - start[axis]) / w : std::numeric_limits<double>::infinity();
-    }
+    // From the border's own place, not by adding up: a long way must not drift.
+    const auto leaveAt = [&](int axis) {
+        if (way[axis] == 0) return std::numeric_limits<double>::infinity();
+        return (*at[axis] + (way[axis] > 0 ? 1 : 0) - start[axis]) / way[axis];
+    };
+    double next[2] = {leaveAt(0), leaveAt(1)};
     while (true) {
         const int axis = next[0] < next[1] ? 0 : 1;
-        if (!visit(cell, next[axis]) || next[axis] > 1) return;
-        *at[axis] += direction[axis];
-        next[axis] += step[axis];
+        if (!visit(cell, next[axis]) || next[axis] > span.leave) return;
+        *at[axis] += way[axis] > 0 ? 1 : -1;
+        next[axis] = leaveAt(axis);
     }
 }
 
-Strike cast(State& state, const Point& from, const Point& to, const QueryFilter& filter) {
-    refreshGrid(state, 0);
-    const BroadPhase& broad = state.broad;
+std::optional<Entry> strike(const State& state, const Collider& c, const Point& from,
+                            const Point& way) {
     const auto& x = state.particles.position;
-    Strike best;
+    return ConvexHull::difference(x[c.a], x[c.b], {&from, 1})
+        .enter(way, static_cast<double>(c.radius));
+}
+
+/// Calls meet(Strike) for all colliders in the cells along the way, some of them repeatedly, until
+/// it returns a fraction before the cell's end: nothing beyond interests then.
+template <class Meet>
+void cast(State& state, const Point& from, const Point& way, const QueryFilter& filter,
+          Meet&& meet) {
+    prepareQuery(state);
+    const BroadPhase& broad = state.broad;
+    double enough = std::numeric_limits<double>::infinity();
     const auto test = [&](std::uint32_t number) {
         const Collider& c = broad.collider(number);
-        const BodyRecord& body = state.bodies[c.body];
-        if ((body.filter.category & filter.mask) == 0 || body.id == filter.ignore) return;
-        strikeCapsule(from, to - from, x[c.a], x[c.b], static_cast<double>(c.radius), number, best);
+        const auto entry = strike(state, c, from, way);
+        if (entry && admits(state, filter, c.body)) enough = meet(Strike{*entry, number});
     };
-    const auto offset = static_cast<std::uint32_t>(broad.moving.size());
-    for (const auto i : broad.largeMoving) test(i);
-    for (const auto i : broad.largeFixed) test(offset + i);
-    walkCells(from, to, broad.cellSize, [&](Cell cell, double leave) {
-        broad.movingGrid.forEachIn(cell, test);
-        broad.fixedGrid.forEachIn(cell, [&](std::uint32_t i) { test(offset + i); });
-        return best.fraction > leave;
+    forEachLarge(broad, test);
+    const GridExtent extent = extentOf(broad);
+    if (extent.empty) return;
+    const Point start = from / broad.cellSize, along = way / broad.cellSize;
+    const Span span = clip(start, along, extent.low, extent.high);
+    if (span.empty()) return;
+    walkCells(start, along, span, [&](Cell cell, double leave) {
+        forEachInCell(broad, cell, test);
+        return enough > leave;
     });
-    return best;
+}
+
+std::optional<CastHit> firstHit(State& state, const Point& from, const Point& way,
+                                const QueryFilter& filter) {
+    Strike best{{std::numeric_limits<double>::infinity(), {0, 0}}, none};
+    cast(state, from, way, filter, [&](const Strike& strike) {
+        best = std::min(best, strike);
+        return best.entry.fraction;
+    });
+    if (best.collider == none) return std::nullopt;
+    return hitAt(state, best, from + best.entry.fraction * way);
 }
 
 }  // namespace
 
 }  // namespace detail
 
-std::optional<RayHit> World::castRay(Point from, Point to, const QueryFilter& filter) const {
-    for (const Point& p : {from, to})
-        for (int axis = 0; axis < 2; ++axis) detail::requireRange(p[axis], -1e7, 1e7, "ray");
-    detail::State& state = impl_->state;  // the grid is a cache: queries may bring it up to date
-    const detail::Strike strike = detail::cast(state, from, to, filter);
-    if (strike.collider == detail::none) return std::nullopt;
-    const detail::Collider& c = state.broad.collider(strike.collider);
-    const auto& x = state.particles.position;
-    RayHit hit;
-    hit.body = state.bodies[c.body].id;
-    if (c.joint != detail::none) hit.joint = state.joints.id[c.joint];
-    hit.point = from + strike.fraction * (to - from);
-    hit.normal = strike.normal.cast<Real>();
-    hit.fraction = static_cast<Real>(strike.fraction);
-    const double along = detail::nearestAlong<Point>(hit.point, x[c.a], x[c.b]);
-    hit.along = static_cast<Real>(along);
-    hit.particle = state.particles.id[along < 0.5 ? c.a : c.b];
-    return hit;
+std::optional<CastHit> World::castSegment(Point from, Point to, const QueryFilter& filter) const {
+    detail::requireCoordinates(from, "start of the segment");
+    detail::requireCoordinates(to, "end of the segment");
+    return detail::firstHit(impl_->state, from, to - from, filter);
 }
 
-std::optional<ParticleId> World::nearestParticle(Point point, Real reach) const {
-    detail::requireFinite(point, "point");
-    detail::requireRange(static_cast<double>(reach), 0, 1e9, "reach");
-    const auto& p = impl_->state.particles;
-    double best = static_cast<double>(reach) * static_cast<double>(reach);
-    std::optional<ParticleId> found;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const double distance = (p.position[i] - point).squaredNorm();
-        if (distance > best || (found && distance == best)) continue;
-        best = distance;
-        found = p.id[i];
+std::optional<CastHit> World::castRay(Point from, Vec2 direction, double reach,
+                                      const QueryFilter& filter) const {
+    detail::requireCoordinates(from, "start of the ray");
+    detail::requireFinite(direction, "direction of the ray");
+    detail::requireRange(reach, 0, detail::maxReach, "reach");
+    if (direction.isZero(0))
+        throw Error(ErrorCode::degenerate,
+                    "direction of the ray is zero; allowed is any length above 0");
+    const Point way = reach * direction.cast<double>().stableNormalized();
+    return detail::firstHit(impl_->state, from, way, filter);
+}
+
+std::vector<CastHit> World::castAll(Point from, Point to, const QueryFilter& filter) const {
+    detail::requireCoordinates(from, "start of the segment");
+    detail::requireCoordinates(to, "end of the segment");
+    detail::State& state = impl_->state;
+    std::vector<detail::Strike> strikes;
+    detail::cast(state, from, to - from, filter, [&](const detail::Strike& strike) {
+        strikes.push_back(strike);
+        return std::numeric_limits<double>::infinity();
+    });
+    std::sort(strikes.begin(), strikes.end());
+    std::vector<CastHit> hits;
+    std::uint32_t last = detail::none;
+    for (const detail::Strike& strike : strikes) {
+        if (strike.collider == last) continue;
+        last = strike.collider;
+        hits.push_back(detail::hitAt(state, strike, from + strike.entry.fraction * (to - from)));
     }
-    return found;
+    return hits;
 }
 
 }  // namespace sulfur

@@ -77,6 +77,15 @@ class Reader {
 public:
     explicit Reader(const std::vector<std::byte>& source) : source_(source) {}
 
+    /// A byte that is neither 0 nor 1 is no bool, and must not become one.
+    void operator()(bool& value) {
+        std::uint8_t byte = 0;
+        bytes(&byte, sizeof byte);
+        if (byte > 1)
+            throw Error(ErrorCode::badSnapshot,
+                        "the snapshot is damaged; allowed is one that World::snapshot made");
+        value = byte != 0;
+    }
     template <class T>
     void operator()(T& value) {
         if constexpr (IsPlain<T>::value)

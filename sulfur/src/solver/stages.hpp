@@ -26,6 +26,8 @@ void updateVelocities(State& state);
 void breakJoints(State& state);
 /// Lets islands at rest fall asleep and wakes those that were touched.
 void updateSleep(State& state);
+/// Finds out who is in which sensor, and who came and went.
+void updateSensors(State& state);
 /// Tells what happened.
 void collectEvents(State& state);
 
@@ -40,6 +42,9 @@ void sleepBody(State& state, std::uint32_t body);
 /// displacements lead to (1). Never changes how the simulation goes on: contacts depend on
 /// geometry alone, not on when their candidates were found.
 void refreshGrid(State& state, Real lookAhead);
+
+/// Derives the list of sensors from the bodies.
+void listSensors(State& state);
 
 /// One tick.
 void step(State& state);

@@ -31,6 +31,7 @@ void step(State& state) {
     timed(state, Stage::velocities, updateVelocities);
     timed(state, Stage::breakage, breakJoints);
     timed(state, Stage::sleep, updateSleep);
+    timed(state, Stage::sensors, updateSensors);
     collectEvents(state);
     state.lastTick = static_cast<double>(state.h);
     ++state.tick;

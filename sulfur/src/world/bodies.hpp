@@ -24,6 +24,7 @@ struct BodyRecord {
     std::uint32_t firstParticle = 0;  // dense index
     Material material;
     Filter filter;
+    bool sensor = false;
     std::uint64_t userData = 0;
     Pose target;
     std::string name;
@@ -46,6 +47,7 @@ struct BodyRecord {
         a(firstParticle);
         a(material);
         a(filter);
+        a(sensor);
         a(userData);
         a(target.position);
         a(target.angle);

@@ -143,6 +143,17 @@ void World::setCollision(BodyId a, BodyId b, bool on) {
     detail::bodyChanged(state);
 }
 
+void World::setSensor(BodyId id, bool sensor) {
+    State& state = impl_->state;
+    const auto index = indexOf(state, id);
+    if (state.bodies[index].sensor == sensor) return;
+    state.bodies[index].sensor = sensor;
+    std::erase_if(state.sensing.visits,
+                  [&](const detail::Visit& visit) { return visit.sensor == id; });
+    detail::wakeTouching(state, index);
+    detail::bodyChanged(state);
+}
+
 void World::setUserData(BodyId id, std::uint64_t data) {
     impl_->state.bodies[indexOf(impl_->state, id)].userData = data;
 }

@@ -204,6 +204,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     body.material = plan.material;
     body.filter = plan.filter;
     body.selfCollision = plan.selfCollision;
+    body.sensor = plan.sensor;
     body.name = plan.name;
     body.skin = plan.skin;
     const Point turn = detail::unitVector(pose.angle);

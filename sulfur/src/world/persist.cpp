@@ -51,6 +51,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.bodySlots);
     a(state.attachmentSlots);
     a(state.influences);
+    a(state.sensing.visits);
 }
 
 void archiveBodyMotion(Hasher& hasher, State& state) {
@@ -65,6 +66,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.selfCollision);
         hasher(body.material);
         hasher(body.filter);
+        if (body.sensor) hasher(body.sensor);
         hasher(body.target.position);
         hasher(body.target.angle);
     }

@@ -14,6 +14,7 @@
 #include "joints/joints.hpp"
 #include "particles/particles.hpp"
 #include "rigid/clusters.hpp"
+#include "solver/sensing.hpp"
 #include "solver/swept_joints.hpp"
 #include "trees/trees.hpp"
 #include "world/bodies.hpp"
@@ -111,6 +112,7 @@ struct State {
     std::vector<BodyPair> touching;            // in contact, sorted
     std::vector<BodyPair> vetoes;              // that never are, sorted
     std::vector<std::uint32_t> knocked;        // sleepers that something ran into, dense indices
+    Sensing sensing;
     Events events;
     Statistics statistics;
     bool profiling = false;

@@ -102,6 +102,14 @@ std::string validateBodies(const State& state) {
     return next == state.particles.size() ? std::string() : "particles outside of bodies";
 }
 
+std::string validateVisits(const State& state) {
+    const auto& visits = state.sensing.visits;
+    const bool sorted =
+        std::adjacent_find(visits.begin(), visits.end(),
+                           [](const Visit& a, const Visit& b) { return !(a < b); }) == visits.end();
+    return sorted ? "" : "visits of sensors out of order";
+}
+
 std::string validateClusters(const State& state) {
     const Clusters& clusters = state.clusters;
     const auto members = clusters.members.size();
@@ -216,8 +224,10 @@ std::string validateStructure(const State& state) {
 }  // namespace
 
 std::string findBroken(const State& state) {
-    for (const auto check : {validateArrays, validateParticles, validateJoints, validateAttachments,
-                             validateBodies, validateSleepers, validateContacts, validateClusters, validateTrees, validateStructure})
+    for (const auto check :
+         {validateArrays, validateParticles, validateJoints, validateAttachments, validateBodies,
+          validateSleepers, validateVisits, validateContacts, validateClusters, validateTrees,
+          validateStructure})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }

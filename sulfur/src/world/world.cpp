@@ -77,6 +77,8 @@ const char* name(Stage stage) {
             return "breakage";
         case Stage::sleep:
             return "sleep";
+        case Stage::sensors:
+            return "sensors";
         case Stage::count:
             break;
     }
@@ -194,6 +196,16 @@ bool World::collision(BodyId a, BodyId b) const {
 }
 const Filter& World::filter(BodyId id) const {
     return record(impl_->state, id).filter;
+}
+bool World::sensor(BodyId id) const {
+    return record(impl_->state, id).sensor;
+}
+std::vector<BodyId> World::visitors(BodyId id) const {
+    indexOf(impl_->state, id);
+    std::vector<BodyId> found;
+    for (const detail::Visit& visit : impl_->state.sensing.visits)
+        if (visit.sensor == id && contains(visit.visitor)) found.push_back(visit.visitor);
+    return found;
 }
 const std::optional<Skin>& World::skin(BodyId id) const {
     return record(impl_->state, id).skin;

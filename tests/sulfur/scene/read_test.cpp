@@ -31,6 +31,9 @@ TEST(Read, GivesEveryMember) {
     EXPECT_EQ(plain.joints[1].stiffness, sulfur::infinite);
     EXPECT_EQ(plain.filter.mask, 4294967294u);
     EXPECT_EQ(plain.filter.group, -3);
+    EXPECT_FALSE(plain.sensor);
+    EXPECT_TRUE(scene.prefab("box")->blueprint.sensor);
+    EXPECT_TRUE(sulfur::scene::blueprintOf(scene, *scene.body("lift")).sensor);
     EXPECT_EQ(plain.skin->uv[0], sulfur::Vec2(0, 1));
     const auto* lift = scene.body("lift");
     EXPECT_EQ(lift->pose.position, sulfur::Point(3, 4.25));

@@ -40,7 +40,7 @@ inline const std::string fullScene = R"({
                "radius": 0.2, "material": {"kineticFriction": 0.1}},
     "box": {"shape": "box", "size": [1.5, 0.75], "mass": 2.5, "radius": 0.03, "stiffness": 5000,
             "damping": 0.5, "strength": 77, "solidInertia": false, "kind": "dynamic",
-            "material": {"restitution": 0.1}, "filter": {"group": 5},
+            "material": {"restitution": 0.1}, "filter": {"group": 5}, "sensor": true,
             "skin": {"texture": "box.png"}},
     "ball": {"shape": "ball", "radius": 0.4, "mass": 3, "material": {"restitution": 1}},
     "rope": {"shape": "rope", "from": [1, 2], "to": [4, 6], "links": 9, "mass": 0.9, "radius": 0,
@@ -74,7 +74,8 @@ inline const std::string fullScene = R"({
   "bodies": [
     {"id": "ground", "blueprint": "floor", "layer": 3},
     {"id": "lift", "blueprint": "plain", "position": [3, 4.25], "angle": 0.5, "velocity": [0, 1],
-     "kind": "dynamic", "material": {"restitution": 0.5}, "filter": {"mask": 1}},
+     "kind": "dynamic", "material": {"restitution": 0.5}, "filter": {"mask": 1},
+     "sensor": true},
     {"id": "b", "blueprint": "blob", "position": [-3, 6]},
     {"id": "r", "blueprint": "rope"},
     {"id": "crate", "blueprint": "box", "position": [8, 2],

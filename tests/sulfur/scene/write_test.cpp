@@ -41,6 +41,7 @@ TEST(Format, LosesNoMember) {
         EXPECT_EQ(a.kind, b.kind);
         EXPECT_EQ(a.material, b.material) << a.name;
         EXPECT_EQ(a.filter, b.filter) << a.name;
+        EXPECT_EQ(a.sensor, b.sensor) << a.name;
         EXPECT_EQ(a.skin.has_value(), b.skin.has_value());
         if (a.skin && b.skin) {
             EXPECT_EQ(a.skin->uv, b.skin->uv);

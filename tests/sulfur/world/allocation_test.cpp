@@ -149,4 +149,23 @@ TEST(Allocation, NoneByARopeThatLies) {
     expectNoAllocations(world);
 }
 
+TEST(Allocation, NoneByBallsThatComeAndGoInASensor) {
+    World world;
+    world.add(shapes::floor({-5, 0}, {5, 0}));
+    Blueprint zone = shapes::box({.size = {8, Real(0.1)}});
+    zone.kind = BodyKind::fixed;
+    zone.sensor = true;
+    world.add(zone, {.position = {0, 0.2}});
+    for (int i = 0; i < 6; ++i)
+        world.add(shapes::ball({.radius = Real(0.02), .material = {.restitution = 1}}),
+                  {.position = {i - 3.0, 0.33 + 0.01 * i}});
+    std::size_t told = 0;
+    for (int i = 0; i < 200; ++i) {
+        world.step();
+        told += world.events().sensorsEntered.size() + world.events().sensorsLeft.size();
+    }
+    EXPECT_GT(told, 6u);
+    expectNoAllocations(world);
+}
+
 }  // namespace sulfur

@@ -53,6 +53,9 @@ TEST(Errors, StaleAndNullHandles) {
     expectRefused(world, ErrorCode::staleHandle, [&] { world.remove(joint); });
     expectRefused(world, ErrorCode::staleHandle, [&] { world.remove(body); });
     expectRefused(world, ErrorCode::staleHandle, [&] { world.body(body.id()); });
+    expectRefused(world, ErrorCode::staleHandle, [&] { world.setSensor(body, true); });
+    expectRefused(world, ErrorCode::staleHandle, [&] { world.sensor(body); });
+    expectRefused(world, ErrorCode::staleHandle, [&] { world.visitors(body); });
     expectRefused(world, ErrorCode::staleHandle, [&] { world.remove(AttachmentId{1, 1}); });
 }
 
@@ -72,7 +75,7 @@ TEST(Errors, NumbersOutOfRange) {
     expectRefused(world, ErrorCode::outOfRange, [&] { world.setDamping(j, -1); });
     expectRefused(world, ErrorCode::degenerate, [&] { world.setRestLength(j, 0); });
     expectRefused(world, ErrorCode::notFinite, [&] { world.setGravity({0, nan}); });
-    expectRefused(world, ErrorCode::notFinite, [&] { world.castRay({0, NAN}, {0, 0}); });
+    expectRefused(world, ErrorCode::notFinite, [&] { world.castSegment({0, NAN}, {0, 0}); });
     expectRefused(world, ErrorCode::degenerate, [&] { world.setVelocity(ground, {1, 0}); });
     expectRefused(world, ErrorCode::degenerate, [&] { world.moveTo(body, {}); });
     expectRefused(world, ErrorCode::outOfRange,

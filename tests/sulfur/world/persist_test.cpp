@@ -67,11 +67,47 @@ TEST(Persist, LookingDoesNotChangeTheWayOn) {
     for (int i = 0; i < 1000; ++i) {
         looked.step();
         left.step();
-        looked.castRay({-7, 1}, {7, 2});
+        looked.castSegment({-7, 1}, {7, 2});
         (void)looked.contacts();
         (void)looked.snapshot();
     }
     EXPECT_EQ(looked.hash(), left.hash());
+}
+
+/// Queries bring the grid up to date, but only ticks may choose how large its cells are.
+TEST(Persist, LookingBetweenAdditionsDoesNotChangeTheWayOn) {
+    World looked, left;
+    for (World* world : {&looked, &left}) {
+        world->add(shapes::ball({.radius = Real(0.01)}));
+        if (world == &looked) world->castSegment({-7, 1}, {7, 2});
+        world->add(shapes::floor({-50, -1}, {50, -1}));
+        for (int i = 0; i < 5; ++i) {
+            const Real size = Real(0.7) + Real(0.3) * static_cast<Real>(i);
+            world->add(shapes::box({.size = {size, size}}), {.position = {2.0 * i, 1}});
+            if (world == &looked) world->closestPoint({0, 0}, 10);
+        }
+    }
+    for (int i = 0; i < 500; ++i) {
+        looked.step();
+        left.step();
+        looked.overlapCircle({0, 0}, 3);
+        ASSERT_EQ(looked.hash(), left.hash()) << i;
+    }
+}
+
+TEST(Persist, ManyQueriesBetweenTicksMakeTheGridOnce) {
+    World world({.sleeping = false});
+    fill(world);
+    test::run(world, 0.2);
+    const auto before = world.statistics().broadPhases;
+    for (int i = 0; i < 1000; ++i) {
+        world.castSegment({-7, 1}, {7, 2});
+        world.castShape(QueryShape::circle({0, 5}, 0.1), {0, -5});
+        world.closestPoint({0, 5}, 10);
+        world.bodiesAt({0.01 * i, 1});
+    }
+    world.step();
+    EXPECT_LE(world.statistics().broadPhases, before + 2);
 }
 
 TEST(Persist, DamagedSnapshotsAreRefused) {

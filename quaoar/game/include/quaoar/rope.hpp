@@ -71,7 +71,7 @@ public:
     std::uint64_t hash() const;
 
 private:
-    void lay(sulfur::World& world, sulfur::ParticleId hand, const sulfur::RayHit& hit);
+    void lay(sulfur::World& world, sulfur::ParticleId hand, const sulfur::CastHit& hit);
     sulfur::ParticleId addBead(sulfur::World& world, sulfur::Point at, sulfur::Vec2 velocity,
                                sulfur::Real radius);
     void tieHand(sulfur::World& world, sulfur::ParticleId hand);

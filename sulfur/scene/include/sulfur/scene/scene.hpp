@@ -47,6 +47,7 @@ struct Placement {
     std::optional<BodyKind> kind;  ///< where given, instead of what the prefab says
     std::optional<Material> material;  ///< where given, instead of what the prefab says
     std::optional<Filter> filter;      ///< where given, instead of what the prefab says
+    std::optional<bool> sensor;        ///< where given, instead of what the prefab says
     std::optional<BodyState> state;    ///< instead of pose and velocity
     ExtraTree extra;                   ///< unknown members
 };
