@@ -62,6 +62,7 @@ struct ContactMemory {
     std::uint32_t particle = 0, a = 0, b = 0;
     Vec2 normal{0, 0};
     Real normalLambda = 0, tangentLambda = 0;  // kg m
+    Real sustained = 0;                        // kg m, what the normal begins with
     Real drift = 0;                            // m, from the place where it sticks
     std::uint8_t sliding = 0;                  // it does not stick
 
@@ -73,6 +74,7 @@ struct ContactMemory {
         archive(normal);
         archive(normalLambda);
         archive(tangentLambda);
+        archive(sustained);
         archive(drift);
         archive(sliding);
     }

@@ -30,6 +30,14 @@ bool isWorthRemembering(const Contact& c) {
     return c.normalLambda > 0 || c.gap < c.thickness / 2;
 }
 
+/// What the contact goes on to carry: all but the blow that stopped an approach faster than what
+/// falls onto its support in a tick, which the next tick does not need.
+Real sustained(const State& state, const Contact& c) {
+    const Real h = state.h;
+    const Real blow = c.approach - 2 * h * state.settings.gravity.norm();
+    return std::max<Real>(c.normalLambda - std::max<Real>(blow, 0) * h / c.inverseEffectiveMass, 0);
+}
+
 }  // namespace
 
 const ContactMemory* recall(const std::vector<ContactMemory>& memory, std::uint32_t particle,
@@ -52,7 +60,7 @@ void rememberContacts(State& state) {
     for (const Contact& c : state.contacts)
         if (isWorthRemembering(c))
             memory.push_back({c.particle, c.a, c.b, c.normal, c.normalLambda, c.tangentLambda,
-                              c.drift, static_cast<std::uint8_t>(c.sliding)});
+                              sustained(state, c), c.drift, static_cast<std::uint8_t>(c.sliding)});
     if (!std::is_sorted(memory.begin(), memory.end(), byParticle))
         std::stable_sort(memory.begin(), memory.end(), byParticle);
 }

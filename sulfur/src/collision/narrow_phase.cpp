@@ -11,9 +11,11 @@
 #include <cmath>
 
 #include "collision/contact_memory.hpp"
+#include "collision/entwined.hpp"
 #include "collision/geometry.hpp"
 #include "collision/materials.hpp"
 #include "collision/meeting.hpp"
+#include "collision/outlines.hpp"
 #include "rigid/grip.hpp"
 #include "solver/restitution.hpp"
 #include "solver/stages.hpp"
@@ -165,6 +167,40 @@ void keepSide(const State& state, Touch& t) {
     t.meeting.distance = -t.meeting.distance;
 }
 
+/// The edge of a body's outline that is nearest to a point.
+std::uint32_t nearestEdge(const State& state, std::uint32_t body, const Point& point) {
+    const auto& x = state.particles.position;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::uint32_t joint = none;
+    for (const OutlineEdge& e : state.broad.outlines.of(body)) {
+        const Point from = x[e.from] - point, to = x[e.to] - point;
+        const double along = nearestAlong<Point>(Point(0, 0), from, to);
+        const double distance = (from + along * (to - from)).squaredNorm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        joint = e.joint;
+    }
+    return joint;
+}
+
+/// A capsule of an outline pushes to its outer side only. What is behind it without being inside of
+/// the body is in front of another one; what is inside leaves through the nearest. Returns false
+/// when this capsule has nothing to say.
+bool keepOutside(const State& state, Touch& t) {
+    const Collider& c = *t.collider;
+    if (c.joint == none || state.particles.body[t.particle] == c.body) return true;
+    const int outward = state.broad.outlines.outwardOf(c.joint);
+    if (outward == 0 || t.meeting.fraction > 0) return true;
+    const auto& x = state.particles.position;
+    const Point along = x[c.b] - x[c.a], offset = x[t.particle] - x[c.a];
+    if (outward * cross(along, offset) <= 0) return true;  // to the right of a->b: outside
+    if (!encloses(state, c.body, x[t.particle])) return false;
+    if (t.meeting.atEnd || nearestEdge(state, c.body, x[t.particle]) != c.joint) return false;
+    t.meeting.normal = -t.meeting.normal;
+    t.meeting.distance = -t.meeting.distance;
+    return true;
+}
+
 /// Whether they are so far apart that this tick cannot bring them together, and by how much the
 /// fastest part moves against the other.
 bool farApart(const Local& l, Real thickness, Real margin, Real& travel) {
@@ -182,6 +218,8 @@ void consider(State& state, const Candidate& candidate) {
     if (farApart(local, thickness, watchedGap(state, thickness), travel)) return;
     Touch t{candidate.particle, c.a, c.b, &c, {}, thickness};
     t.meeting = travel > thickness ? meetOnTheWay(local, thickness) : meet(local);
+    if (areEntwined(state, state.particles.body[candidate.particle], c.body)) return;
+    if (!keepOutside(state, t)) return;
     if (t.meeting.atEnd) {
         const auto corner = t.meeting.along < Real(0.5) ? c.a : c.b;
         if (!meetsCorner(state, t, corner)) return;
@@ -194,7 +232,7 @@ void consider(State& state, const Candidate& candidate) {
                                                      : Vec2(local.p - t.meeting.along * local.b);
         t.meeting.distance = t.meeting.normal.dot(offset);
     }
-    keepSide(state, t);
+    if (t.meeting.distance > 0) keepSide(state, t);
     keepIfNear(state, t);
 }
 
@@ -220,6 +258,7 @@ void findCrossings(State& state, std::vector<Crossing>& found) {
         const Collider& a = broad.collider(i);
         const Collider& b = broad.collider(j);
         if (a.a == a.b || b.a == b.b || !segmentsCross(x[a.a], x[a.b], x[b.a], x[b.b])) continue;
+        if (areEntwined(state, a.body, b.body)) continue;
         Crossing best;
         best.meeting.distance = std::numeric_limits<Real>::max();
         considerEnd(state, a.a, j, best);
@@ -252,6 +291,7 @@ void considerCrossing(State& state, const Crossing& crossing) {
 void findContacts(State& state) {
     state.contacts.clear();
     state.knocked.clear();
+    partEntwined(state);
     thread_local std::vector<Crossing> crossings;  // nearly always empty
     crossings.clear();
     findCrossings(state, crossings);

@@ -16,6 +16,9 @@ void solveContacts(State& state, bool backwards);
 /// What overlapped before the tick is led apart by moving positions, not displacements, so that
 /// it leaves no velocity behind and nothing is thrown. applyRecovery() does the move.
 void solveRecovery(State& state);
+/// The same for what friction holds and has crept from its place: once in a tick, so that it never
+/// works against the former.
+void recoverDrifts(State& state);
 void applyRecovery(State& state);
 /// After the last sweep: nothing that joints pushed may be past the surface that it touches.
 void guardContacts(State& state);

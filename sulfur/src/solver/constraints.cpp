@@ -6,6 +6,7 @@
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_forest.hpp"
 #include "solver/grabs.hpp"
+#include "solver/hold_back.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -16,6 +17,7 @@ void solveConstraints(State& state) {
     startGrabs(state);
     touchTrees(state);
     warmStartContacts(state);
+    recoverDrifts(state);
     thread_local ContactForest forest;
     forest.forget();
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
@@ -29,6 +31,7 @@ void solveConstraints(State& state) {
         sweepTrees(state);
     }
     guardContacts(state);
+    holdBack(state);
     finishContacts(state);
     applyRecovery(state);
     recordTreeForces(state);

@@ -60,12 +60,10 @@ void recoverGap(State& state, Contact& c) {
     shift(state, c, (c.recoveryLambda - before) * c.normal);
 }
 
-/// What sticks is led back to the place where it began to stick.
-void recoverDrift(State& state, Contact& c) {
+/// What of a drift is taken back in this tick.
+Real driftRecovered(const State& state, const Contact& c) {
     const Real most = recoverySpeed * state.h;
-    const Real wanted = std::clamp(-c.drift * recoveryShare, -most, most);
-    const Real left = wanted - tangentOf(c).dot(relativeShift(state, c));
-    shift(state, c, left / c.tangentInverseMass * tangentOf(c));
+    return std::clamp(c.drift * recoveryShare, -most, most);
 }
 
 }  // namespace
@@ -85,7 +83,7 @@ void warmStart(State& state, Contact& c, const ContactMemory& before) {
         c.sliding = before.sliding != 0;
     }
     if (touchesSoft(state, c)) return;
-    c.normalLambda = before.normalLambda;
+    c.normalLambda = before.sustained;
     if (c.rough) {
         const Real most = c.staticFriction * c.normalLambda;
         c.tangentLambda = std::clamp(before.tangentLambda, -most, most);
@@ -120,23 +118,48 @@ void solveContacts(State& state, bool backwards) {
         for (auto c = state.contacts.rbegin(); c != state.contacts.rend(); ++c) solve(state, *c);
 }
 
+void recoverDrifts(State& state) {
+    for (Contact& c : state.contacts)
+        if (c.drift != 0 && c.tangentInverseMass > 0)
+            shift(state, c, -driftRecovered(state, c) / c.tangentInverseMass * tangentOf(c));
+}
+
 void solveRecovery(State& state) {
     for (Contact& c : state.contacts) {
         if (c.gap < 0) recoverGap(state, c);
-        if (c.drift != 0 && c.tangentInverseMass > 0) recoverDrift(state, c);
     }
 }
 
-void applyRecovery(State& state) {
-    Particles& p = state.particles;
-    for (const Contact& c : state.contacts) {
-        if (c.gap >= 0 && c.drift == 0) continue;
-        for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) {
-            if (grip.cluster != none) continue;
-            p.position[grip.particle] += p.shift[grip.particle].cast<double>();
-            p.shift[grip.particle] = Vec2(0, 0);
-        }
+namespace {
+
+/// All recoveries together may not move anything faster than this.
+constexpr Real mostRecoverySpeed = Real(0.9);  // m/s
+
+Vec2 shortened(const Vec2& v, Real most) {
+    const Real length = v.norm();
+    return length > most ? Vec2(most / length * v) : v;
+}
+
+void applyRecovery(State& state, const Grip& grip) {
+    const Real most = mostRecoverySpeed * state.h;
+    if (grip.cluster != none) {
+        Cluster& c = state.clusters.list[grip.cluster];
+        const double turn = static_cast<double>(most) / c.reach;
+        c.shift = shortened(c.shift, most);
+        c.twist = std::clamp(c.twist, -turn, turn);
+        return;
     }
+    Vec2& shift = state.particles.shift[grip.particle];
+    state.particles.position[grip.particle] += shortened(shift, most).cast<double>();
+    shift = Vec2(0, 0);
+}
+
+}  // namespace
+
+void applyRecovery(State& state) {
+    for (const Contact& c : state.contacts)
+        for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB})
+            applyRecovery(state, grip);
 }
 
 namespace {
@@ -151,7 +174,7 @@ void judgeSliding(const State& state, Contact& c) {
     c.sliding = std::abs(slip) > slidingStarts * state.h * state.h &&
                 std::abs(c.tangentLambda) > Real(0.9) * most;
     const bool sticks = c.normalLambda > 0 && !c.sliding;
-    c.drift = sticks ? c.drift + slip + tangentOf(c).dot(relativeShift(state, c)) : 0;
+    c.drift = sticks ? c.drift - driftRecovered(state, c) + slip : 0;
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct BodyRecord {
     bool moving = false;              // kinematic: has a target for the next tick
     bool stopping = false;            // kinematic: had a target for the last tick
     bool clustersStale = true;        // its rigid components must be found again
+    bool placed = true;               // made or moved by hand since the last tick
     bool selfCollision = false;       // its own parts touch each other
     bool strained = false;            // they were not, because it was bent out of shape
     Real restingTime = 0;             // s for which its island has been at rest
@@ -42,6 +43,7 @@ struct BodyRecord {
         a(clustersStale);
         a(strained);
         a(selfCollision);
+        a(placed);
         a(restingTime);
         a(nextAsleep);
         a(firstParticle);

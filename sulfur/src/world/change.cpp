@@ -215,6 +215,7 @@ void World::setPosition(ParticleId id, Point position) {
     detail::wakeTouching(state, state.particles.body[i]);
     if (state.particles.position[i] == position) return;
     state.particles.position[i] = position;
+    state.bodies[state.particles.body[i]].placed = state.anyPlaced = true;
     detail::shapeChanged(state, state.particles.body[i]);
     state.particles.displacement[i] = Vec2(0, 0);
     state.broad.pairsStale = true;

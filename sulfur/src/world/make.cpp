@@ -217,6 +217,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
             state, a, b, {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
             spec.restLength.value_or(apart.norm()), index));
     }
+    state.anyPlaced = true;
     state.bodyIds.push_back(body.id);
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);

@@ -36,6 +36,8 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.contactMemory);
     a(state.touching);
     a(state.vetoes);
+    a(state.entwined);
+    a(state.anyPlaced);
     a(state.broad.cellSize);
 }
 
@@ -64,6 +66,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.restingTime);
         hasher(body.nextAsleep);
         hasher(body.selfCollision);
+        hasher(body.placed);
         hasher(body.material);
         hasher(body.filter);
         if (body.sensor) hasher(body.sensor);

@@ -111,11 +111,13 @@ struct State {
     std::vector<ContactMemory> contactMemory;  // of the last tick, sorted
     std::vector<BodyPair> touching;            // in contact, sorted
     std::vector<BodyPair> vetoes;              // that never are, sorted
+    std::vector<BodyPair> entwined;            // put into each other and not yet apart, sorted
     std::vector<std::uint32_t> knocked;        // sleepers that something ran into, dense indices
     Sensing sensing;
     Events events;
     Statistics statistics;
     bool profiling = false;
+    bool anyPlaced = true;  // a body was made or moved by hand since the last tick
 
     bool movable(std::uint32_t body) const {
         return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep;
