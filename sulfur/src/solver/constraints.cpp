@@ -12,6 +12,10 @@
 
 namespace sulfur::detail {
 
+/// Sweeps more, of contacts and trees alone, when a loaded rope bends round something: its light
+/// links then move by more than they are long, and each sweep is a step of Newton's method.
+constexpr int mostForTrees = 24;
+
 void solveConstraints(State& state) {
     clearMultipliers(state);
     startGrabs(state);
@@ -28,6 +32,11 @@ void solveConstraints(State& state) {
         solveAttachments(state);
         solveGrabs(state);
         solveRigidJoints(state);
+        sweepTrees(state);
+    }
+    for (int i = 0; i < mostForTrees && treesAreStrained(state); ++i) {
+        solveContacts(state, i % 2 != 0);
+        solveAttachments(state);
         sweepTrees(state);
     }
     guardContacts(state);

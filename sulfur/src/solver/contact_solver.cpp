@@ -72,9 +72,13 @@ namespace {
 
 /// The stiff joints of something soft begin every tick without their multipliers; contacts that
 /// began with theirs would push it out of shape before the sweeps have found the joints' answer.
+/// Chains and trees answer at once.
 bool touchesSoft(const State& state, const Contact& c) {
-    return isSoft(state, c.gripOfParticle) || isSoft(state, c.gripOfA) ||
-           (c.shareB != 0 && isSoft(state, c.gripOfB));
+    const auto isSwept = [&](const Grip& grip) {
+        return isSoft(state, grip) && state.trees.ofParticle[grip.particle] == none;
+    };
+    return isSwept(c.gripOfParticle) || isSwept(c.gripOfA) ||
+           (c.shareB != 0 && isSwept(c.gripOfB));
 }
 
 void warmStart(State& state, Contact& c, const ContactMemory& before) {

@@ -20,11 +20,14 @@ namespace {
 /// A line whose light nodes whip more than this in a tick pulls along its present directions.
 constexpr double mostWhip = 0.2;
 
+/// Of a link, as a share of its length: what sweeps may leave where contacts press on a tree.
+constexpr double mostStrain = 1e-4;
+
 /// Of contacts that would have to pull, in a sweep.
 constexpr int mostReleases = 4;
 /// Of a contact, as a share of the tree's own mobility: where a link points along the normal, both
 /// would otherwise be the same row.
-constexpr double softest = 1e-3;
+constexpr double softest = 1e-5;
 
 std::vector<std::uint32_t>& heldContacts() {
     thread_local std::vector<std::uint32_t> scratch;
@@ -75,6 +78,19 @@ public:
                 if (static_cast<int>(r) < link.rows && !(joint && r == 1))
                     state_.trees.lambda[tree_.first + i][r] += link.lambda[r];
         }
+    }
+
+    /// The largest error of a rigid joint's length, as a share of it.
+    double strain() {
+        double most = 0;
+        for (std::size_t i = 1; i < count_; ++i) {
+            const TreeNode& n = node(i);
+            if (n.kind != LinkKind::joint || state_.joints.kind[n.link] != JointKind::rigid) continue;
+            updateLink(i);
+            const double rest = static_cast<double>(state_.joints.restLength[n.link]);
+            most = std::max(most, std::abs(solver_.links[i].value[0]) / rest);
+        }
+        return most;
     }
 
 private:
@@ -361,6 +377,15 @@ void sweepTrees(State& state) {
     for (const auto i : state.work.lines) withSweeper(state, i, [](auto& s) { s.sweep(); });
     for (const auto i : state.work.lonelyTrees)
         if (state.trees.touched[i]) withSweeper(state, i, [](auto& s) { s.sweep(); });
+}
+
+bool treesAreStrained(State& state) {
+    double most = 0;
+    for (const auto* list : {&state.work.lonelyTrees, &state.work.lines})
+        for (const auto i : *list)
+            if (state.trees.touched[i])
+                withSweeper(state, i, [&](auto& s) { most = std::max(most, s.strain()); });
+    return most > mostStrain;
 }
 
 void recordTreeForces(State& state) {

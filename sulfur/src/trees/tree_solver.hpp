@@ -18,6 +18,8 @@ void stepTrees(State& state);
 void touchTrees(State& state);
 /// One sweep: every line through a mesh, and every touched tree, is solved as a whole.
 void sweepTrees(State& state);
+/// Whether the sweeps have not yet found what contacts do to the trees that they touch.
+bool treesAreStrained(State& state);
 /// Multipliers of the sweeps to the joints.
 void recordTreeForces(State& state);
 /// Velocities of the nodes take up what the sweeps have changed.
