@@ -22,6 +22,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.sweeps);
     a(state.settings.damper);
     a(state.settings.friction);
+    a(state.settings.rasterisation);
     a(state.lastTick);
     a(state.rateTick);
     a(state.rateTime);
@@ -37,6 +38,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.touching);
     a(state.vetoes);
     a(state.broad.cellSize);
+    a(state.broad.cellSizeStale);
 }
 
 template <class Archive>
