@@ -18,6 +18,7 @@
 #include <sulfur/math.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/statistics.hpp>
+#include <utility>
 #include <vector>
 
 namespace sulfur {
@@ -252,6 +253,8 @@ public:
     bool selfCollision(BodyId body) const;
     /// False after setCollision(a, b, false).
     bool collision(BodyId a, BodyId b) const;
+    /// The pairs of bodies for which collision() is false, in the order of their handles.
+    std::vector<std::pair<BodyId, BodyId>> vetoes() const;
     /// What a body wears.
     const std::optional<Skin>& skin(BodyId body) const;
     /// What setUserData() left there; 0 at first.

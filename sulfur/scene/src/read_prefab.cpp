@@ -173,6 +173,7 @@ Prefab readPrefab(const Node& node, const std::string& name) {
         plan.name = name;
         reader.kind("kind", plan.kind);
         reader.filter("filter", plan.filter);
+        reader.flag("selfCollision", plan.selfCollision, false);
         readSkin(reader, prefab);
         reader.finish();
         plan.validate();
