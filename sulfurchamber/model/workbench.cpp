@@ -59,6 +59,8 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
     std::erase_if(scene.attachments, [&](const auto& a) {
         return !ids.contains(a.particle.body) || !ids.contains(a.body);
     });
+    std::erase_if(scene.vetoes,
+                  [&](const auto& v) { return !ids.contains(v.a) || !ids.contains(v.b); });
     scene.extra.clear();
     return scene;
 }

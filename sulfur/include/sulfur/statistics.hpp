@@ -43,6 +43,8 @@ struct Statistics {
     std::uint32_t candidates = 0;      ///< pairs that the narrow phase looked at
     std::uint32_t contacts = 0;        ///< that the narrow phase found
     std::uint64_t broadPhases = 0;     ///< since the world was made
+    std::uint64_t fixedRebuilds = 0;   ///< of fixed geometry in the grid, likewise
+    std::uint32_t gridCells = 0;       ///< that moving colliders cover, each counting its own
     /// By Stage; zero unless profiling is on.
     std::array<double, static_cast<std::size_t>(Stage::count)> seconds{};
 };

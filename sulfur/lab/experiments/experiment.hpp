@@ -41,5 +41,6 @@ std::unique_ptr<Experiment> makeTable2();
 std::unique_ptr<Experiment> makeTable3();
 std::unique_ptr<Experiment> makeAccuracy();
 std::unique_ptr<Experiment> makeStability();
+std::unique_ptr<Experiment> makeBroadPhase();
 
 }  // namespace sulfur::lab

@@ -4,7 +4,7 @@ namespace sulfur::lab {
 
 Experiments allExperiments() {
     Experiments all;
-    for (const auto make : {makeTable2, makeTable3, makeAccuracy, makeStability})
+    for (const auto make : {makeTable2, makeTable3, makeAccuracy, makeStability, makeBroadPhase})
         all.push_back(make());
     return all;
 }

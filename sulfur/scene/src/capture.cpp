@@ -27,6 +27,7 @@ public:
         scene_.bodies.clear();
         scene_.connections.clear();
         scene_.attachments.clear();
+        scene_.vetoes.clear();
         scene_.fields.clear();
         // Bodies of the scene first, so that newer ones cannot take their ids.
         for (const bool old : {true, false}) {
@@ -35,6 +36,7 @@ public:
         }
         for (const JointId joint : world_.connections()) addConnection(joint);
         addAttachments();
+        addVetoes();
         addFields();
         return std::move(scene_);
     }
@@ -56,6 +58,7 @@ private:
         }
         addState(placement, body);
         remember(body, placement.id);
+        newIds_.emplace(body, placement.id);
         scene_.bodies.push_back(std::move(placement));
     }
 
@@ -95,6 +98,7 @@ private:
         plan.material = world_.material(body);
         plan.filter = world_.filter(body);
         plan.sensor = world_.sensor(body);
+        plan.selfCollision = world_.selfCollision(body);
         plan.skin = world_.skin(body);
         std::map<ParticleId, std::uint32_t> places;
         for (const ParticleId id : world_.particles(body)) {
@@ -108,10 +112,17 @@ private:
         for (const JointId id : world_.joints(body)) {
             const JointInfo info = world_.info(id);
             plan.joints.push_back({places.at(info.a), places.at(info.b), info.stiffness,
-                                   info.damping, info.restLength, info.radius, info.strength});
+                                   info.damping, info.restLength, info.radius, info.strength,
+                                   ownMaterial(id, body)});
         }
         if (plan.skin && plan.skin->uv.size() != plan.particles.size()) plan.skin.reset();
         return plan;
+    }
+
+    /// Of a joint, if it shows another surface than a body.
+    std::optional<Material> ownMaterial(JointId joint, BodyId body) const {
+        const Material& own = world_.material(joint);
+        return own == world_.material(body) ? std::nullopt : std::optional(own);
     }
 
     /// Whether adding `plan` would make a body like this one, wherever its particles are.
@@ -121,6 +132,7 @@ private:
                                   : Blueprint{};
         if (plan.kind != now.kind || !(plan.material == now.material) ||
             !(plan.filter == now.filter) || plan.sensor != now.sensor ||
+            plan.selfCollision != now.selfCollision ||
             plan.joints.size() != now.joints.size())
             return false;
         const auto sameParticle = [](const ParticleSpec& a, const ParticleSpec& b) {
@@ -130,7 +142,8 @@ private:
             const Vec2 apart = plan.particles[a.b].position - plan.particles[a.a].position;
             return a.a == b.a && a.b == b.b && a.stiffness == b.stiffness &&
                    a.damping == b.damping && a.radius == b.radius && a.strength == b.strength &&
-                   a.restLength.value_or(apart.norm()) == b.restLength;
+                   a.restLength.value_or(apart.norm()) == b.restLength &&
+                   a.material.value_or(plan.material) == b.material.value_or(plan.material);
         };
         return std::equal(plan.particles.begin(), plan.particles.end(), now.particles.begin(),
                           now.particles.end(), sameParticle) &&
@@ -162,8 +175,9 @@ private:
             connection.extra = old->second->extra;
         connection.a = refs_.at(info.a);
         connection.b = refs_.at(info.b);
-        connection.options = {info.stiffness, info.damping, info.restLength, info.radius,
-                              info.strength};
+        connection.options = {info.stiffness,  info.damping,
+                              info.restLength, info.radius,
+                              info.strength,   ownMaterial(joint, world_.info(info.a).body)};
         scene_.connections.push_back(std::move(connection));
     }
 
@@ -186,6 +200,11 @@ private:
                 attachment.point = pointOf(info);
             scene_.attachments.push_back(std::move(attachment));
         }
+    }
+
+    void addVetoes() {
+        for (const auto& [a, b] : world_.vetoes())
+            scene_.vetoes.push_back({newIds_.at(a), newIds_.at(b)});
     }
 
     void addFields() {
@@ -221,7 +240,7 @@ private:
     const Scene& base_;
     const Instance& instance_;
     Scene scene_;
-    std::map<BodyId, std::string> oldIds_;
+    std::map<BodyId, std::string> oldIds_, newIds_;
     std::map<JointId, const Connection*> oldConnections_;
     std::map<AttachmentId, const Attachment*> oldAttachments_;
     std::map<ParticleId, ParticleRef> refs_;

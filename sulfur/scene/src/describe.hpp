@@ -5,6 +5,7 @@
 // reference to it, the value that it has when the file says nothing, and its bounds.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <sulfur/scene/scene.hpp>
 #include <type_traits>
@@ -18,6 +19,10 @@ concept Is = std::same_as<std::remove_const_t<Object>, Plain>;
 inline constexpr double largestSize = 2 * Limits::coordinate;  ///< metres
 inline constexpr double largestRadius = 100;                   ///< metres
 
+/// How choices are called in files, in the order of the alternatives.
+inline constexpr std::array<const char*, 2> frictionNames{"coulomb", "sliding"};
+inline constexpr std::array<const char*, 2> rasterisationNames{"covering", "bresenham"};
+
 template <class Visitor, Is<WorldSettings> Object>
 void describe(Visitor& v, Object& o) {
     const WorldSettings d;
@@ -26,6 +31,8 @@ void describe(Visitor& v, Object& o) {
     v.integer("tickRate", o.tickRate, d.tickRate, 60, 10000);
     v.flag("sleeping", o.sleeping, d.sleeping);
     v.integer("sweeps", o.sweeps, d.sweeps, 1, 100);
+    v.choice("friction", o.friction, d.friction, frictionNames);
+    v.choice("rasterisation", o.rasterisation, d.rasterisation, rasterisationNames);
 }
 
 template <class Visitor, Is<Material> Object>
@@ -34,6 +41,8 @@ void describe(Visitor& v, Object& o) {
     v.number("staticFriction", o.staticFriction, d.staticFriction, 0, Limits::friction);
     v.number("kineticFriction", o.kineticFriction, d.kineticFriction, 0, Limits::friction);
     v.number("restitution", o.restitution, d.restitution, 0, 1);
+    v.number("surfaceSpeed", o.surfaceSpeed, d.surfaceSpeed, -Limits::surfaceSpeed,
+             Limits::surfaceSpeed);
 }
 
 template <class Visitor, Is<Filter> Object>
@@ -62,6 +71,7 @@ void describeJoint(Visitor& v, Object& o) {
     v.optionalNumber("restLength", o.restLength, 0, 2 * largestSize);
     v.number("radius", o.radius, d.radius, 0, largestRadius);
     v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.optionalMaterial("material", o.material);
 }
 
 template <class Visitor, Is<JointSpec> Object>

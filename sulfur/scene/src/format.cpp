@@ -72,6 +72,7 @@ std::string formatPrefab(const Prefab& prefab, std::size_t indent) {
     }
     text.part("filter", plan.filter, false);
     text.flag("sensor", plan.sensor, false);
+    text.flag("selfCollision", plan.selfCollision, false);
     if (plan.skin) text.add("skin", formatSkin(prefab, indent + 2));
     text.finish();
     return generated ? text.inLine() : text.inLines(indent);
@@ -110,11 +111,11 @@ std::string formatRef(const ParticleRef& ref) {
 }
 
 std::string formatConnection(const Connection& connection) {
-    ObjectText text;
+    ObjectText text(connection.extra, "");
     text.add("a", formatRef(connection.a));
     text.add("b", formatRef(connection.b));
     describeJoint(text, connection.options);
-    text.add(connection.extra);
+    text.finish();
     return text.inLine();
 }
 
@@ -125,6 +126,10 @@ std::string formatAttachment(const Attachment& attachment) {
     text.add("point", json(attachment.point));
     text.add(attachment.extra);
     return text.inLine();
+}
+
+std::string formatVeto(const Veto& veto) {
+    return '[' + json(std::string_view(veto.a)) + ", " + json(std::string_view(veto.b)) + ']';
 }
 
 std::string formatField(const SceneField& field) {
@@ -165,6 +170,7 @@ std::string format(const Scene& scene) {
     addList(text, "bodies", scene.bodies, formatBody);
     addList(text, "connections", scene.connections, formatConnection);
     addList(text, "attachments", scene.attachments, formatAttachment);
+    addList(text, "vetoes", scene.vetoes, formatVeto);
     addList(text, "fields", scene.fields, formatField);
     text.add(scene.extra);
     return text.inLines(0) + '\n';

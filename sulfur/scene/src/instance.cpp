@@ -65,6 +65,9 @@ Instance instantiate(const Scene& scene, World& world) {
         instance.attachments.push_back(
             world.attach(particleOf(scene, instance, world, attachment.particle),
                          instance.body(bodyOf(scene, attachment.body).id), attachment.point));
+    for (const auto& veto : scene.vetoes)
+        world.setCollision(instance.body(bodyOf(scene, veto.a).id),
+                           instance.body(bodyOf(scene, veto.b).id), false);
     for (const auto& field : scene.fields) instance.fields.push_back(world.add(field.field));
     return instance;
 }

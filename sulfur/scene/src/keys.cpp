@@ -65,6 +65,14 @@ struct KeyVisitor {
     void material(const char* key, Value&&) {
         keys.push_back(key);
     }
+    template <class Value>
+    void optionalMaterial(const char* key, Value&&) {
+        keys.push_back(key);
+    }
+    template <class... Rest>
+    void choice(const char* key, Rest&&...) {
+        keys.push_back(key);
+    }
 };
 
 template <class Object>
@@ -84,9 +92,10 @@ Table makeTable() {
     Table table{
         {"scene",
          {"format", "version", "title", "description", "world", "blueprints", "bodies",
-          "connections", "attachments", "fields"}},
+          "connections", "attachments", "vetoes", "fields"}},
         {"blueprintFile", {"format", "version", "name", "blueprint"}},
-        {"explicit", {"kind", "particles", "joints", "material", "filter", "sensor", "skin"}},
+        {"explicit",
+         {"kind", "particles", "joints", "material", "filter", "sensor", "selfCollision", "skin"}},
         {"skin", {"texture", "uv", "triangles"}},
         {"body",
          {"id", "blueprint", "position", "angle", "velocity", "kind", "material", "filter",
@@ -105,7 +114,7 @@ Table makeTable() {
     table["uniformField"] = described<UniformField>({"type"});
     table["radialField"] = described<RadialField>({"type"});
     table["windField"] = described<WindField>({"type"});
-    const KeyList shape{"shape", "kind", "filter", "sensor", "skin"};
+    const KeyList shape{"shape", "kind", "filter", "sensor", "selfCollision", "skin"};
     table["floor"] = described<FloorOptions>(shape);
     table["ground"] = described<shapes::GroundOptions>(shape);
     table["box"] = described<shapes::BoxOptions>(shape);

@@ -174,6 +174,7 @@ Prefab readPrefab(const Node& node, const std::string& name) {
         reader.kind("kind", plan.kind);
         reader.filter("filter", plan.filter);
         reader.flag("sensor", plan.sensor, false);
+        reader.flag("selfCollision", plan.selfCollision, false);
         readSkin(reader, prefab);
         reader.finish();
         plan.validate();

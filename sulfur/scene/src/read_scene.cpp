@@ -35,6 +35,9 @@ public:
         if (const auto list = reader.find("attachments")) {
             for (const auto& node : list->array(0, Limits::particles)) readAttachment(node);
         }
+        if (const auto list = reader.find("vetoes")) {
+            for (const auto& node : list->array(0, Limits::vetoes)) readVeto(node);
+        }
         if (const auto list = reader.find("fields")) {
             for (const auto& node : list->array(0, Limits::fields)) readField(node);
         }
@@ -185,13 +188,11 @@ private:
 
     void readConnection(const Node& node) {
         Connection connection;
-        ExtraTree extra;
-        Reader reader(node, "connection", "", extra);
+        Reader reader(node, "connection", "", connection.extra);
         connection.a = readRef(reader.at("a"));
         connection.b = readRef(reader.at("b"));
         describeJoint(reader, connection.options);
         reader.finish();
-        connection.extra = std::move(extra[""]);
         const auto& [a, b] = std::tie(connection.a, connection.b);
         if (a.body == b.body && a.particle == b.particle)
             node.fail("joins a particle to itself; allowed are two different particles");
@@ -225,6 +226,15 @@ private:
         if (attachment.body == attachment.particle.body)
             node.fail("holds a particle at its own body; allowed is another body");
         scene_.attachments.push_back(std::move(attachment));
+    }
+
+    void readVeto(const Node& node) {
+        const auto names = node.array(2, 2);
+        const Veto veto{scene_.bodies[knownBody(names[0]).place].id,
+                        scene_.bodies[knownBody(names[1]).place].id};
+        if (veto.a == veto.b)
+            node.fail("names \"" + veto.a + "\" twice; allowed are two different bodies");
+        scene_.vetoes.push_back(veto);
     }
 
     void readField(const Node& node) {

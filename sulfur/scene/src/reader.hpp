@@ -42,6 +42,14 @@ public:
     void points(const char* key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 double limit);
     void material(const char* key, Material& value);
+    void optionalMaterial(const char* key, std::optional<Material>& value) {
+        if (find(key)) material(key, value.emplace());
+    }
+    template <class Choice>
+    void choice(const char* key, Choice& value, Choice, const std::array<const char*, 2>& names) {
+        if (const auto member = find(key))
+            value = static_cast<Choice>(member->choice({names[0], names[1]}));
+    }
     /// A place that must be there.
     void point(const char* key, Point& value) { value = at(key).point(Limits::coordinate); }
     void zone(const char* key, Zone& value);

@@ -89,7 +89,7 @@ std::vector<std::string> unknownKeys(const Scene& scene) {
     for (const auto& body : scene.bodies) note(notes, scene.file, body.id, body.extra);
     for (std::size_t i = 0; i < scene.connections.size(); ++i)
         note(notes, scene.file, "connections[" + std::to_string(i) + ']',
-             {{"", scene.connections[i].extra}});
+             scene.connections[i].extra);
     for (std::size_t i = 0; i < scene.attachments.size(); ++i)
         note(notes, scene.file, "attachments[" + std::to_string(i) + ']',
              {{"", scene.attachments[i].extra}});

@@ -79,6 +79,14 @@ public:
     void point(const char* key, const Point& value) { add(key, pointJson(value)); }
     void zone(const char* key, const Zone& value);
     void material(const char* key, const Material& value) { part(key, value, false); }
+    void optionalMaterial(const char* key, const std::optional<Material>& value) {
+        if (value) part(key, *value, true);
+    }
+    template <class Choice, class Names>
+    void choice(const char* key, Choice value, Choice usual, const Names& names) {
+        if (value != usual)
+            add(key, json(std::string_view(names[static_cast<std::size_t>(value)])));
+    }
 
     /// A nested object that is left out when nothing in it is unusual, unless `always`.
     template <class Object>

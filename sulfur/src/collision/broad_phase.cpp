@@ -1,6 +1,7 @@
 // Stage: candidates from the uniform grid.
 #include <algorithm>
 
+#include "collision/cell_size.hpp"
 #include "collision/geometry.hpp"
 #include "collision/rasterise.hpp"
 #include "solver/stages.hpp"
@@ -42,6 +43,13 @@ void collectColliders(State& state) {
     if (broad.fixed != fixedBefore) broad.fixedStale = true;
 }
 
+/// Room for what packed things have, so that the tick in which a heap has grown together takes no
+/// memory: discs in a plane touch six others, each pair makes two candidates.
+void reserveRoom(BroadPhase& broad) {
+    broad.pairs.reserve(8 * broad.moving.size());
+    broad.candidates.reserve(16 * broad.moving.size());
+}
+
 /// Particles that are tied to another body never collide with that body.
 void collectLinks(State& state) {
     auto& linked = state.broad.linked;
@@ -60,53 +68,86 @@ void collectLinks(State& state) {
     linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
 }
 
-/// The cell is as large as the average moving capsule with its skin, so that a capsule covers a
-/// few cells and a cell holds a few capsules. It is kept while it is within a factor of two of
-/// that, because a change rasterises all fixed geometry again.
-void chooseCellSize(State& state) {
-    BroadPhase& broad = state.broad;
-    const auto& list = broad.moving.empty() ? broad.fixed : broad.moving;
-    double sum = 0;
-    for (const Collider& c : list) {
-        const Point along = state.particles.position[c.b] - state.particles.position[c.a];
-        sum += along.norm() + 2 * static_cast<double>(c.radius);
-    }
-    const double mean =
-        list.empty() ? 1.0 : std::clamp(sum / static_cast<double>(list.size()), 0.02, 1e3);
-    if (broad.cellSize > 2 * mean || broad.cellSize < mean / 2) {
-        broad.cellSize = mean;
-        broad.fixedStale = true;
-    }
+void useCellSize(BroadPhase& broad) {
     broad.baseSkin = static_cast<Real>(0.1 * broad.cellSize);
-    broad.cellSizeStale = false;
+    double size = broad.cellSize;
+    for (CoarseGrid& grid : broad.coarse) grid.cellSize = size *= coarsening;
 }
 
-/// More cells than this cost more than comparing with everything.
-constexpr double mostCellsMoving = 2000;
-constexpr double mostCellsFixed = 200000;
+/// The cell size decides how far off contacts are watched, and with that how the world goes on. So
+/// it is chosen by rest lengths and only when bodies or joints have changed, not by when somebody
+/// asks for it.
+void chooseCellSize(State& state) {
+    BroadPhase& broad = state.broad;
+    SizeCensus census;
+    for (const Collider& c : broad.moving.empty() ? broad.fixed : broad.moving)
+        census.add(c.joint == none ? 0 : static_cast<double>(state.joints.restLength[c.joint]),
+                   static_cast<double>(c.radius));
+    const double size = census.choose(broad.cellSize);
+    broad.cellSizeStale = false;
+    if (size == broad.cellSize) return;
+    broad.cellSize = size;
+    broad.fixedStale = broad.pairsStale = true;
+    useCellSize(broad);
+}
 
-/// Returns false, leaving the grid as it was, when the capsule would cover more than `most` cells.
-bool rasterise(const State& state, const Collider& collider, Real skin, double most, Grid& grid,
-               std::uint32_t number) {
+double cellSizeOf(const BroadPhase& broad, std::size_t level) {
+    return level == 0 ? broad.cellSize : broad.coarse[level - 1].cellSize;
+}
+
+/// Places beyond 2^51 cells are further away than any that a caller may give.
+Point inCells(const Point& p, double cellSize) {
+    return (p / cellSize).cwiseMax(-2e15).cwiseMin(2e15);
+}
+
+/// More cells than this cost too much memory, even for what is rasterised once.
+constexpr double mostCellsFixed = 20000;
+
+/// The finest grid of which a collider covers at most `most` cells, or the coarsest.
+std::size_t levelFor(const State& state, const Collider& collider, Real skin, double most) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
-    const Point from = inCells(broad, x[collider.a]), to = inCells(broad, x[collider.b]);
-    const double radius = static_cast<double>(collider.radius + skin) / broad.cellSize;
-    if (cellsCovered(from, to, radius) > most) return false;
-    rasteriseCapsule(from, to, radius, [&](Cell cell) { grid.insert(cell, number); });
-    return true;
+    const double radius = static_cast<double>(collider.radius + skin);
+    std::size_t level = 0;
+    for (; level < broad.coarse.size(); ++level) {
+        const double size = cellSizeOf(broad, level);
+        if (cellsCovered(x[collider.a] / size, x[collider.b] / size, radius / size) <= most) break;
+    }
+    return level;
+}
+
+/// Calls emit(Cell) for the cells of a level that a collider covers.
+template <class Emit>
+void rasterise(const State& state, const Collider& collider, Real skin, std::size_t level,
+               Emit&& emit) {
+    const double size = cellSizeOf(state.broad, level);
+    const auto& x = state.particles.position;
+    const Point from = inCells(x[collider.a], size), to = inCells(x[collider.b], size);
+    if (state.settings.rasterisation == Rasterisation::bresenham)
+        rasteriseLine(from, to, emit);
+    else
+        rasteriseCapsule(from, to, static_cast<double>(collider.radius + skin) / size, emit);
 }
 
 void rasteriseFixed(State& state) {
     BroadPhase& broad = state.broad;
-    broad.fixedGrid.clear();
+    const auto gridOf = [&](std::size_t level) -> Grid& {
+        return level == 0 ? broad.fixedGrid : broad.coarse[level - 1].fixed;
+    };
+    for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).clear();
     broad.largeFixed.clear();
-    for (std::uint32_t i = 0; i < broad.fixed.size(); ++i)
-        if (!rasterise(state, broad.fixed[i], 0, mostCellsFixed, broad.fixedGrid, i))
-            broad.largeFixed.push_back(i);
-    broad.fixedGrid.build();
+    broad.levelOfFixed.clear();
+    for (std::uint32_t i = 0; i < broad.fixed.size(); ++i) {
+        const auto level = levelFor(state, broad.fixed[i], 0, mostCellsFixed);
+        broad.levelOfFixed.push_back(static_cast<std::uint8_t>(level));
+        if (level > 0) broad.largeFixed.push_back(i);
+        rasterise(state, broad.fixed[i], 0, level,
+                  [&](Cell cell) { gridOf(level).insert(cell, i); });
+    }
+    for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).build();
     broad.fixedStale = false;
     broad.pairsStale = true;
+    ++broad.fixedRuns;
 }
 
 /// A skin as wide as what the fastest end covers in this tick and half of the next, at least.
@@ -114,22 +155,33 @@ Real skinOf(const State& state, std::uint32_t particle) {
     return state.broad.baseSkin + Real(1.5) * state.particles.displacement[particle].norm();
 }
 
+/// With how wide a skin a collider was rasterised, at least.
+Real skinOf(const BroadPhase& broad, const Collider& c) {
+    return std::max(broad.skin[c.a], broad.skin[c.b]);
+}
+
 void rasteriseMoving(State& state) {
     BroadPhase& broad = state.broad;
+    const auto gridOf = [&](std::size_t level) -> Grid& {
+        return level == 0 ? broad.movingGrid : broad.coarse[level - 1].moving;
+    };
     broad.reference = state.particles.position;
     broad.skin.assign(state.particles.size(), 0);
-    broad.movingGrid.clear();
+    for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).clear();
     broad.largeMoving.clear();
+    broad.levelOfMoving.clear();
     for (std::uint32_t i = 0; i < broad.moving.size(); ++i) {
         const Collider& c = broad.moving[i];
         const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
         // A particle may leave the narrowest skin of the capsules that it ends.
         for (const auto p : {c.a, c.b})
             broad.skin[p] = broad.skin[p] == 0 ? skin : std::min(broad.skin[p], skin);
-        if (!rasterise(state, c, skin, mostCellsMoving, broad.movingGrid, i))
-            broad.largeMoving.push_back(i);
+        const auto level = levelFor(state, c, skin, mostCellsMoving);
+        broad.levelOfMoving.push_back(static_cast<std::uint8_t>(level));
+        if (level > 0) broad.largeMoving.push_back(i);
+        rasterise(state, c, skin, level, [&](Cell cell) { gridOf(level).insert(cell, i); });
     }
-    broad.movingGrid.build();
+    for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).build();
 }
 
 bool isVetoed(const State& state, std::uint32_t a, std::uint32_t b) {
@@ -161,15 +213,49 @@ bool belongsTogether(const State& state, std::uint32_t particle, const Collider&
     return (at - nearest).norm() < togetherWithin * (p.reach[particle] + c.radius);
 }
 
-/// Whether the boxes around two colliders, with room for their skins, overlap.
-bool boxesOverlap(const State& state, const Collider& a, const Collider& b) {
+/// Whether two colliders, with their skins, can touch: the circle round each reaches the other's
+/// capsule. A shared cell does not say so, least of all a large one.
+bool areNear(const State& state, const Collider& a, const Collider& b) {
     const auto& x = state.particles.position;
-    const auto& skin = state.broad.skin;
-    const double margin = static_cast<double>(a.radius + b.radius + std::max(skin[a.a], skin[a.b]) +
-                                              std::max(skin[b.a], skin[b.b]));
-    const Point lowA = x[a.a].cwiseMin(x[a.b]), highA = x[a.a].cwiseMax(x[a.b]);
-    const Point lowB = x[b.a].cwiseMin(x[b.b]), highB = x[b.a].cwiseMax(x[b.b]);
-    return ((lowA - highB).array() <= margin).all() && ((lowB - highA).array() <= margin).all();
+    const double reach =
+        static_cast<double>(a.radius + b.radius + skinOf(state.broad, a) + skinOf(state.broad, b));
+    const auto circleReaches = [&](const Collider& round, const Collider& other) {
+        const Point origin = x[round.a], half = (x[round.b] - origin) / 2;
+        const Point from = x[other.a] - origin, to = x[other.b] - origin;
+        const Point nearest = from + nearestAlong<Point>(half, from, to) * (to - from);
+        const double most = half.norm() + reach;
+        // More than the rounding of places that are 1e9 m away.
+        return (half - nearest).squaredNorm() <= most * most * (1 + 1e-9) + 1e-12;
+    };
+    return circleReaches(a, b) && circleReaches(b, a);
+}
+
+/// What finer colliders share cells of a coarse grid with. Each is rasterised there too, which for
+/// most gives a cell or two.
+template <class Keep>
+void collectCoarsePairs(const State& state, std::size_t level, Keep&& keep) {
+    const BroadPhase& broad = state.broad;
+    const CoarseGrid& grid = broad.coarse[level - 1];
+    const auto offset = static_cast<std::uint32_t>(broad.moving.size());
+    grid.moving.forEachPair(keep);
+    for (const auto& entry : grid.moving.entries())
+        grid.fixed.forEachIn(entry.cell,
+                             [&](std::uint32_t other) { keep(entry.item, offset + other); });
+    const bool moving = !grid.moving.entries().empty();
+    if (!moving && grid.fixed.entries().empty()) return;
+    for (std::uint32_t i = 0; i < offset; ++i) {
+        if (broad.levelOfMoving[i] >= level) continue;
+        rasterise(state, broad.moving[i], skinOf(broad, broad.moving[i]), level, [&](Cell cell) {
+            grid.moving.forEachIn(cell, [&](std::uint32_t large) { keep(i, large); });
+            grid.fixed.forEachIn(cell, [&](std::uint32_t large) { keep(i, offset + large); });
+        });
+    }
+    for (std::uint32_t i = 0; moving && i < broad.fixed.size(); ++i) {
+        if (broad.levelOfFixed[i] >= level) continue;
+        rasterise(state, broad.fixed[i], 0, level, [&](Cell cell) {
+            grid.moving.forEachIn(cell, [&](std::uint32_t large) { keep(large, offset + i); });
+        });
+    }
 }
 
 void collectPairs(State& state) {
@@ -177,7 +263,8 @@ void collectPairs(State& state) {
     auto& pairs = broad.pairs;
     pairs.clear();
     const auto keep = [&](std::uint32_t i, std::uint32_t j) {
-        if (mayTouch(state, broad.collider(i), broad.collider(j)))
+        const Collider &a = broad.collider(i), &b = broad.collider(j);
+        if (mayTouch(state, a, b) && areNear(state, a, b))
             pairs.push_back(static_cast<std::uint64_t>(std::min(i, j)) << 32 | std::max(i, j));
     };
     broad.movingGrid.forEachPair(keep);
@@ -185,13 +272,8 @@ void collectPairs(State& state) {
     for (const auto& entry : broad.movingGrid.entries())
         broad.fixedGrid.forEachIn(entry.cell,
                                   [&](std::uint32_t fixed) { keep(entry.item, offset + fixed); });
-    const auto keepIfNear = [&](std::uint32_t i, std::uint32_t j) {
-        if (boxesOverlap(state, broad.collider(i), broad.collider(j))) keep(i, j);
-    };
-    for (const auto large : broad.largeMoving)
-        for (std::uint32_t i = 0; i < offset + broad.fixed.size(); ++i) keepIfNear(large, i);
-    for (const auto large : broad.largeFixed)
-        for (std::uint32_t i = 0; i < offset; ++i) keepIfNear(i, offset + large);
+    for (std::size_t level = 1; level <= broad.coarse.size(); ++level)
+        collectCoarsePairs(state, level, keep);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
@@ -248,8 +330,9 @@ void collectAnew(State& state) {
     broad.outlines.derive(state);
     findSpokes(state, broad.spokes);
     listSensors(state);
+    reserveRoom(broad);
+    useCellSize(broad);
     broad.collidersStale = false;
-    broad.cellSizeStale = true;
     broad.pairsStale = true;
 }
 
@@ -275,9 +358,21 @@ void refreshGrid(State& state, Real lookAhead) {
     ++broad.runs;
 }
 
+namespace {
+
+std::uint32_t coveredCells(const BroadPhase& broad) {
+    std::size_t cells = broad.movingGrid.entries().size();
+    for (const CoarseGrid& grid : broad.coarse) cells += grid.moving.entries().size();
+    return static_cast<std::uint32_t>(cells);
+}
+
+}  // namespace
+
 void updateBroadPhase(State& state) {
     refreshGrid(state, 1);
     state.statistics.broadPhases = state.broad.runs;
+    state.statistics.fixedRebuilds = state.broad.fixedRuns;
+    state.statistics.gridCells = coveredCells(state.broad);
     state.statistics.candidates = static_cast<std::uint32_t>(state.broad.candidates.size());
 }
 

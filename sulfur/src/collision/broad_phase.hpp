@@ -1,6 +1,7 @@
 // Which particles might touch which capsules.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <sulfur/math.hpp>
 #include <utility>
@@ -14,6 +15,16 @@
 
 namespace sulfur::detail {
 
+/// A grid for colliders that would cover too many cells of the finer ones.
+struct CoarseGrid {
+    Grid moving, fixed;
+    double cellSize = 1;  // m
+};
+
+/// How much larger the cells of each coarser grid are. What is just too large for a grid covers a
+/// few tens of cells of the next.
+inline constexpr double coarsening = 64;
+
 /// The grid and the candidates that came out of it. They stay valid until some collider has left
 /// its skin: the margin by which it was rasterised larger than it is.
 struct BroadPhase {
@@ -22,8 +33,10 @@ struct BroadPhase {
     std::vector<Point> reference;  // per particle: where it was when rasterised
     std::vector<Real> skin;        // m, per particle
     Real baseSkin = Real(0.1);     // m
-    /// Colliders that would cover too many cells are compared with all others instead.
+    /// Colliders that would cover too many cells of the grid, and in which coarser one each is.
     std::vector<std::uint32_t> largeMoving, largeFixed;
+    std::vector<std::uint8_t> levelOfMoving, levelOfFixed;  // 0: the grid, k: coarse[k - 1]
+    std::array<CoarseGrid, 4> coarse;
     Grid movingGrid;
     Grid fixedGrid;
     double cellSize = 1;                // m
@@ -36,8 +49,9 @@ struct BroadPhase {
     std::vector<std::uint32_t> surface;  // per particle: the joint whose surface it shows, or none
     Hollows hollows;  // for queries, made when one needs it
     std::uint64_t runs = 0;
-    bool collidersStale = true;  // bodies or joints changed
-    bool cellSizeStale = true;   // the same, since the last tick
+    std::uint64_t fixedRuns = 0;  // of rasterising fixed geometry
+    bool collidersStale = true;   // bodies or joints changed
+    bool cellSizeStale = true;    // likewise, since the cell size was chosen
     bool fixedStale = true;
     bool pairsStale = true;
     /// The tick before which a query last found the grid valid.

@@ -8,6 +8,9 @@
 
 namespace sulfur::detail {
 
+/// A cell by its numbers, of which the last 32 bits are kept: cells that are a multiple of 2^32
+/// apart (33,000 km with the smallest) are one. That can only make candidates that are none,
+/// and so the plane needs no bounds.
 struct Cell {
     std::int32_t x = 0, y = 0;
     friend auto operator<=>(const Cell&, const Cell&) = default;
@@ -19,6 +22,9 @@ struct CellBox {
 
     bool empty() const { return low.x > high.x || low.y > high.y; }
 };
+inline Cell cellAt(std::int64_t x, std::int64_t y) {
+    return {static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
+}
 
 /// An unbounded grid that stores only the cells that something covers. Cells are hashed into
 /// buckets and the buckets filled by a counting sort, so building is linear and the order within

@@ -193,6 +193,7 @@ void compact(State& state, Removal& removal) {
     }
     state.structure.stale = true;
     state.broad.collidersStale = true;
+    state.broad.cellSizeStale = true;
 }
 
 }  // namespace sulfur::detail

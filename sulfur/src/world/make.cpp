@@ -172,6 +172,7 @@ void bodyChanged(State& state) {
     state.structure.stale = true;
     state.work.stale = true;
     state.broad.collidersStale = true;
+    state.broad.cellSizeStale = true;
 }
 
 void jointChanged(State& state, std::uint32_t joint) {

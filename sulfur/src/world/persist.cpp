@@ -22,6 +22,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.sweeps);
     a(state.settings.damper);
     a(state.settings.friction);
+    a(state.settings.rasterisation);
     a(state.lastTick);
     a(state.rateTick);
     a(state.rateTime);
@@ -39,6 +40,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.entwined);
     a(state.anyPlaced);
     a(state.broad.cellSize);
+    a(state.broad.cellSizeStale);
 }
 
 template <class Archive>

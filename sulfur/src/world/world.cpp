@@ -194,6 +194,11 @@ bool World::collision(BodyId a, BodyId b) const {
     return !std::binary_search(state.vetoes.begin(), state.vetoes.end(),
                                detail::BodyPair::of(a, b));
 }
+std::vector<std::pair<BodyId, BodyId>> World::vetoes() const {
+    std::vector<std::pair<BodyId, BodyId>> pairs;
+    for (const auto& [a, b] : impl_->state.vetoes) pairs.emplace_back(a, b);
+    return pairs;
+}
 const Filter& World::filter(BodyId id) const {
     return record(impl_->state, id).filter;
 }

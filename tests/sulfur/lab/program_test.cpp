@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -36,7 +37,7 @@ const char* const quick = " --highest 200 --resolution 1 --seconds 2 --only-expl
 TEST(Program, ListsItsExperiments) {
     const auto outcome = lab("--list");
     EXPECT_EQ(outcome.status, 0);
-    for (const char* name : {"table2", "table3", "accuracy", "stability"})
+    for (const char* name : {"table2", "table3", "accuracy", "stability", "broadphase"})
         EXPECT_NE(outcome.output.find(name), std::string::npos) << name;
 }
 
@@ -125,6 +126,34 @@ TEST(Program, DrawsErrorAgainstRunTime) {
     EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 3 * 3 + 9 * 4);
     EXPECT_TRUE(std::filesystem::exists(folder / "accuracy_fall.svg"));
     std::filesystem::remove_all(folder);
+}
+
+TEST(Program, CountsWhatTheBroadPhaseMisses) {
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("sulfur_lab_broadphase_" + std::to_string(::getpid()));
+    const std::string quickly = "broadphase --quick --capsules 200 --grains 100";
+    const auto csv = lab(quickly + " --csv --plot '" + folder.string() + "'");
+    EXPECT_EQ(csv.status, 0) << csv.output;
+    // Names, 4 ways in 4 cases, 8 worlds.
+    EXPECT_EQ(std::count(csv.output.begin(), csv.output.end(), '\n'), 1 + 4 * 4 + 8);
+    EXPECT_TRUE(std::filesystem::exists(folder / "broadphase_misses.svg"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "broadphase_times.svg"));
+    std::filesystem::remove_all(folder);
+    std::istringstream lines(csv.output);
+    std::size_t literal = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> fields;
+        std::istringstream parts(line);
+        for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+        ASSERT_GE(fields.size(), 8u) << line;
+        if (fields[1] == "bresenham") literal += std::stoul(fields[6]);
+        if (fields[1] == "covering" || fields[1] == "boxes") {
+            EXPECT_EQ(fields[6], "0") << line;
+        }
+    }
+    EXPECT_GT(literal, 0u);
+    EXPECT_EQ(lab(quickly + " --json").output.front(), '{');
+    EXPECT_NE(lab(quickly).output.find("heaps 8e+08 m apart"), std::string::npos);
 }
 
 TEST(Program, RefusesAPlaceForPicturesThatIsNone) {

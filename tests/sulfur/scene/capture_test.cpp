@@ -7,6 +7,7 @@ namespace {
 
 using namespace sulfur::scene;
 using namespace sulfur::scene::testing;
+using sulfur::Real;
 using sulfur::World;
 
 TEST(Instantiate, MakesEverything) {
@@ -94,7 +95,7 @@ TEST(Capture, SeesNewChangedAndRemovedBodies) {
     EXPECT_EQ(captured.prefab(blob->blueprint)->blueprint.particles[2].position,
               scene.prefab("blob")->blueprint.particles[2].position);
     ASSERT_EQ(captured.connections.size(), 2u);
-    EXPECT_EQ(findExtra(captured.connections[0].extra, "colour")->json, "\"blue\"");
+    EXPECT_EQ(findExtra(captured.connections[0].extra.at(""), "colour")->json, "\"blue\"");
 }
 
 TEST(Capture, SeesNewAttachmentsAndWhereTheyAre) {
@@ -151,6 +152,43 @@ TEST(Capture, SeesNewChangedAndRemovedFields) {
     const auto& radial = std::get<sulfur::RadialField>(captured.fields[3].field);
     EXPECT_EQ(radial.falloff, 3);
     EXPECT_EQ(radial.reach, sulfur::infinite);
+}
+
+TEST(Capture, HoldsSurfacesSelfCollisionAndVetoes) {
+    const Scene scene = parse(fullScene, "a");
+    World world(scene.settings);
+    const auto instance = instantiate(scene, world);
+    const auto body = [&](const char* id) { return instance.body(id); };
+    EXPECT_FALSE(world.collision(body("lift"), body("b")));
+    EXPECT_FALSE(world.collision(body("ground"), body("crate")));
+    EXPECT_TRUE(world.selfCollision(body("r")));
+    EXPECT_EQ(world.material(world.joints(body("lift"))[1]).surfaceSpeed, Real(-2.5));
+    EXPECT_EQ(world.material(world.connections()[0]).restitution, Real(0.45));
+    world.setCollision(body("ground"), body("crate"), true);
+    world.setCollision(body("r"), body("crate"), false);
+    world.setSelfCollision(body("r"), false);
+    world.setSelfCollision(body("b"), true);
+    const sulfur::Material ice{.staticFriction = 0, .kineticFriction = 0};
+    world.setMaterial(world.joints(body("crate"))[2], ice);
+    world.setMaterial(world.connections()[0], std::nullopt);
+    world.setMaterial(body("ground"), {.surfaceSpeed = 3});
+
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    EXPECT_EQ(captured.settings.friction, sulfur::Friction::sliding);
+    EXPECT_EQ(captured.body("lift")->blueprint, "plain");  // as it was
+    ASSERT_EQ(captured.vetoes.size(), 2u);
+    World again(captured.settings);
+    const auto copy = instantiate(captured, again);
+    EXPECT_TRUE(again.collision(copy.body("ground"), copy.body("crate")));
+    EXPECT_FALSE(again.collision(copy.body("r"), copy.body("crate")));
+    EXPECT_FALSE(again.collision(copy.body("b"), copy.body("lift")));
+    EXPECT_FALSE(again.selfCollision(copy.body("r")));
+    EXPECT_TRUE(again.selfCollision(copy.body("b")));
+    EXPECT_EQ(again.material(again.joints(copy.body("crate"))[2]), ice);
+    EXPECT_EQ(again.material(again.joints(copy.body("crate"))[1]), world.material(body("crate")));
+    EXPECT_EQ(again.material(again.connections()[0]), world.material(body("b")));
+    EXPECT_FALSE(captured.connections[0].options.material);
+    EXPECT_EQ(again.material(copy.body("ground")).surfaceSpeed, 3);
 }
 
 TEST(Capture, OfAWorldWithoutAScene) {

@@ -40,6 +40,17 @@ TEST(Read, GivesEveryMember) {
     EXPECT_EQ(blueprintOf(scene, *lift).kind, BodyKind::dynamic);
     EXPECT_EQ(blueprintOf(scene, *lift).material.restitution, Real(0.5));
     EXPECT_EQ(scene.body("crate")->state->velocities[2].y(), Real(0.125));
+    EXPECT_EQ(scene.settings.friction, sulfur::Friction::sliding);
+    EXPECT_EQ(scene.settings.rasterisation, sulfur::Rasterisation::bresenham);
+    EXPECT_TRUE(plain.selfCollision);
+    EXPECT_TRUE(scene.prefab("rope")->blueprint.selfCollision);
+    EXPECT_FALSE(scene.prefab("chain")->blueprint.selfCollision);
+    EXPECT_EQ(plain.material.surfaceSpeed, Real(1.5));
+    EXPECT_FALSE(plain.joints[0].material);
+    EXPECT_EQ(plain.joints[1].material->surfaceSpeed, Real(-2.5));
+    EXPECT_EQ(scene.connections[0].options.material->restitution, Real(0.45));
+    ASSERT_EQ(scene.vetoes.size(), 2u);
+    EXPECT_EQ(scene.vetoes[1].a, "crate");
     EXPECT_EQ(scene.connections[0].b.particle, 3u);
     EXPECT_EQ(scene.attachments[0].point.x(), Real(0.25));
     ASSERT_EQ(scene.fields.size(), 4u);
@@ -146,6 +157,11 @@ const Mistake mistakes[] = {
     {R"({"particles": [{"position": [0, 0]}], "material": {"restitution": 1.1}})", "0 to 1"},
     {R"({"particles": [{"position": [0, 0]}], "material": {"staticFriction": 0.2}})",
      "kineticFriction"},
+    {R"({"particles": [{"position": [0, 0]}], "material": {"surfaceSpeed": 1001}})",
+     "-1000 to 1000"},
+    {R"({"particles": [{"position": [0, 0]}], "selfCollision": 1})", "true or false"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "material": {"kineticFriction": 2}}]})",
+     "kineticFriction"},
     {R"({"particles": [{"position": [0, 0]}], "filter": {"mask": -1}})", "4294967295"},
     {R"({"particles": [{"position": [0, 0]}], "filter": {"category": 4294967296}})", "4294967295"},
     {R"({"particles": [{"position": [0, 0]}], "filter": {"group": 2147483648}})", "2147483647"},
@@ -251,7 +267,12 @@ TEST(Read, RefusesLooseEnds) {
     says(R"("attachments": [{"particle": ["one", 0], "body": "f"}])", "has no \"point\"");
     says(R"("world": {"tickRate": 59})", "60 to 10000");
     says(R"("world": {"tickRate": 100, "airFriction": 101})", "tickRate");
+    says(R"("vetoes": [["one", "one"]])", "two different bodies");
+    says(R"("vetoes": [["one"]])", "an array of 2");
+    says(R"("vetoes": [["one", "none"]])", "id of a body");
     says(R"("world": {"sweeps": 0})", "1 to 100");
+    says(R"("world": {"friction": "none"})", "\"sliding\"");
+    says(R"("world": {"rasterisation": true})", "\"bresenham\"");
     says(R"("world": {"gravity": 9.81})", "an array of 2");
     says(R"("title": 5)", "a string");
 }
@@ -280,7 +301,7 @@ TEST(Read, TruncatedAnywhereIsRefused) {
 
 TEST(Read, NotesUnknownKeys) {
     const auto notes = unknownKeys(parse(fullScene, "full.json"));
-    ASSERT_EQ(notes.size(), 13u);
+    ASSERT_EQ(notes.size(), 15u);
     EXPECT_EQ(notes[0],
               "full.json:7: object \"world\": unknown key \"wind\"; it is kept but means nothing "
               "here");

@@ -14,7 +14,7 @@ inline const std::string fullScene = R"({
   "title": "Everything \"at once\"\n\u00e9\u2603",
   "description": "A line\tand\\another",
   "world": {"gravity": [0.5, -3.7], "airFriction": 0.02, "tickRate": 240, "sleeping": false,
-            "sweeps": 7, "wind": [1, 2]},
+            "sweeps": 7, "friction": "sliding", "rasterisation": "bresenham", "wind": [1, 2]},
   "blueprints": {
     "plain": {
       "kind": "kinematic",
@@ -26,10 +26,13 @@ inline const std::string fullScene = R"({
       "joints": [
         {"a": 0, "b": 1, "stiffness": 123.456, "damping": 0.7, "restLength": 1.5, "radius": 0.01,
          "strength": 900, "tag": {"deep": [1, 2.50, -0e1]}},
-        {"a": 1, "b": 2, "stiffness": "rigid", "strength": "unbreakable"}
+        {"a": 1, "b": 2, "stiffness": "rigid", "strength": "unbreakable",
+         "material": {"kineticFriction": 0.3, "surfaceSpeed": -2.5, "slick": 1}}
       ],
-      "material": {"staticFriction": 0.9, "kineticFriction": 0.8, "restitution": 0.7, "wet": true},
+      "material": {"staticFriction": 0.9, "kineticFriction": 0.8, "restitution": 0.7,
+                   "surfaceSpeed": 1.5, "wet": true},
       "filter": {"category": 2, "mask": 4294967294, "group": -3, "why": null},
+      "selfCollision": true,
       "skin": {"texture": "art/plain.png", "uv": [[0, 1], [1, 1], [0, 0]],
                "triangles": [[0, 1, 2]], "blend": 1},
       "note": "kept"
@@ -45,7 +48,7 @@ inline const std::string fullScene = R"({
     "ball": {"shape": "ball", "radius": 0.4, "mass": 3, "material": {"restitution": 1}},
     "rope": {"shape": "rope", "from": [1, 2], "to": [4, 6], "links": 9, "mass": 0.9, "radius": 0,
              "stiffness": 800, "damping": 0.2, "strength": 500, "pinFirst": true, "pinLast": true,
-             "material": {"staticFriction": 2}},
+             "selfCollision": true, "material": {"staticFriction": 2}},
     "jelly": {"shape": "jelly", "size": [2, 1], "columns": 5, "rows": 3, "mass": 4,
               "radius": 0.05, "stiffness": 300, "damping": 2, "strength": 99,
               "material": {"restitution": 0.3}, "skin": {"texture": "j.png"}},
@@ -84,11 +87,12 @@ inline const std::string fullScene = R"({
   ],
   "connections": [
     {"a": ["b", 0], "b": ["crate", 3], "stiffness": 40, "damping": 1, "restLength": 2,
-     "radius": 0.02, "strength": 3000, "colour": "blue"}
+     "radius": 0.02, "strength": 3000, "material": {"restitution": 0.45, "worn": 2}, "colour": "blue"}
   ],
   "attachments": [
     {"particle": ["r", 4], "body": "crate", "point": [0.25, -0.1], "hook": []}
   ],
+  "vetoes": [["b", "lift"], ["crate", "ground"]],
   "fields": [
     {"type": "uniform", "zone": {"low": [-3, -2.5], "high": [3, 2], "tint": 1},
      "acceleration": [0.5, 12], "mask": 6, "flow": "river"},

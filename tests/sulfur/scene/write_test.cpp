@@ -22,7 +22,7 @@ TEST(Format, KeepsUnknownMembersVerbatim) {
     for (const char* kept :
          {"\"wind\": [1, 2]", "\"tint\": \"red\"", "\"tag\": {\"deep\": [1, 2.50, -0e1]}",
           "\"wet\": true", "\"why\": null", "\"blend\": 1", "\"note\": \"kept\"", "\"layer\": 3",
-          "\"when\": 1", "\"colour\": \"blue\"", "\"hook\": []",
+          "\"when\": 1", "\"colour\": \"blue\"", "\"slick\": 1", "\"worn\": 2", "\"hook\": []",
           "\"level\": {\n    \"spawn\": [1, 2],\n    \"exit\": {\"id\": \"door\", \"at\": [9, "
           "9]}\n  }"})
         EXPECT_NE(text.find(kept), std::string::npos) << kept << " in\n" << text;
@@ -34,6 +34,10 @@ TEST(Format, LosesNoMember) {
     EXPECT_EQ(after.title, before.title);
     EXPECT_EQ(after.description, before.description);
     EXPECT_EQ(after.settings.gravity, before.settings.gravity);
+    EXPECT_EQ(after.settings.friction, before.settings.friction);
+    EXPECT_EQ(after.settings.rasterisation, before.settings.rasterisation);
+    ASSERT_EQ(after.vetoes.size(), before.vetoes.size());
+    EXPECT_EQ(after.vetoes[0].b, before.vetoes[0].b);
     ASSERT_EQ(after.blueprints.size(), before.blueprints.size());
     for (std::size_t i = 0; i < before.blueprints.size(); ++i) {
         const auto &a = before.blueprints[i].blueprint, &b = after.blueprints[i].blueprint;
@@ -42,6 +46,7 @@ TEST(Format, LosesNoMember) {
         EXPECT_EQ(a.material, b.material) << a.name;
         EXPECT_EQ(a.filter, b.filter) << a.name;
         EXPECT_EQ(a.sensor, b.sensor) << a.name;
+        EXPECT_EQ(a.selfCollision, b.selfCollision) << a.name;
         EXPECT_EQ(a.skin.has_value(), b.skin.has_value());
         if (a.skin && b.skin) {
             EXPECT_EQ(a.skin->uv, b.skin->uv);
@@ -61,10 +66,12 @@ TEST(Format, LosesNoMember) {
             EXPECT_EQ(a.joints[j].restLength, b.joints[j].restLength);
             EXPECT_EQ(a.joints[j].radius, b.joints[j].radius);
             EXPECT_EQ(a.joints[j].strength, b.joints[j].strength);
+            EXPECT_EQ(a.joints[j].material, b.joints[j].material);
         }
     }
     EXPECT_EQ(after.body("crate")->state->positions, before.body("crate")->state->positions);
     EXPECT_EQ(after.connections[0].options.restLength, before.connections[0].options.restLength);
+    EXPECT_EQ(after.connections[0].options.material, before.connections[0].options.material);
 }
 
 TEST(Format, EveryNumberReadsBackExactly) {

@@ -37,9 +37,9 @@ Skin fitSkin(const Generator& generator, const Blueprint& blueprint, std::string
 /// A blueprint as files hold it.
 struct Prefab {
     Blueprint blueprint;  ///< ready for World::add; its name is the prefab's
-    /// How the blueprint was made. Writing then writes the recipe with name, kind, filter, sensor
-    /// and skin of `blueprint` and nothing else of it: whoever edits particles, joints or the
-    /// material of `blueprint` sets `generator` back to std::monostate.
+    /// How the blueprint was made. Writing then writes the recipe with name, kind, filter, sensor,
+    /// self-collision and skin of `blueprint` and nothing else of it: whoever edits particles,
+    /// joints or the material of `blueprint` sets `generator` back to std::monostate.
     Generator generator;
     /// The skin was made by fitSkin: only its texture is written.
     bool skinFitted = false;

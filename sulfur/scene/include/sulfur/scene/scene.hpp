@@ -18,6 +18,7 @@ struct Limits {
     static constexpr std::size_t particles = 20'000;   ///< of all bodies, and of all blueprints
     static constexpr std::size_t joints = 60'000;      ///< the same, connections included
     static constexpr std::size_t bodies = 20'000;      ///< of a scene
+    static constexpr std::size_t vetoes = 60'000;      ///< of a scene
     static constexpr std::size_t fields = 1'000;       ///< of a scene
     static constexpr double coordinate = 1'000;        ///< metres, either way
     static constexpr double speed = 2'000;             ///< m/s
@@ -27,6 +28,7 @@ struct Limits {
     static constexpr double damping = 1e12;            ///< N s/m
     static constexpr double strength = 1e18;           ///< N, beside "unbreakable"
     static constexpr double friction = 1e6;            ///< coefficient
+    static constexpr double surfaceSpeed = 1'000;      ///< m/s, either way
     static constexpr double gravity = 10'000;          ///< m/s^2
     static constexpr std::size_t nameBytes = 100;      ///< of ids and names
     static constexpr std::size_t textBytes = 100'000;  ///< of titles and descriptions
@@ -63,7 +65,7 @@ struct Connection {
     ParticleRef a;           ///< one end
     ParticleRef b;           ///< the other end
     ConnectOptions options;  ///< what it is made of
-    Extra extra;             ///< unknown members
+    ExtraTree extra;         ///< unknown members
 };
 
 /// A particle that is held at a point of a body.
@@ -72,6 +74,12 @@ struct Attachment {
     std::string body;      ///< id of a placement
     Vec2 point{0, 0};      ///< metres, in the frame of the body's blueprint
     Extra extra;           ///< unknown members
+};
+
+/// Two bodies that pass through each other.
+struct Veto {
+    std::string a;  ///< id of a placement
+    std::string b;  ///< id of another
 };
 
 /// A force field.
@@ -89,6 +97,7 @@ struct Scene {
     std::vector<Placement> bodies;        ///< each id once
     std::vector<Connection> connections;  ///< joints between bodies
     std::vector<Attachment> attachments;  ///< particles held at bodies
+    std::vector<Veto> vetoes;             ///< bodies that never touch
     std::vector<SceneField> fields;       ///< force fields
     Extra settingsExtra;                  ///< unknown members of "world"
     Extra extra;                          ///< unknown top-level members, such as the game's "level"
