@@ -49,6 +49,12 @@ void validateJoint(const JointSpec& joint, std::size_t i,
     if (rest == 0 && (joint.stiffness == infinite || joint.radius > 0))
         throw Error(ErrorCode::degenerate, named("rest length is 0; a rigid or colliding joint "
                                                  "needs more than 0"));
+    if (!joint.material) return;
+    try {
+        validate(*joint.material);
+    } catch (const Error& error) {
+        throw Error(error.code(), named(error.what()));
+    }
 }
 
 void validateSkin(const Skin& skin, std::size_t particles) {

@@ -56,6 +56,9 @@ TEST(Blueprint, RefusesNonsenseAndNamesIt) {
     plan.material.kineticFriction = 2;
     expectRefused(plan, ErrorCode::outOfRange, "static friction");
     plan = pair();
+    plan.joints[0].material = Material{.staticFriction = infinite};
+    expectRefused(plan, ErrorCode::notFinite, "joint 0: static friction");
+    plan = pair();
     plan.skin = Skin{"texture", {Vec2(0, 0)}, {}};
     expectRefused(plan, ErrorCode::badIndex, "texture coordinates");
     plan = pair();

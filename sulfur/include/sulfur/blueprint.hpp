@@ -64,7 +64,7 @@ struct Blueprint {
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least
     /// one particle, every number finite and in its range, every index in range, no joint from a
-    /// particle to itself and no rigid or capsule joint of length zero.
+    /// particle to itself, no rigid or capsule joint of length zero, every material in its range.
     void validate() const;
 
     /// Total mass in kilograms, pinned particles included.

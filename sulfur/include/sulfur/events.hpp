@@ -8,14 +8,17 @@
 
 namespace sulfur {
 
-/// Two bodies began to touch.
+/// Two bodies began to touch: they push each other in this tick and did not in the one before. The
+/// point and the normal are those of the contact that pushes most. A blow without rebound may be
+/// spread over this tick and the next, so that the whole momentum of a landing is the sum of this
+/// impulse and those of the first ContactPersisted.
 struct ContactBegun {
     BodyId a = {};      ///< the body whose particle touches
     BodyId b = {};      ///< the other
-    Point point{0, 0};  ///< metres
+    Point point{0, 0};  ///< metres, on the surface of a
     Vec2 normal{0, 0};  ///< unit length, from b towards a
-    Real speed = 0;     ///< m/s at which they approached, >= 0
-    Real impulse = 0;   ///< N s with which all their contacts pushed in this tick
+    Real speed = 0;     ///< m/s at which they approached along the normal, >= 0
+    Real impulse = 0;  ///< N s along their normals, of all their contacts in this tick, rebound too
 };
 
 /// Two bodies touched in the last tick and still do. Told only while WorldSettings::tellPersisting
@@ -23,12 +26,13 @@ struct ContactBegun {
 struct ContactPersisted {
     BodyId a = {};      ///< the body whose particle touches
     BodyId b = {};      ///< the other
-    Point point{0, 0};  ///< metres: of the contact that pushes most
+    Point point{0, 0};  ///< metres, on the surface of a: of the contact that pushes most
     Vec2 normal{0, 0};  ///< unit length, of the same, from b towards a
-    Real impulse = 0;   ///< N s with which all their contacts pushed in this tick
+    Real impulse = 0;   ///< N s, as in ContactBegun; over the tick's duration it is the mean force
 };
 
-/// Two bodies touched in the last tick and no longer do. Falling asleep ends nothing.
+/// Two bodies touched in the last tick and no longer do: they parted, one was removed, or they may
+/// no longer collide. Told in the next tick. Falling asleep and waking end nothing.
 struct ContactEnded {
     BodyId a = {};  ///< one; its handle is no longer valid if the body was removed
     BodyId b = {};  ///< the other; likewise
@@ -68,14 +72,16 @@ struct SensorLeft {
     BodyId visitor = {};  ///< what left; no longer valid when it was removed
 };
 
-/// Events of one tick, in a fixed order; overwritten by the next World::step.
+/// Events of one tick, overwritten by the next World::step. The order is fixed: joints oldest
+/// first, pairs of bodies by the smaller of their handles, then the larger, each pair at most once.
+/// Of sensors no contacts are told. World::restore() leaves no events.
 struct Events {
     std::vector<ContactBegun> contactsBegun = {};          ///< bodies that began to touch
     std::vector<ContactPersisted> contactsPersisted = {};  ///< bodies that go on touching
     std::vector<ContactEnded> contactsEnded = {};          ///< bodies that no longer touch
-    std::vector<JointBroken> jointsBroken = {};    ///< joints that broke
-    std::vector<BodySplit> bodiesSplit = {};       ///< bodies that fell apart
-    std::vector<ParticleLost> particlesLost = {};  ///< particles left without a joint
+    std::vector<JointBroken> jointsBroken = {};            ///< joints that broke
+    std::vector<BodySplit> bodiesSplit = {};               ///< bodies that fell apart
+    std::vector<ParticleLost> particlesLost = {};          ///< particles left without a joint
     /// Bodies that came into sensors, by the ids of sensor and visitor.
     std::vector<SensorEntered> sensorsEntered = {};
     /// Bodies that left sensors, in the same order.

@@ -56,11 +56,11 @@ struct WorldSettings {
     Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
     int tickRate = 500;    ///< Hz, 60 to 10000
     bool sleeping = true;  ///< whether islands at rest fall asleep
-    Damper damper = Damper::axial;  ///< of all elastic joints
+    Damper damper = Damper::axial;          ///< of all elastic joints
     Friction friction = Friction::coulomb;  ///< of all contacts
     Rasterisation rasterisation = Rasterisation::covering;  ///< of all capsules
     bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
-    int sweeps = 4;                 ///< passes over the constraints in a tick, 1 to 100
+    int sweeps = 4;                         ///< passes over the constraints in a tick, 1 to 100
 };
 
 /// What a particle is at the moment.
@@ -94,7 +94,8 @@ struct AttachmentInfo {
     std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
 };
 
-/// What a contact of the last tick was, or of a sleeper's last tick awake.
+/// What a contact of the last tick was, or of a sleeper's last tick awake. What restitution adds to
+/// its impulse in the tick of a rebound is in the events only.
 struct ContactInfo {
     BodyId a = {};      ///< the body whose particle touches
     BodyId b = {};      ///< the body whose capsule or disc is touched
@@ -106,11 +107,11 @@ struct ContactInfo {
 
 /// Options of a joint between two particles that exist already.
 struct ConnectOptions {
-    Real stiffness = infinite;                      ///< N/m; `infinite` is rigid
-    Real damping = 0;                               ///< N s/m
-    std::optional<Real> restLength = std::nullopt;  ///< m; their distance now when not given
-    Real radius = 0;                                ///< m; > 0 collides
-    Real strength = infinite;                       ///< N
+    Real stiffness = infinite;                        ///< N/m; `infinite` is rigid
+    Real damping = 0;                                 ///< N s/m
+    std::optional<Real> restLength = std::nullopt;    ///< m; their distance now when not given
+    Real radius = 0;                                  ///< m; > 0 collides
+    Real strength = infinite;                         ///< N
     std::optional<Material> material = std::nullopt;  ///< of its surface; its body's when not given
 };
 
@@ -170,13 +171,16 @@ public:
 
     // --- making and removing ---------------------------------------------------------------
 
-    /// Makes a body. Its particles start at rest. Complexity: linear in the blueprint.
+    /// Makes a body. Its particles start at rest. What sleeps where a fixed body comes to be wakes.
+    /// Complexity: linear in the blueprint, for a fixed body also in what sleeps.
     Body add(const Blueprint& blueprint, const Pose& pose = {});
-    /// Removes a body with its particles, its joints and all that was connected to them.
+    /// Removes a body with its particles, its joints and all joints and attachments that held on to
+    /// them. Wakes what touched it.
     void remove(BodyId body);
     /// Joins two particles, usually of different bodies. At least one must be free to move.
     JointId connect(ParticleId a, ParticleId b, const ConnectOptions& options = {});
-    /// Removes one joint.
+    /// Removes one joint, and wakes what lay on it. It leaves its body in one piece, even where
+    /// nothing holds the parts together any more; only breaking makes bodies of them.
     void remove(JointId joint);
     /// Holds `particle` at a point of `body`, given in the frame of its blueprint. The point
     /// follows the body's nearest particles, also when the body deforms; it may lie outside, by up
@@ -290,7 +294,8 @@ public:
     /// at the middle of that step; after setVelocity, what was set. A step is a tick, except for
     /// ropes and what hangs on them, which take several steps in a tick when they need to.
     Vec2 velocity(ParticleId particle) const;
-    /// Contacts that push: those of the last tick, and those of sleepers.
+    /// Contacts that push, in a fixed order: those of the last tick, and those of sleepers. Sensors
+    /// have none.
     std::vector<ContactInfo> contacts() const;
     /// Kinetic plus gravitational plus elastic energy of all dynamic bodies, joules, at the time of
     /// the velocities: half a tick before the positions (see velocity()).
@@ -311,16 +316,20 @@ public:
     void setTickRate(int tickRate);
     /// What the dampers of all elastic joints brake from now on.
     void setDamper(Damper damper);
-    /// Changes the surface of a body.
+    /// Changes the surface of a body. Throws Error when a number is out of the range that
+    /// material.hpp gives. Wakes it and what touches it.
     void setMaterial(BodyId body, const Material& material);
-    /// Gives a joint a surface of its own, or its body's again.
+    /// Gives a joint a surface of its own, or its body's again (std::nullopt). Errors and waking as
+    /// above.
     void setMaterial(JointId joint, const std::optional<Material>& material);
     /// Whether the parts of a body touch each other. What is nearer to each other in the blueprint
     /// than 1.2 times its thickness never does, nor do the parts of a rigid component.
     void setSelfCollision(BodyId body, bool on);
     /// Lets two bodies pass through each other (false), whatever their filters say, or not (true).
+    /// Pieces that break off inherit it; it is forgotten with either body. Throws
+    /// Error{degenerate} when they are one body. Wakes both and what is near.
     void setCollision(BodyId a, BodyId b, bool on);
-    /// Changes what a body collides with.
+    /// Changes what a body collides with. Wakes it and what is near.
     void setFilter(BodyId body, const Filter& filter);
     /// Makes a body a sensor or an ordinary body. The capsules and discs of a sensor push nothing
     /// and are pushed by nothing. It feels the dynamic and kinematic bodies that touch them or
@@ -341,7 +350,8 @@ public:
     void setStrength(JointId joint, Real strength);
     /// kg, 1e-9 to 1e12.
     void setMass(ParticleId particle, Real mass);
-    /// Moves a particle without giving it velocity.
+    /// Moves a particle, also one of a fixed body, without giving it velocity; metres, -1e9 to 1e9
+    /// on each axis. Wakes its body, what touches it, and what a fixed body now overlaps.
     void setPosition(ParticleId particle, Point position);
     /// m/s, each axis up to 2000 either way. Not for fixed bodies; nothing for pinned particles.
     void setVelocity(ParticleId particle, Vec2 velocity);

@@ -30,8 +30,8 @@ struct Candidate {
 /// A particle held off a point of a capsule, or of a disc or corner (then a == b).
 struct Contact {
     std::uint32_t particle = 0;
-    std::uint32_t a = 0, b = 0;     // the capsule's particles
-    std::uint32_t joint = 0;        // the capsule's, or none for a disc
+    std::uint32_t a = 0, b = 0;  // the capsule's particles
+    std::uint32_t joint = 0;     // the capsule's, or none for a disc
     std::uint32_t bodyA = 0, bodyB = 0;
     Real weightA = 0, weightB = 0;          // of the capsule's particles, adding up to 1
     Grip gripOfParticle, gripOfA, gripOfB;  // what they take hold of
@@ -50,6 +50,7 @@ struct Contact {
     Real rebound = 0;       // m/s at which it must part after the tick, 0 for none
     Real normalLambda = 0;  // kg m, accumulated in this tick
     Real tangentLambda = 0;
+    Real blow = 0;            // N s, beside normalLambda, with which restitution threw it back
     Real recoveryLambda = 0;  // kg m, of the correction that becomes no velocity
     Real drift = 0;           // m, along the tangent since it began to stick, up to this tick
     bool sliding = false;     // it slid in the last tick, so that kinetic friction counts

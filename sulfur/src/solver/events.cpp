@@ -1,4 +1,4 @@
-// After the stages: which bodies began to touch, go on touching, no longer touch.
+// After the solver: which bodies began to touch, go on touching, no longer touch.
 #include <algorithm>
 
 #include "solver/stages.hpp"
@@ -15,8 +15,19 @@ BodyPair pairOf(const State& state, const Contact& c) {
 struct Touching {
     BodyPair pair;
     std::uint32_t strongest = 0;  // contact
-    Real lambda = 0;              // kg m, of all
+    Real impulse = 0;             // N s, of all
 };
+
+/// N s with which a contact pushed in this tick.
+Real impulseOf(const State& state, const Contact& c) {
+    return c.normalLambda / state.h + c.blow;
+}
+
+/// On the surface of the body whose particle touches.
+Point placeOf(const State& state, const Contact& c) {
+    const auto& p = state.particles;
+    return p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
+}
 
 /// Contacts that push, by pairs of bodies, sorted.
 void collectTouching(const State& state, std::vector<Touching>& found) {
@@ -24,7 +35,7 @@ void collectTouching(const State& state, std::vector<Touching>& found) {
     for (std::uint32_t i = 0; i < state.contacts.size(); ++i)
         if (state.contacts[i].normalLambda > 0)
             found.push_back(
-                {pairOf(state, state.contacts[i]), i, state.contacts[i].normalLambda});
+                {pairOf(state, state.contacts[i]), i, impulseOf(state, state.contacts[i])});
     std::sort(found.begin(), found.end(), [](const Touching& p, const Touching& q) {
         return p.pair != q.pair ? p.pair < q.pair : p.strongest < q.strongest;
     });
@@ -35,26 +46,24 @@ void collectTouching(const State& state, std::vector<Touching>& found) {
             continue;
         }
         Touching& pair = found[kept - 1];
-        pair.lambda += found[i].lambda;
-        const auto lambdaOf = [&](std::uint32_t c) { return state.contacts[c].normalLambda; };
-        if (lambdaOf(found[i].strongest) > lambdaOf(pair.strongest))
-            pair.strongest = found[i].strongest;
+        pair.impulse += found[i].impulse;
+        const auto of = [&](std::uint32_t c) { return impulseOf(state, state.contacts[c]); };
+        if (of(found[i].strongest) > of(pair.strongest)) pair.strongest = found[i].strongest;
     }
     found.resize(kept);
 }
 
 void tellBegun(State& state, const Touching& t) {
     const Contact& c = state.contacts[t.strongest];
-    state.events.contactsBegun.push_back(
-        {state.bodies[c.bodyA].id, state.bodies[c.bodyB].id, state.particles.position[c.particle],
-         c.normal, std::max<Real>(c.approach, 0), t.lambda / state.h});
+    state.events.contactsBegun.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
+                                          placeOf(state, c), c.normal,
+                                          std::max<Real>(c.approach, 0), t.impulse});
 }
 
 void tellPersisted(State& state, const Touching& t) {
     const Contact& c = state.contacts[t.strongest];
-    state.events.contactsPersisted.push_back(
-        {state.bodies[c.bodyA].id, state.bodies[c.bodyB].id, state.particles.position[c.particle],
-         c.normal, t.lambda / state.h});
+    state.events.contactsPersisted.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
+                                              placeOf(state, c), c.normal, t.impulse});
 }
 
 /// Whether neither of two bodies takes part, so that what touched still touches.

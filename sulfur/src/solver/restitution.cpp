@@ -81,6 +81,8 @@ void rebound(State& state) {
             given[k] = std::max(least, before + missing / c.inverseEffectiveMass);
             strike(state, c, given[k] - before);
         }
+    for (std::size_t k = 0; k < rebounding.size(); ++k)
+        state.contacts[rebounding[k]].blow = given[k];
 }
 
 }  // namespace sulfur::detail

@@ -1,4 +1,5 @@
 // Stage: islands that have been at rest for a while fall asleep; what is touched wakes.
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "core/disjoint_sets.hpp"
@@ -28,6 +29,14 @@ void measureRest(State& state) {
     }
 }
 
+/// Whether any part of a kinematic body moves; the first particle may be what it turns about.
+bool isMovingKinematic(const State& state, const BodyRecord& body) {
+    if (body.kind != BodyKind::kinematic) return false;
+    const auto first = state.particles.velocity.begin() + body.firstParticle;
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
+                       [](const Point& v) { return v.squaredNorm() > 0; });
+}
+
 /// A body that is pushed by a kinematic one, or tied to one that moves, is never at rest.
 void tie(State& state, DisjointSets& islands, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
@@ -35,18 +44,19 @@ void tie(State& state, DisjointSets& islands, std::uint32_t a, std::uint32_t b) 
         islands.unite(a, b);
         return;
     }
-    for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
-        if (!isDynamic(state, one) || state.bodies[other].kind != BodyKind::kinematic) continue;
-        const auto first = state.bodies[other].firstParticle;
-        if (state.particles.velocity[first].squaredNorm() > 0) state.bodies[one].restingTime = 0;
-    }
+    for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+        if (isDynamic(state, one) && isMovingKinematic(state, state.bodies[other]))
+            state.bodies[one].restingTime = 0;
 }
 
 void findIslands(State& state, DisjointSets& islands) {
     islands.reset(state.bodies.size());
-    for (const Contact& c : state.contacts)
-        if (c.normalLambda > 0) tie(state, islands, c.bodyA, c.bodyB);
     const auto& body = state.particles.body;
+    for (const Contact& c : state.contacts) {
+        if (c.normalLambda <= 0) continue;
+        tie(state, islands, c.bodyA, c.bodyB);
+        tie(state, islands, c.bodyA, body[c.b]);  // of a joint between two bodies, the other one
+    }
     const Joints& joints = state.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)
         if (joints.body[j] == none) tie(state, islands, body[joints.a[j]], body[joints.b[j]]);
@@ -54,8 +64,15 @@ void findIslands(State& state, DisjointSets& islands) {
         tie(state, islands, body[held.particle], body[held.support[0]]);
 }
 
+/// A sleeper bears whatever lies on it as if it had no end of mass, so that it must not sleep on
+/// when something new comes to lie on it, however gently.
 void wakeTouched(State& state) {
     for (const auto body : state.knocked) wakeBody(state, body);
+    for (const ContactBegun& begun : state.events.contactsBegun)
+        for (const BodyId id : {begun.a, begun.b}) {
+            const auto body = state.bodySlots.dense(id);
+            if (state.bodies[body].asleep) wakeBody(state, body);
+        }
     for (const Contact& c : state.contacts) {
         if (static_cast<double>(c.approach) < wakingSpeed) continue;
         for (const auto body : {c.bodyA, c.bodyB})
@@ -63,20 +80,65 @@ void wakeTouched(State& state) {
     }
 }
 
-bool isMovingKinematic(const State& state, const BodyRecord& body) {
-    return body.kind == BodyKind::kinematic &&
-           state.particles.velocity[body.firstParticle].squaredNorm() > 0;
+using Bounds = Eigen::AlignedBox<double, 2>;
+
+/// Of all that a body touches with in the next `duration` seconds; joints between bodies and what
+/// acts on it are left out.
+Bounds boundsOf(const State& state, std::uint32_t index, double duration) {
+    const BodyRecord& body = state.bodies[index];
+    const Particles& p = state.particles;
+    Bounds bounds;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        const double around = static_cast<double>(p.reach[i]);
+        for (const Point& place :
+             {p.position[i], Point(p.position[i] + duration * p.velocity[i])}) {
+            bounds.extend(Point(place - Point(around, around)));
+            bounds.extend(Point(place + Point(around, around)));
+        }
+    }
+    return bounds;
+}
+
+/// Whether a body crosses in a tick more than its own thinnest part: the narrow phase first sees
+/// it next to what it hits when it hits it.
+bool isFast(const State& state, std::uint32_t index) {
+    const BodyRecord& body = state.bodies[index];
+    if (body.kind == BodyKind::fixed || body.asleep || body.sensor) return false;
+    const double tick = static_cast<double>(state.h);
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        const double reach = static_cast<double>(state.particles.reach[i]) / 2;
+        const double way2 = state.particles.velocity[i].squaredNorm() * tick * tick;
+        if (reach > 0 && way2 > reach * reach) return true;
+    }
+    return false;
+}
+
+/// A sleeper takes no part in the tick in which it is hit, and what is fast would lose in it the
+/// momentum that the sleeper should have got. So it wakes a tick before. The two ticks of motion
+/// leave room for what speeds it up.
+void wakeThreatened(State& state) {
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        if (!isFast(state, i)) continue;
+        const Bounds way = boundsOf(state, i, 2 * static_cast<double>(state.h));
+        for (std::uint32_t k = 0; k < state.bodies.size(); ++k)
+            if (state.bodies[k].asleep &&
+                mayCollide(state.bodies[i].filter, state.bodies[k].filter) &&
+                boundsOf(state, k, 0).intersects(way))
+                wakeBody(state, k);
+    }
 }
 
 /// What sleeps on a kinematic body that starts to move does not stay behind.
 void wakeCarried(State& state) {
-    const bool any = std::any_of(state.bodies.begin(), state.bodies.end(), [&](const auto& body) {
-        return isMovingKinematic(state, body);
-    });
+    const bool any = std::any_of(state.bodies.begin(), state.bodies.end(),
+                                 [&](const auto& body) { return isMovingKinematic(state, body); });
     if (!any) return;
     const auto& body = state.particles.body;
     for (const ContactMemory& m : state.contactMemory)
-        for (const auto& [one, other] : {std::pair(m.particle, m.a), std::pair(m.a, m.particle)})
+        for (const auto& [one, other] : {std::pair(m.particle, m.a), std::pair(m.particle, m.b),
+                                         std::pair(m.a, m.particle), std::pair(m.b, m.particle)})
             if (state.bodies[body[one]].asleep &&
                 isMovingKinematic(state, state.bodies[body[other]]))
                 wakeBody(state, body[one]);
@@ -87,10 +149,13 @@ void wakeTied(State& state) {
     const auto wake = [&](std::uint32_t p, std::uint32_t q) {
         const auto& body = state.particles.body;
         const auto& v = state.particles.velocity;
-        for (const auto& [mover, sleeper] : {std::pair(p, q), std::pair(q, p)})
-            if (state.bodies[body[sleeper]].asleep &&
-                v[mover].squaredNorm() > wakingSpeed * wakingSpeed)
+        for (const auto& [mover, sleeper] : {std::pair(p, q), std::pair(q, p)}) {
+            // What the caller moves goes on, however slowly; what physics moves may come to rest.
+            const bool driven = state.bodies[body[mover]].kind == BodyKind::kinematic;
+            const double least = driven ? 0 : wakingSpeed;
+            if (state.bodies[body[sleeper]].asleep && v[mover].squaredNorm() > least * least)
                 wakeBody(state, body[sleeper]);
+        }
     };
     const Joints& joints = state.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)
@@ -130,10 +195,17 @@ void wakeBody(State& state, std::uint32_t index) {
 void wakeTouching(State& state, std::uint32_t gone) {
     const auto& body = state.particles.body;
     for (const ContactMemory& m : state.contactMemory) {
-        if (body[m.particle] == gone) wakeBody(state, body[m.a]);
-        if (body[m.a] == gone) wakeBody(state, body[m.particle]);
+        if (body[m.particle] == gone)
+            for (const auto end : {m.a, m.b}) wakeBody(state, body[end]);
+        if (body[m.a] == gone || body[m.b] == gone) wakeBody(state, body[m.particle]);
     }
     wakeBody(state, gone);
+}
+
+void wakeNear(State& state, std::uint32_t index) {
+    const Bounds own = boundsOf(state, index, 0);
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
+        if (state.bodies[i].asleep && boundsOf(state, i, 0).intersects(own)) wakeBody(state, i);
 }
 
 void sleepBody(State& state, std::uint32_t index) {
@@ -156,6 +228,7 @@ void updateSleep(State& state) {
     wakeTouched(state);
     wakeTied(state);
     wakeCarried(state);
+    wakeThreatened(state);
     measureRest(state);
     // Memory is taken when bodies are added, not when they first tire.
     thread_local DisjointSets islands;

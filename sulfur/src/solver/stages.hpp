@@ -24,18 +24,21 @@ void solveConstraints(State& state);
 void updateVelocities(State& state);
 /// Cuts joints that were loaded beyond their strength.
 void breakJoints(State& state);
+/// Tells which bodies began to touch, go on touching, no longer touch.
+void collectEvents(State& state);
 /// Lets islands at rest fall asleep and wakes those that were touched.
 void updateSleep(State& state);
 /// Finds out who is in which sensor, and who came and went.
 void updateSensors(State& state);
-/// Tells what happened.
-void collectEvents(State& state);
 
 /// Makes a body take part again, with all that fell asleep with it or leans on it, or lets it rest,
 /// at once.
 void wakeBody(State& state, std::uint32_t body);
 /// Wakes a body that goes away or leaves its place, and what touches it.
 void wakeTouching(State& state, std::uint32_t body);
+/// Wakes the sleepers that a body may have come to overlap: those whose bounding boxes meet its
+/// own. Linear in the particles of the sleepers.
+void wakeNear(State& state, std::uint32_t body);
 void sleepBody(State& state, std::uint32_t body);
 
 /// Makes the grid valid for the present positions (lookAhead 0) or for those that the predicted

@@ -30,9 +30,10 @@ void step(State& state) {
     timed(state, Stage::constraints, solveConstraints);
     timed(state, Stage::velocities, updateVelocities);
     timed(state, Stage::breakage, breakJoints);
+    // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
+    collectEvents(state);
     timed(state, Stage::sleep, updateSleep);
     timed(state, Stage::sensors, updateSensors);
-    collectEvents(state);
     state.lastTick = static_cast<double>(state.h);
     ++state.tick;
 }

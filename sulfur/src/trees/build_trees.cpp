@@ -406,6 +406,8 @@ private:
 
 double lastStepOf(const State& state, std::uint32_t particle) {
     if (state.trees.list.empty()) return state.lastTick;
+    // What was added since the last tick is in no tree yet.
+    if (particle >= state.trees.ofParticle.size()) return state.lastTick;
     const auto cluster = state.particles.cluster[particle];
     const auto tree =
         cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];

@@ -31,6 +31,12 @@ void wakeAll(State& state) {
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) detail::wakeBody(state, i);
 }
 
+/// When what it collides with changes: what touched it, and what was let overlap it.
+void wakeAround(State& state, std::uint32_t body) {
+    detail::wakeTouching(state, body);
+    detail::wakeNear(state, body);
+}
+
 void wakeOwner(State& state, std::uint32_t particle) {
     detail::wakeBody(state, state.particles.body[particle]);
 }
@@ -94,14 +100,14 @@ void World::setMaterial(BodyId id, const Material& material) {
     const auto index = indexOf(state, id);
     detail::validate(material);
     state.bodies[index].material = material;
-    detail::wakeBody(state, index);
+    detail::wakeTouching(state, index);
 }
 
 void World::setFilter(BodyId id, const Filter& filter) {
     State& state = impl_->state;
     const auto index = indexOf(state, id);
     state.bodies[index].filter = filter;
-    detail::wakeTouching(state, index);
+    wakeAround(state, index);
     detail::bodyChanged(state);
 }
 
@@ -111,7 +117,7 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
     if (material) detail::validate(*material);
     state.joints.material[j] = material.value_or(Material{});
     state.joints.ownMaterial[j] = material ? 1 : 0;
-    for (const auto p : {state.joints.a[j], state.joints.b[j]}) wakeOwner(state, p);
+    detail::wakeEnds(state, j);
 }
 
 void World::setSelfCollision(BodyId id, bool on) {
@@ -139,7 +145,7 @@ void World::setCollision(BodyId a, BodyId b, bool on) {
         vetoes.erase(at);
     else
         vetoes.insert(at, pair);
-    for (const auto body : {first, second}) detail::wakeTouching(state, body);
+    for (const auto body : {first, second}) wakeAround(state, body);
     detail::bodyChanged(state);
 }
 
@@ -150,7 +156,7 @@ void World::setSensor(BodyId id, bool sensor) {
     state.bodies[index].sensor = sensor;
     std::erase_if(state.sensing.visits,
                   [&](const detail::Visit& visit) { return visit.sensor == id; });
-    detail::wakeTouching(state, index);
+    wakeAround(state, index);
     detail::bodyChanged(state);
 }
 
@@ -219,8 +225,10 @@ void World::setPosition(ParticleId id, Point position) {
     detail::shapeChanged(state, state.particles.body[i]);
     state.particles.displacement[i] = Vec2(0, 0);
     state.broad.pairsStale = true;
-    if (state.bodies[state.particles.body[i]].kind == BodyKind::fixed)
-        state.broad.fixedStale = true;
+    if (state.bodies[state.particles.body[i]].kind != BodyKind::fixed) return;
+    state.broad.fixedStale = true;
+    state.broad.collidersStale = true;  // fixed corners that share a spot are found anew
+    detail::wakeNear(state, state.particles.body[i]);
 }
 
 void World::setVelocity(ParticleId id, Vec2 velocity) {

@@ -109,6 +109,12 @@ void squeezeAttachments(State& state, const Removal& removal) {
         state.attachmentSlots.move(state.attachments[i].id, i);
 }
 
+/// Those that something ran into in this tick, in which something may have broken since.
+void squeezeKnocked(State& state, const std::vector<std::uint32_t>& newBody) {
+    for (auto& body : state.knocked) body = newBody[body];
+    std::erase(state.knocked, none);
+}
+
 /// Clusters of bodies that changed are dropped; they are found again with the structure.
 void squeezeClusters(State& state, const Removal& removal,
                      const std::vector<std::uint32_t>& newBody) {
@@ -187,10 +193,12 @@ void compact(State& state, Removal& removal) {
     squeezeAttachments(state, removal);
     squeezeBodies(state, removal);
     squeezeClusters(state, removal, newBody);
+    squeezeKnocked(state, newBody);
     if (particlesGo) {
         squeezeParticles(state, removal, newBody);
         renumberParticles(state, newParticle);
     }
+    updateReach(state);
     state.structure.stale = true;
     state.broad.collidersStale = true;
     state.broad.cellSizeStale = true;

@@ -23,7 +23,8 @@ std::uint32_t indexOf(const State& state, AttachmentId id);
 /// attachment's own particle and id are left open.
 Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point);
 
-
+/// Wakes the bodies of both ends of a joint and what lies on them.
+void wakeEnds(State& state, std::uint32_t joint);
 /// Wakes the bodies of both ends, and makes the next tick notice changed joints.
 void jointChanged(State& state, std::uint32_t joint);
 void bodyChanged(State& state);

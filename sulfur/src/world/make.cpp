@@ -73,6 +73,8 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     j.ownMaterial.push_back(options.material.has_value() ? 1 : 0);
     j.body.push_back(body);
     j.id.push_back(state.jointSlots.insert(index));
+    for (const auto p : {a, b})
+        state.particles.reach[p] = std::max(state.particles.reach[p], options.radius);
     return j.id.back();
 }
 
@@ -175,9 +177,20 @@ void bodyChanged(State& state) {
     state.broad.cellSizeStale = true;
 }
 
+void wakeEnds(State& state, std::uint32_t joint) {
+    const bool collides = state.joints.radius[joint] > 0;
+    for (const auto p : {state.joints.a[joint], state.joints.b[joint]}) {
+        const auto body = state.particles.body[p];
+        // With a dynamic body wakes what leans on it.
+        if (collides && state.bodies[body].kind != BodyKind::dynamic)
+            wakeTouching(state, body);
+        else
+            wakeBody(state, body);
+    }
+}
+
 void jointChanged(State& state, std::uint32_t joint) {
-    for (const auto p : {state.joints.a[joint], state.joints.b[joint]})
-        wakeBody(state, state.particles.body[p]);
+    wakeEnds(state, joint);
     if (state.joints.body[joint] != none)
         state.bodies[state.joints.body[joint]].clustersStale = true;
     state.structure.stale = true;
@@ -215,7 +228,8 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
         const auto a = body.firstParticle + spec.a, b = body.firstParticle + spec.b;
         const Vec2 apart = plan.particles[spec.b].position - plan.particles[spec.a].position;
         body.joints.push_back(detail::addJoint(
-            state, a, b, {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
+            state, a, b,
+            {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
             spec.restLength.value_or(apart.norm()), index));
     }
     state.anyPlaced = true;
@@ -223,6 +237,8 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);
     detail::bodyChanged(state);
+    // What is fixed looks for nobody: a sleeper in its place must notice by itself.
+    if (plan.kind == BodyKind::fixed) detail::wakeNear(state, index);
     return {*this, state.bodyIds.back()};
 }
 
@@ -245,13 +261,11 @@ JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions
     detail::validateConnection(options, rest);
     const auto& bodies = state.bodies;
     const auto bodyA = state.particles.body[a], bodyB = state.particles.body[b];
-    for (const auto body : {bodyA, bodyB}) detail::wakeBody(state, body);
-    const auto& w = state.particles.inverseMass;
-    if (w[a] == 0 && w[b] == 0 && bodies[bodyA].kind != BodyKind::dynamic &&
-        bodies[bodyB].kind != BodyKind::dynamic)
+    if (bodies[bodyA].kind != BodyKind::dynamic && bodies[bodyB].kind != BodyKind::dynamic)
         throw Error(ErrorCode::degenerate,
                     "a joint between two particles that never move; at least one must be of a "
                     "dynamic body");
+    for (const auto body : {bodyA, bodyB}) detail::wakeBody(state, body);
     const auto owner = bodyA == bodyB ? bodyA : detail::none;
     const JointId id = detail::addJoint(state, a, b, options, rest, owner);
     if (owner != detail::none) {
