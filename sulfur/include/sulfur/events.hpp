@@ -53,7 +53,8 @@ struct BodySplit {
     BodyId piece = {};  ///< the new one
 };
 
-/// A particle lost its last joint and has no radius of its own, so it is gone.
+/// A particle is gone because what broke off with it has no surface left: neither a joint that
+/// collides nor a radius of its own.
 struct ParticleLost {
     ParticleId particle = {};  ///< no longer valid; for comparison only
     BodyId body = {};          ///< whose it was; no longer valid if that was its last particle

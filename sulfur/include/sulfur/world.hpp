@@ -56,11 +56,11 @@ struct WorldSettings {
     Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
     int tickRate = 500;    ///< Hz, 60 to 10000
     bool sleeping = true;  ///< whether islands at rest fall asleep
-    Damper damper = Damper::axial;          ///< of all elastic joints
-    Friction friction = Friction::coulomb;  ///< of all contacts
+    Damper damper = Damper::axial;                          ///< of all elastic joints
+    Friction friction = Friction::coulomb;                  ///< of all contacts
     Rasterisation rasterisation = Rasterisation::covering;  ///< of all capsules
-    bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
-    int sweeps = 4;                         ///< passes over the constraints in a tick, 1 to 100
+    bool tellPersisting = false;  ///< whether Events::contactsPersisted is filled
+    int sweeps = 4;               ///< passes over the constraints in a tick, 1 to 100
 };
 
 /// What a particle is at the moment.

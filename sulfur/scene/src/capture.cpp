@@ -132,8 +132,7 @@ private:
                                   : Blueprint{};
         if (plan.kind != now.kind || !(plan.material == now.material) ||
             !(plan.filter == now.filter) || plan.sensor != now.sensor ||
-            plan.selfCollision != now.selfCollision ||
-            plan.joints.size() != now.joints.size())
+            plan.selfCollision != now.selfCollision || plan.joints.size() != now.joints.size())
             return false;
         const auto sameParticle = [](const ParticleSpec& a, const ParticleSpec& b) {
             return a.mass == b.mass && a.radius == b.radius && a.pinned == b.pinned;

@@ -206,8 +206,6 @@ bool belongsTogether(const State& state, std::uint32_t particle, const Collider&
     const Particles& p = state.particles;
     if (p.body[particle] != c.body) return false;
     if (particle == c.a || particle == c.b) return true;
-    const auto cluster = p.cluster[particle];
-    if (cluster != none && cluster == p.cluster[c.a] && cluster == p.cluster[c.b]) return true;
     const Vec2 a = p.rest[c.a], b = p.rest[c.b], at = p.rest[particle];
     const Vec2 nearest = a + nearestAlong<Vec2>(at, a, b) * (b - a);
     return (at - nearest).norm() < togetherWithin * (p.reach[particle] + c.radius);

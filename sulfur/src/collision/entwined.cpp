@@ -112,7 +112,7 @@ bool areLinked(const State& state, std::uint32_t a, std::uint32_t b) {
 bool mayTouch(const State& state, std::uint32_t a, std::uint32_t b) {
     const BodyRecord &first = state.bodies[a], &second = state.bodies[b];
     if (first.sensor || second.sensor || !mayCollide(first.filter, second.filter)) return false;
-    if (!state.movable(a) && !state.movable(b)) return false;
+    if (first.kind != BodyKind::dynamic && second.kind != BodyKind::dynamic) return false;
     return !std::binary_search(state.vetoes.begin(), state.vetoes.end(),
                                BodyPair::of(first.id, second.id)) &&
            !areLinked(state, a, b) && !areLinked(state, b, a);
@@ -127,8 +127,10 @@ void findEntwined(State& state) {
         if (!state.bodies[a].placed || !hasSurface(state, a)) continue;
         for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
             if (b == a || apart(boxes[a], boxes[b]) || !mayTouch(state, a, b)) continue;
-            if (areInEachOther(state, a, b))
-                state.entwined.push_back(BodyPair::of(state.bodies[a].id, state.bodies[b].id));
+            if (!areInEachOther(state, a, b)) continue;
+            state.entwined.push_back(BodyPair::of(state.bodies[a].id, state.bodies[b].id));
+            for (const auto body : {a, b})
+                if (state.bodies[body].asleep) state.knocked.push_back(body);
         }
     }
     for (BodyRecord& body : state.bodies) body.placed = false;

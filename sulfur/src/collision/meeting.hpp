@@ -24,11 +24,11 @@ Local localise(const Particles& particles, std::uint32_t particle, const Collide
 
 /// The nearest points of a particle and a capsule's axis.
 struct Meeting {
-    Real along = 0;        // place on the axis, 0..1
-    Vec2 normal{0, 0};     // unit, from the axis to the particle
-    Real distance = 0;     // m, along the normal
-    bool atEnd = false;    // an end of the axis is nearest
-    Real fraction = 0;     // of the tick at which they are so
+    Real along = 0;      // place on the axis, 0..1
+    Vec2 normal{0, 0};   // unit, from the axis to the particle
+    Real distance = 0;   // m, along the normal
+    bool atEnd = false;  // an end of the axis is nearest
+    Real fraction = 0;   // of the tick at which they are so
 };
 
 /// For the positions at the start of the tick.

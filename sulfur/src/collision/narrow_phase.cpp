@@ -16,7 +16,7 @@
 #include "collision/materials.hpp"
 #include "collision/meeting.hpp"
 #include "collision/outlines.hpp"
-#include "rigid/grip.hpp"
+#include "solver/contact_motion.hpp"
 #include "solver/restitution.hpp"
 #include "solver/stages.hpp"
 
@@ -94,6 +94,10 @@ Real slackOf(const State& state, const Contact& c) {
     return std::min<Real>(Real(0.005) * c.thickness, Real(40) * state.h * state.h);
 }
 
+bool comesSliding(const State& state, const Contact& c, const Vec2& moved) {
+    return std::abs(c.conveyed + perpendicular(c.normal).dot(moved)) > slipOfRest(state);
+}
+
 /// A kinematic body that runs into a sleeper can only wake it in this tick.
 void knock(State& state, const Contact& c, Real closing) {
     if (c.gap + closing > 0) return;
@@ -110,6 +114,7 @@ void keepIfNear(State& state, const Touch& t) {
     if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing);
     contact.approach = -closing / state.h;
     contact.slack = slackOf(state, contact);
+    contact.sliding = comesSliding(state, contact, relativeDisplacement(state.particles, t));
     if (mayRebound(contact)) planRebound(state, contact);
     state.contacts.push_back(contact);
 }
@@ -210,8 +215,17 @@ bool farApart(const Local& l, Real thickness, Real margin, Real& travel) {
     return (l.p - along * l.b).squaredNorm() > reach * reach;
 }
 
+/// Parts of one rigid component never move against each other. (Asked here, not where candidates
+/// are found: a query may look for these before the components are up to date.)
+bool moveAsOne(const State& state, std::uint32_t particle, const Collider& c) {
+    const auto& cluster = state.particles.cluster;
+    return cluster[particle] != none && cluster[particle] == cluster[c.a] &&
+           cluster[particle] == cluster[c.b];
+}
+
 void consider(State& state, const Candidate& candidate) {
     const Collider& c = state.broad.collider(candidate.collider);
+    if (moveAsOne(state, candidate.particle, c)) return;
     const Real thickness = thicknessOf(state, candidate);
     const Local local = localise(state.particles, candidate.particle, c);
     Real travel = 0;
@@ -258,7 +272,7 @@ void findCrossings(State& state, std::vector<Crossing>& found) {
         const Collider& a = broad.collider(i);
         const Collider& b = broad.collider(j);
         if (a.a == a.b || b.a == b.b || !segmentsCross(x[a.a], x[a.b], x[b.a], x[b.b])) continue;
-        if (areEntwined(state, a.body, b.body)) continue;
+        if (areEntwined(state, a.body, b.body) || moveAsOne(state, a.a, b)) continue;
         Crossing best;
         best.meeting.distance = std::numeric_limits<Real>::max();
         considerEnd(state, a.a, j, best);
@@ -280,7 +294,8 @@ bool isCrossing(const std::vector<Crossing>& crossings, const Candidate& candida
 
 void considerCrossing(State& state, const Crossing& crossing) {
     const Collider& c = state.broad.collider(crossing.end.collider);
-    Touch t{crossing.end.particle, c.a, c.b, &c, crossing.meeting, thicknessOf(state, crossing.end)};
+    Touch t{crossing.end.particle,           c.a, c.b, &c, crossing.meeting,
+            thicknessOf(state, crossing.end)};
     t.meeting.normal = -t.meeting.normal;
     t.meeting.distance = -t.meeting.distance;
     keepIfNear(state, t);

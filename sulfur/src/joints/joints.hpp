@@ -37,7 +37,7 @@ struct Joints {
     std::vector<Real> strength;           // N
     std::vector<Material> material;       // of the surface, if the joint has its own
     std::vector<std::uint8_t> ownMaterial;
-    std::vector<std::uint32_t> body;      // dense index, or none between bodies
+    std::vector<std::uint32_t> body;  // dense index, or none between bodies
     std::vector<JointId> id;
 
     std::size_t size() const { return a.size(); }

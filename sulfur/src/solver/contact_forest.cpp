@@ -174,7 +174,8 @@ void ContactForest::addRow(const State& state, std::uint32_t edge, std::uint32_t
 
 bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
     const Contact& c = state.contacts[contact];
-    return c.normalLambda > 0 && c.rough && !c.sliding && !slipping_[contact] && c.tangentInverseMass > 0;
+    return c.normalLambda > 0 && c.rough && !c.sliding && !slipping_[contact] &&
+           c.tangentInverseMass > 0;
 }
 
 /// Of the chosen edges: normals that push or should, tangents that stick.
@@ -288,7 +289,8 @@ bool ContactForest::isNeeded(const State& state) const {
     for (const Contact& c : state.contacts) {
         const Real gap = gapLeft(state, c);
         if (gap < -mostError || (c.normalLambda > 0 && gap > mostError)) return true;
-        if (c.normalLambda > 0 && c.rough && !c.sliding && std::abs(slipOf(state, c)) > mostError) return true;
+        if (c.normalLambda > 0 && c.rough && !c.sliding && std::abs(slipOf(state, c)) > mostError)
+            return true;
     }
     return false;
 }

@@ -34,13 +34,13 @@ private:
     /// A rigid component, or a disc that moves by itself (its third freedom is never used).
     struct Node {
         std::uint32_t cluster = none, particle = none;
-        std::uint32_t parent = none;     // node
-        Matrix3 system, towardsParent;   // of the linear system, then what elimination makes of it
-        Vector3 motion;                  // the right-hand side, then the solution
+        std::uint32_t parent = none;    // node
+        Matrix3 system, towardsParent;  // of the linear system, then what elimination makes of it
+        Vector3 motion;                 // the right-hand side, then the solution
     };
     /// All contacts between two nodes, or of one node with what does not move.
     struct Edge {
-        std::uint32_t a = none, b = none;  // nodes; b is none for what does not move
+        std::uint32_t a = none, b = none;   // nodes; b is none for what does not move
         std::uint32_t first = 0, last = 0;  // part of keyed_
         Real carried = 0;                   // kg m
         bool chosen = false;

@@ -43,6 +43,11 @@ inline void shift(State& state, const Contact& c, const Vec2& impulse) {
     if (c.shareB != 0) shift(state, c.gripOfB, -c.shareB * impulse);
 }
 
+/// m: more than what rests can gain of slip in a tick.
+inline Real slipOfRest(const State& state) {
+    return 2 * std::max<Real>(state.settings.gravity.norm(), 1) * state.h * state.h;
+}
+
 /// By how much the gap at the end of the tick is more than it must be; what was negative at its
 /// start is taken back by the recovery.
 inline Real gapLeft(const State& state, const Contact& c) {

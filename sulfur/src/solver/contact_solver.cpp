@@ -77,8 +77,7 @@ bool touchesSoft(const State& state, const Contact& c) {
     const auto isSwept = [&](const Grip& grip) {
         return isSoft(state, grip) && state.trees.ofParticle[grip.particle] == none;
     };
-    return isSwept(c.gripOfParticle) || isSwept(c.gripOfA) ||
-           (c.shareB != 0 && isSwept(c.gripOfB));
+    return isSwept(c.gripOfParticle) || isSwept(c.gripOfA) || (c.shareB != 0 && isSwept(c.gripOfB));
 }
 
 void warmStart(State& state, Contact& c, const ContactMemory& before) {
@@ -175,8 +174,9 @@ constexpr Real slidingStarts = Real(0.25);
 void judgeSliding(const State& state, Contact& c) {
     const Real slip = slipOf(state, c);
     const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
-    c.sliding = std::abs(slip) > slidingStarts * state.h * state.h &&
-                std::abs(c.tangentLambda) > Real(0.9) * most;
+    const bool slips = std::abs(slip) > slidingStarts * state.h * state.h;
+    const bool givesAll = std::abs(c.tangentLambda) > Real(0.9) * most;
+    c.sliding = (slips && givesAll) || std::abs(slip) > slipOfRest(state);
     const bool sticks = c.normalLambda > 0 && !c.sliding;
     c.drift = sticks ? c.drift - driftRecovered(state, c) + slip : 0;
 }

@@ -31,7 +31,7 @@ public:
         std::uint32_t parent = 0;
         int rows = 0;  // 0: the link is inert
         std::array<Vector, 2> rowHere, rowThere, columnHere, columnThere;
-        std::array<double, 2> value{0, 0};  // C, to become 0
+        std::array<double, 2> value{0, 0};       // C, to become 0
         std::array<double, 2> compliance{0, 0};  // alpha
 
         // What the way down leaves for the way up.

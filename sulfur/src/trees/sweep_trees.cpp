@@ -85,7 +85,8 @@ public:
         double most = 0;
         for (std::size_t i = 1; i < count_; ++i) {
             const TreeNode& n = node(i);
-            if (n.kind != LinkKind::joint || state_.joints.kind[n.link] != JointKind::rigid) continue;
+            if (n.kind != LinkKind::joint || state_.joints.kind[n.link] != JointKind::rigid)
+                continue;
             updateLink(i);
             const double rest = static_cast<double>(state_.joints.restLength[n.link]);
             most = std::max(most, std::abs(solver_.links[i].value[0]) / rest);
@@ -189,7 +190,8 @@ private:
         const double gap = static_cast<double>(gapLeft(state_, c));
         if (c.normalLambda <= 0 && gap >= 0) return;
         const Point n = c.normal.template cast<double>();
-        const double here = sideOf(c, node(i).particle), there = sideOf(c, node(node(i).parent).particle);
+        const double here = sideOf(c, node(i).particle),
+                     there = sideOf(c, node(node(i).parent).particle);
         link.rows = 2;
         link.rowHere[1] = link.columnHere[1] = rowAlong<N>(Point(here * n), Point(0, 0));
         link.rowThere[1] = link.columnThere[1] = rowAlong<N>(Point(there * n), Point(0, 0));
@@ -215,8 +217,8 @@ private:
             const Contact& c = state_.contacts[state_.trees.contact[tree_.first + i]];
             return static_cast<double>(c.normalLambda) + solver_.links[i].lambda[1] < 0;
         };
-        const auto kept = std::partition(held_.begin(), held_.end(),
-                                         [&](std::uint32_t i) { return !pulls(i); });
+        const auto kept =
+            std::partition(held_.begin(), held_.end(), [&](std::uint32_t i) { return !pulls(i); });
         if (kept == held_.end()) return false;
         for (auto i = kept; i != held_.end(); ++i) solver_.links[*i].rows = 1;
         held_.erase(kept, held_.end());
@@ -322,8 +324,7 @@ std::uint32_t nodeFor(const State& state, const Contact& c) {
         return g.cluster == none ? trees.nodeOfParticle[g.particle] : none;
     };
     const auto heldByJoint = [&](std::uint32_t k) {
-        return k != none && trees.nodes[k].parent != none &&
-               trees.nodes[k].kind == LinkKind::joint;
+        return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
     };
     if (p != none) return heldByJoint(nodeOf(c.gripOfParticle)) ? nodeOf(c.gripOfParticle) : none;
     if (a == none || a != b) return none;

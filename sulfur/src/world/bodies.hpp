@@ -21,7 +21,7 @@ struct BodyRecord {
     bool selfCollision = false;       // its own parts touch each other
     bool strained = false;            // they were not, because it was bent out of shape
     Real restingTime = 0;             // s for which its island has been at rest
-    BodyId nextAsleep;  // asleep: the next of a ring of all that must wake with it
+    BodyId nextAsleep;                // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index
     Material material;
     Filter filter;

@@ -32,11 +32,7 @@ double massOf(const State& state, const std::vector<std::uint32_t>& particles) {
     return sum;
 }
 
-/// Whether something else than the joints of its body holds a particle.
-bool isHeld(const State& state, std::uint32_t particle) {
-    const Joints& joints = state.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        if (joints.a[j] == particle || joints.b[j] == particle) return true;
+bool isAttached(const State& state, std::uint32_t particle) {
     return std::any_of(
         state.attachments.begin(), state.attachments.end(), [&](const Attachment& held) {
             return held.particle == particle || std::find(held.support.begin(), held.support.end(),
@@ -44,8 +40,19 @@ bool isHeld(const State& state, std::uint32_t particle) {
         });
 }
 
+/// What has no surface left and hangs on nothing would fall through everything.
 bool isLost(const State& state, const std::vector<std::uint32_t>& group) {
-    return group.size() == 1 && state.particles.radius[group[0]] == 0 && !isHeld(state, group[0]);
+    const auto isOurs = [&](std::uint32_t i) {
+        return std::binary_search(group.begin(), group.end(), i);
+    };
+    const Joints& joints = state.joints;
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        const bool a = isOurs(joints.a[j]), b = isOurs(joints.b[j]);
+        if (a != b || (a && joints.radius[j] > 0)) return false;
+    }
+    return std::none_of(group.begin(), group.end(), [&](std::uint32_t i) {
+        return state.particles.radius[i] > 0 || isAttached(state, i);
+    });
 }
 
 /// The pieces that the broken joints have set free, in the order of their particles. Groups at
@@ -69,7 +76,7 @@ Breakup breakUp(const State& state, std::uint32_t body, const std::vector<std::u
         });
         if (!broke) continue;
         if (isLost(state, group))
-            result.lost.push_back(group[0]);
+            result.lost.insert(result.lost.end(), group.begin(), group.end());
         else if (lowest != heaviest->first)
             result.pieces.push_back(group);
     }

@@ -199,11 +199,13 @@ std::string validateContacts(const State& state) {
             return problem("contact of nothing", i);
         if (m.particle < last) return problem("contact out of order", i);
         if (!m.normal.allFinite() || !std::isfinite(m.normalLambda) ||
-            !std::isfinite(m.tangentLambda) || !std::isfinite(m.sustained) || !std::isfinite(m.drift))
+            !std::isfinite(m.tangentLambda) || !std::isfinite(m.sustained) ||
+            !std::isfinite(m.drift))
             return problem("contact that is not finite", i);
         last = m.particle;
     }
-    if (!std::is_sorted(state.touching.begin(), state.touching.end())) return "touching out of order";
+    if (!std::is_sorted(state.touching.begin(), state.touching.end()))
+        return "touching out of order";
     if (!std::is_sorted(state.entwined.begin(), state.entwined.end()))
         return "entwined bodies out of order";
     return std::is_sorted(state.vetoes.begin(), state.vetoes.end()) ? "" : "vetoes out of order";
@@ -226,10 +228,9 @@ std::string validateStructure(const State& state) {
 }  // namespace
 
 std::string findBroken(const State& state) {
-    for (const auto check :
-         {validateArrays, validateParticles, validateJoints, validateAttachments, validateBodies,
-          validateSleepers, validateVisits, validateContacts, validateClusters, validateTrees,
-          validateStructure})
+    for (const auto check : {validateArrays, validateParticles, validateJoints, validateAttachments,
+                             validateBodies, validateSleepers, validateVisits, validateContacts,
+                             validateClusters, validateTrees, validateStructure})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }

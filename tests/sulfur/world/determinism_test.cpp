@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 10407621063771768162u);
+    EXPECT_EQ(world.hash(), 8936026805363915904u);
 #else
-    EXPECT_EQ(world.hash(), 1827716045216440412u);
+    EXPECT_EQ(world.hash(), 14090613291523865453u);
 #endif
 }
 
