@@ -124,7 +124,7 @@ Rows sling(double mass, const Setup& setup) {
          .crate = beam,
          .loads = {load},
          .wayReached = mass > 10 ? 3000 : 0.1,
-         .overlapReached = mass > 10 ? 0.06 : 0},
+         .overlapReached = mass > 10 ? 0.06 : 0.04},
         setup);
 }
 
