@@ -83,7 +83,7 @@ TEST(Overlap, OfAllIsTheDeepestInSharesOfARadius) {
     world.add(shapes::ball({.radius = Real(0.5)}), {.position = Point(0.9, 0)});
     const Body small =
         world.add(shapes::ball({.radius = Real(0.01)}), {.position = Point(0, 0.505)});
-    const Overlap worst = deepestOverlap(world);
+    const lab::Overlap worst = deepestOverlap(world);
     EXPECT_EQ(std::max(worst.a, worst.b), small.id());
     EXPECT_NEAR(worst.depth, 0.005, 1e-6);
     EXPECT_NEAR(worst.share, 0.5, 1e-4);
