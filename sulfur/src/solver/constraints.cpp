@@ -23,7 +23,7 @@ void solveConstraints(State& state) {
     warmStartContacts(state);
     recoverDrifts(state);
     thread_local ContactForest forest;
-    forest.forget();
+    forest.forget(state);
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
         solveImplicitJoints(state);
         solveContacts(state, sweep % 2 != 0);

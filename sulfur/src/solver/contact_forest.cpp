@@ -284,6 +284,17 @@ bool ContactForest::takeStep(State& state) {
     return true;
 }
 
+void ContactForest::forget(const State& state) {
+    grown_ = false;
+    nodeOfCluster_.reserve(state.clusters.list.size());
+    nodeOfParticle_.reserve(state.particles.size());
+    start_.reserve(state.particles.size() + 1);
+    const std::size_t contacts = state.contacts.size();
+    if (given_.capacity() >= contacts) return;
+    given_.reserve(2 * contacts);
+    slipping_.reserve(2 * contacts);
+}
+
 /// Whether a contact that pushes is left with an error, or one that should push does not.
 bool ContactForest::isNeeded(const State& state) const {
     for (const Contact& c : state.contacts) {

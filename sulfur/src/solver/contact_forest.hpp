@@ -21,8 +21,9 @@ namespace sulfur::detail {
 /// Holds scratch memory only.
 class ContactForest {
 public:
-    /// A new tick: other contacts.
-    void forget() { grown_ = false; }
+    /// A new tick: other contacts. Makes room for as many again, so that the first error does not
+    /// allocate when it comes.
+    void forget(const State& state);
     /// Changes multipliers and displacements so that the active constraints of each tree hold.
     /// Does nothing where the sweeps have left no error.
     void solve(State& state);
