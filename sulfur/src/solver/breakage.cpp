@@ -1,5 +1,7 @@
 // Stage: joints break that were loaded beyond their strength.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "solver/stages.hpp"
 #include "world/split.hpp"
@@ -19,6 +21,24 @@ JointBroken describe(const State& state, std::uint32_t j) {
     return event;
 }
 
+/// What has lost the last of its surface would hang on its braces and pass through everything: the
+/// braces break with the surface. `broken` are marked already, and so are these.
+void breakBraces(State& state, std::uint32_t particle, std::vector<bool>& broken) {
+    if (state.particles.radius[particle] > 0 || isAttached(state, particle)) return;
+    const Joints& joints = state.joints;
+    std::vector<std::uint32_t> braces;
+    for (const JointId id : state.bodies[state.particles.body[particle]].joints) {
+        const auto j = state.jointSlots.dense(id);
+        if (broken[j] || (joints.a[j] != particle && joints.b[j] != particle)) continue;
+        if (joints.radius[j] > 0) return;
+        braces.push_back(j);
+    }
+    for (const auto j : braces) {
+        broken[j] = true;
+        state.events.jointsBroken.push_back(describe(state, j));
+    }
+}
+
 }  // namespace
 
 void breakJoints(State& state) {
@@ -32,9 +52,15 @@ void breakJoints(State& state) {
     if (state.events.jointsBroken.empty()) return;
     Removal removal(state);
     std::vector<ParticleId> ends;
+    for (const JointBroken& broken : state.events.jointsBroken)
+        removal.joints[state.jointSlots.dense(broken.joint)] = true;
+    for (std::size_t i = 0, overloaded = state.events.jointsBroken.size(); i < overloaded; ++i) {
+        const auto j = state.jointSlots.dense(state.events.jointsBroken[i].joint);
+        if (joints.body[j] == none || !(joints.radius[j] > 0)) continue;
+        for (const auto end : {joints.a[j], joints.b[j]}) breakBraces(state, end, removal.joints);
+    }
     for (const JointBroken& broken : state.events.jointsBroken) {
         const auto j = state.jointSlots.dense(broken.joint);
-        removal.joints[j] = true;
         if (joints.body[j] == none) continue;
         ends.push_back(state.particles.id[joints.a[j]]);
         ends.push_back(state.particles.id[joints.b[j]]);

@@ -7,6 +7,7 @@
 #include "solver/contact_forest.hpp"
 #include "solver/grabs.hpp"
 #include "solver/hold_back.hpp"
+#include "solver/impacts.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -40,6 +41,7 @@ void solveConstraints(State& state) {
         sweepTrees(state);
     }
     guardContacts(state);
+    limitImpacts(state);
     holdBack(state);
     finishContacts(state);
     applyRecovery(state);

@@ -51,46 +51,80 @@ bool anyFast(const State& state) {
 
 class Brakes {
 public:
-    explicit Brakes(State& state) : state_(state), share_(scratch()) {
-        share_.assign(state.bodies.size(), 1);
+    explicit Brakes(State& state) : state_(state), held_(scratch()) {
+        held_.assign(state.bodies.size(), {});
     }
 
-    void stopAt(std::uint32_t body, Real share) {
-        if (state_.bodies[body].kind == BodyKind::dynamic)
-            share_[body] = std::min(share_[body], share);
+    /// Two bodies that meet after a share of the tick.
+    void stopAt(std::uint32_t a, std::uint32_t b, Real share) {
+        const bool rigid = !isSoft(a) && !isSoft(b);
+        for (const auto body : {a, b}) {
+            if (state_.bodies[body].kind != BodyKind::dynamic) continue;
+            held_[body].share = std::min(held_[body].share, share);
+            held_[body].keepsVelocity &= rigid;
+        }
     }
 
     /// Returns whether any body was held back.
     bool apply() {
         bool any = false;
-        for (std::uint32_t i = 0; i < share_.size(); ++i) {
-            if (share_[i] >= 1) continue;
+        for (std::uint32_t i = 0; i < held_.size(); ++i) {
+            if (held_[i].share >= 1) continue;
             any = true;
             const BodyRecord& body = state_.bodies[i];
             for (std::uint32_t k = 0; k < body.particles.size(); ++k)
-                state_.particles.displacement[body.firstParticle + k] *= share_[i];
+                hold(body.firstParticle + k, held_[i]);
         }
         if (!any) return false;
         for (const auto c : state_.work.awakeClusters) {
             Cluster& cluster = state_.clusters.list[c];
-            const Real share = share_[cluster.body];
-            if (share >= 1) continue;
-            cluster.displacement *= share;
-            cluster.angle *= static_cast<double>(share);
-            updateTurn(cluster);
+            if (held_[cluster.body].share < 1) hold(cluster, held_[cluster.body]);
         }
-        std::fill(share_.begin(), share_.end(), Real(1));
+        std::fill(held_.begin(), held_.end(), Held{});
         return true;
     }
 
 private:
-    static std::vector<Real>& scratch() {
-        thread_local std::vector<Real> share;
-        return share;
+    /// What is held back keeps its velocity, and with it the momentum that it shares in the next
+    /// tick with what it runs into; but not where something soft would go on to be run through.
+    struct Held {
+        Real share = 1;
+        bool keepsVelocity = true;
+    };
+
+    bool isSoft(std::uint32_t body) const {
+        const BodyRecord& b = state_.bodies[body];
+        return b.particles.size() > 1 && state_.particles.cluster[b.firstParticle] == none &&
+               state_.trees.ofParticle[b.firstParticle] == none;
+    }
+
+    void hold(std::uint32_t particle, const Held& held) {
+        Particles& p = state_.particles;
+        if (p.cluster[particle] != none || p.inverseMass[particle] == 0) return;
+        Vec2& displacement = p.displacement[particle];
+        if (held.keepsVelocity)
+            p.velocity[particle] += ((1 - held.share) / state_.h * displacement).cast<double>();
+        displacement *= held.share;
+    }
+
+    void hold(Cluster& c, const Held& held) {
+        if (held.keepsVelocity) {
+            const double lost = static_cast<double>((1 - held.share) / state_.h);
+            c.velocity += lost * c.displacement.cast<double>();
+            c.spin += lost * c.angle;
+        }
+        c.displacement *= held.share;
+        c.angle *= static_cast<double>(held.share);
+        updateTurn(c);
+    }
+
+    static std::vector<Held>& scratch() {
+        thread_local std::vector<Held> held;
+        return held;
     }
 
     State& state_;
-    std::vector<Real>& share_;  // by body
+    std::vector<Held>& held_;  // by body
 };
 
 }  // namespace
@@ -107,8 +141,8 @@ void holdBack(State& state) {
             if (share >= 1) continue;
             // Whoever still moves in the last round stays where it is.
             const Real kept = round + 1 < rounds ? share : 0;
-            brakes.stopAt(state.particles.body[candidate.particle], kept);
-            brakes.stopAt(state.broad.collider(candidate.collider).body, kept);
+            brakes.stopAt(state.particles.body[candidate.particle],
+                          state.broad.collider(candidate.collider).body, kept);
         }
         if (!brakes.apply()) return;
     }

@@ -6,9 +6,9 @@
 namespace sulfur::detail {
 
 /// Where the displacements that the sweeps have left would still carry something fast through a
-/// surface on the way, both bodies stop at the time of impact and lose what is left of the tick.
-/// Contacts see to it in nearly all cases: this is for those that the first prediction did not
-/// show, or that four sweeps did not finish.
+/// surface on the way, both bodies stop at the time of impact and lose the way that is left of the
+/// tick, but no velocity. Contacts see to it in nearly all cases: this is for those that the first
+/// prediction did not show, or that four sweeps did not finish.
 void holdBack(State& state);
 
 }  // namespace sulfur::detail

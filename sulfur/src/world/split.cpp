@@ -32,14 +32,6 @@ double massOf(const State& state, const std::vector<std::uint32_t>& particles) {
     return sum;
 }
 
-bool isAttached(const State& state, std::uint32_t particle) {
-    return std::any_of(
-        state.attachments.begin(), state.attachments.end(), [&](const Attachment& held) {
-            return held.particle == particle || std::find(held.support.begin(), held.support.end(),
-                                                          particle) != held.support.end();
-        });
-}
-
 /// What has no surface left and hangs on nothing would fall through everything.
 bool isLost(const State& state, const std::vector<std::uint32_t>& group) {
     const auto isOurs = [&](std::uint32_t i) {
@@ -159,6 +151,14 @@ void reorderParticles(State& state) {
 }
 
 }  // namespace
+
+bool isAttached(const State& state, std::uint32_t particle) {
+    return std::any_of(
+        state.attachments.begin(), state.attachments.end(), [&](const Attachment& held) {
+            return held.particle == particle || std::find(held.support.begin(), held.support.end(),
+                                                          particle) != held.support.end();
+        });
+}
 
 void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
     std::vector<std::uint32_t> ends, broken;

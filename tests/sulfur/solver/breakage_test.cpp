@@ -66,6 +66,38 @@ TEST(Breakage, AParticleWithoutJointsGoesUnlessItIsADisc) {
     }
 }
 
+/// A wall that was shot at left pieces from which corners without a surface hung on diagonals,
+/// through the floor.
+TEST(Breakage, WhatLosesTheLastOfItsSurfaceLosesItsBracesToo) {
+    World world;
+    Blueprint plan;
+    plan.particles = {{.position = {0, 0}, .mass = 1, .pinned = true},
+                      {.position = {1, 0}, .mass = 1, .pinned = true},
+                      {.position = {1, 1}, .mass = 1},
+                      {.position = {0, 1}, .mass = 1}};
+    const Real radius = Real(0.02);
+    plan.joints = {{.a = 0, .b = 1, .radius = radius},
+                   {.a = 1, .b = 2, .radius = radius},
+                   {.a = 2, .b = 3, .radius = radius, .strength = Real(0.01)},
+                   {.a = 3, .b = 0, .radius = radius, .strength = Real(0.01)},
+                   {.a = 0, .b = 2},
+                   {.a = 1, .b = 3}};
+    const Body body = world.add(plan);
+    const ParticleId corner = body[3];
+    int broken = 0, lost = 0;
+    for (int i = 0; i < 50; ++i) {
+        world.step();
+        broken += static_cast<int>(world.events().jointsBroken.size());
+        lost += static_cast<int>(world.events().particlesLost.size());
+    }
+    EXPECT_EQ(broken, 3);
+    EXPECT_EQ(lost, 1);
+    EXPECT_FALSE(world.contains(corner));
+    EXPECT_EQ(body.size(), 3u);
+    EXPECT_EQ(body.joints().size(), 3u);
+    EXPECT_EQ(world.validate(), "");
+}
+
 TEST(Breakage, SkinsAreCutWithTheirBodies) {
     World world;
     Blueprint plan = shapes::jelly({.size = {4, 1}, .columns = 5, .rows = 2, .stiffness = 2000});

@@ -80,7 +80,7 @@ int lost(const World& world, const std::vector<Body>& bodies, const std::vector<
 }
 
 Rows judge(const std::string& what, World& world, const std::vector<Body>& bodies,
-           const std::vector<Point>& room, const Setup& setup) {
+           const std::vector<Point>& room, double overlapReached, const Setup& setup) {
     SpeedMeter meter(world, bodies);
     world.step();
     const double speed = meter.add();
@@ -96,7 +96,7 @@ Rows judge(const std::string& what, World& world, const std::vector<Body>& bodie
             atMost(name + "bodies that are not finite", strange, 0),
             atMost(name + "bodies lost", lost(world, bodies, room), 0),
             fallsShort(name + "deepest overlap (share of a capsule's radius)",
-                       deepestOverlap(world).share, 0.5, 0.1),
+                       deepestOverlap(world).share, overlapReached, 0.1),
             reported(name + "largest speed at last (m/s)", speed)};
 }
 
@@ -115,7 +115,7 @@ Rows funnel(const Setup& setup) {
     const std::vector<Body> bodies =
         fill(world, crowdOf(setup), Point(-5.4, 10.5), 31, [](const Point&) { return true; });
     run(world, 9);
-    return judge("funnel", world, bodies, room, setup);
+    return judge("funnel", world, bodies, room, 0.5, setup);
 }
 
 /// A drum with four paddles turns for 6 s, then stands still for 3 s.
@@ -149,7 +149,7 @@ Rows tumbler(const Setup& setup) {
         world.step();
     }
     run(world, 3);
-    return judge("tumbler", world, bodies, ring, setup);
+    return judge("tumbler", world, bodies, ring, 0.5, setup);
 }
 
 /// A lid comes down at 0.5 m/s until the bodies fill 85 % of what is left, and stays.
@@ -177,7 +177,8 @@ Rows compactor(const Setup& setup) {
     }
     run(world, 2);
     const std::vector<Point> room{{-half, height}, {-half, 0}, {half, 0}, {half, height}};
-    return judge("compactor", world, bodies, room, setup);
+    // Jellies are pressed until they fold over, and the end of a rope may stay in such a fold.
+    return judge("compactor", world, bodies, room, 3, setup);
 }
 
 }  // namespace
