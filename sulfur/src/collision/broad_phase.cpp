@@ -302,6 +302,47 @@ void collectCandidates(State& state) {
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 }
 
+/// A contact is made within at most one and a half thicknesses; the rest is for rounding.
+constexpr double watchedThicknesses = 2;
+
+/// How much each candidate and pair has to spare before it needs a look, see BroadPhase.
+void measureSpares(State& state) {
+    BroadPhase& broad = state.broad;
+    const auto& x = state.particles.position;
+    const auto distance = [&](std::uint32_t particle, const Collider& c) {
+        const Point from = x[c.a] - x[particle], to = x[c.b] - x[particle];
+        return (from + nearestAlong<Point>(Point(0, 0), from, to) * (to - from)).norm();
+    };
+    broad.spareOfCandidate.clear();
+    for (const Candidate& candidate : broad.candidates) {
+        const Collider& c = broad.collider(candidate.collider);
+        const Real thickness = state.particles.reach[candidate.particle] + c.radius;
+        broad.spareOfCandidate.push_back(static_cast<Real>(
+            distance(candidate.particle, c) - watchedThicknesses * static_cast<double>(thickness)));
+    }
+    broad.spareOfPair.clear();
+    for (const auto pair : broad.pairs) {
+        const Collider& a = broad.collider(static_cast<std::uint32_t>(pair >> 32));
+        const Collider& b = broad.collider(static_cast<std::uint32_t>(pair));
+        const bool cross = segmentsCross(x[a.a], x[a.b], x[b.a], x[b.b]);
+        const double apart = cross ? 0
+                                   : std::min({distance(a.a, b), distance(a.b, b), distance(b.a, a),
+                                               distance(b.b, a)});
+        broad.spareOfPair.push_back(
+            static_cast<Real>(apart - static_cast<double>(a.radius + b.radius)));
+    }
+    broad.outing.assign(x.size(), 0);
+}
+
+/// Sleepers keep what they had when they fell asleep, which is no less.
+void noteOutings(State& state) {
+    const Particles& p = state.particles;
+    for (const Range range : state.work.awake)
+        for (auto i = range.first; i < range.last; ++i)
+            state.broad.outing[i] = (p.position[i] - state.broad.reference[i]).cast<Real>().norm() +
+                                    p.displacement[i].norm();
+}
+
 /// Whether every collider still is, and with `lookAhead` ticks of displacement stays, inside the
 /// skin with which it was rasterised; a quarter of the base skin is left for the contact margin.
 bool insideSkins(const State& state, Real lookAhead) {
@@ -352,6 +393,7 @@ void refreshGrid(State& state, Real lookAhead) {
     rasteriseMoving(state);
     collectPairs(state);
     collectCandidates(state);
+    measureSpares(state);
     broad.pairsStale = false;
     ++broad.runs;
 }
@@ -368,6 +410,7 @@ std::uint32_t coveredCells(const BroadPhase& broad) {
 
 void updateBroadPhase(State& state) {
     refreshGrid(state, 1);
+    noteOutings(state);
     state.statistics.broadPhases = state.broad.runs;
     state.statistics.fixedRebuilds = state.broad.fixedRuns;
     state.statistics.gridCells = coveredCells(state.broad);

@@ -1,6 +1,7 @@
 // Which particles might touch which capsules.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <sulfur/math.hpp>
@@ -43,6 +44,12 @@ struct BroadPhase {
     double reach = 0;                   // m, the largest radius of any collider
     std::vector<Candidate> candidates;  // sorted, without duplicates
     std::vector<std::uint64_t> pairs;   // of colliders, sorted; scratch and for crossings
+    /// How far the two sides of each candidate, or pair, may come towards each other from where
+    /// they were rasterised before a look at them is worth while.
+    std::vector<Real> spareOfCandidate, spareOfPair;  // m
+    /// How far each particle is, or with this tick's displacement will be, from where it was then,
+    /// at most.
+    std::vector<Real> outing;                                     // m
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
     Outlines outlines;
     Spokes spokes;
@@ -61,6 +68,13 @@ struct BroadPhase {
         return i < moving.size() ? moving[i] : fixed[i - moving.size()];
     }
 };
+
+/// Whether the two sides cannot have come near enough to each other.
+inline bool staysApart(const BroadPhase& broad, const Candidate& candidate, Real spare) {
+    const Collider& c = broad.collider(candidate.collider);
+    return broad.outing[candidate.particle] + std::max(broad.outing[c.a], broad.outing[c.b]) <
+           spare;
+}
 
 /// A place in units of cells. Cells are numbered by 32 bits; what is beyond shares the outermost.
 inline Point inCells(const BroadPhase& broad, const Point& p) {

@@ -266,11 +266,15 @@ void considerEnd(const State& state, std::uint32_t particle, std::uint32_t colli
 void findCrossings(State& state, std::vector<Crossing>& found) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
-    for (const auto pair : broad.pairs) {
-        const auto i = static_cast<std::uint32_t>(pair >> 32);
-        const auto j = static_cast<std::uint32_t>(pair);
+    const auto outingOf = [&](const Collider& c) {
+        return std::max(broad.outing[c.a], broad.outing[c.b]);
+    };
+    for (std::size_t k = 0; k < broad.pairs.size(); ++k) {
+        const auto i = static_cast<std::uint32_t>(broad.pairs[k] >> 32);
+        const auto j = static_cast<std::uint32_t>(broad.pairs[k]);
         const Collider& a = broad.collider(i);
         const Collider& b = broad.collider(j);
+        if (outingOf(a) + outingOf(b) < broad.spareOfPair[k]) continue;
         if (a.a == a.b || b.a == b.b || !segmentsCross(x[a.a], x[a.b], x[b.a], x[b.b])) continue;
         if (areEntwined(state, a.body, b.body) || moveAsOne(state, a.a, b)) continue;
         Crossing best;
@@ -310,8 +314,12 @@ void findContacts(State& state) {
     thread_local std::vector<Crossing> crossings;  // nearly always empty
     crossings.clear();
     findCrossings(state, crossings);
-    for (const Candidate& candidate : state.broad.candidates)
+    const BroadPhase& broad = state.broad;
+    for (std::size_t k = 0; k < broad.candidates.size(); ++k) {
+        const Candidate& candidate = broad.candidates[k];
+        if (staysApart(broad, candidate, broad.spareOfCandidate[k])) continue;
         if (crossings.empty() || !isCrossing(crossings, candidate)) consider(state, candidate);
+    }
     for (const Crossing& crossing : crossings) considerCrossing(state, crossing);
     state.statistics.contacts = static_cast<std::uint32_t>(state.contacts.size());
 }

@@ -14,14 +14,14 @@ namespace {
 /// so many, and rounding, in double, is far below.
 constexpr double stiffnessOfPenalty = 1e5;
 
-/// What sweeps may leave: 10 micrometres a second at 500 Hz.
-constexpr Real mostError = Real(2e-8);  // m
+/// What sweeps may leave. It does not add up: gaps and drifts are those of the places, and the next
+/// tick takes back what this one has left.
+constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
 
 /// Of the active set, in a sweep.
-constexpr int mostSteps = 6;
+constexpr int mostSteps = 2;
 
-using Vector3 = Eigen::Matrix<double, 3, 1>;
-using Matrix3 = Eigen::Matrix<double, 3, 3>;
+using Vector3 = Cholesky3::Vector;
 
 /// What is not moved along an axis has as good as infinite mass there.
 double massOf(Real inverse) {
@@ -148,20 +148,20 @@ void ContactForest::grow(const State& state) {
     collectEdges(state);
     chooseEdges();
     orderNodes();
+    collectRows(state);
     grown_ = true;
 }
 
-void ContactForest::addRow(const State& state, std::uint32_t edge, std::uint32_t contact,
-                           bool isNormal) {
+ContactForest::Row ContactForest::makeRow(const State& state, std::uint32_t edge,
+                                          std::uint32_t contact, bool isNormal) const {
     const Contact& c = state.contacts[contact];
     const Vec2 direction = isNormal ? c.normal : tangentOf(c);
     Row row;
     row.contact = contact;
     row.edge = edge;
     row.isNormal = isNormal;
-    row.error = static_cast<double>(isNormal ? gapLeft(state, c) : slipOf(state, c));
     const Real w = isNormal ? c.inverseEffectiveMass : c.tangentInverseMass;
-    row.weight = stiffnessOfPenalty / static_cast<double>(w);
+    row.weight = w > 0 ? stiffnessOfPenalty / static_cast<double>(w) : 0;
     const Vector3 particle = jacobian(c.gripOfParticle, direction);
     const Vector3 capsule = -static_cast<double>(c.shareA) * jacobian(c.gripOfA, direction);
     const auto node = c.gripOfParticle.cluster != none ? nodeOfCluster_[c.gripOfParticle.cluster]
@@ -169,7 +169,17 @@ void ContactForest::addRow(const State& state, std::uint32_t edge, std::uint32_t
     const bool particleFirst = node == edges_[edge].a;
     row.a = particleFirst ? particle : capsule;
     row.b = particleFirst ? capsule : particle;
-    rows_.push_back(row);
+    return row;
+}
+
+void ContactForest::collectRows(const State& state) {
+    rows_.clear();
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        if (!edges_[e].chosen) continue;
+        for (auto k = edges_[e].first; k < edges_[e].last; ++k)
+            for (const bool isNormal : {true, false})
+                rows_.push_back(makeRow(state, e, keyed_[k].contact, isNormal));
+    }
 }
 
 bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
@@ -178,23 +188,21 @@ bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
            c.tangentInverseMass > 0;
 }
 
-/// Of the chosen edges: normals that push or should, tangents that stick.
-void ContactForest::collectRows(const State& state) {
-    rows_.clear();
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-        if (!edges_[e].chosen) continue;
-        for (auto k = edges_[e].first; k < edges_[e].last; ++k) {
-            const auto i = keyed_[k].contact;
-            const Contact& c = state.contacts[i];
-            std::uint32_t normal = none;
-            if (!given_[i] && (c.normalLambda > 0 || gapLeft(state, c) < 0)) {
-                normal = static_cast<std::uint32_t>(rows_.size());
-                addRow(state, e, i, true);
-            }
-            if (!sticks(state, i)) continue;
-            addRow(state, e, i, false);
-            rows_.back().normal = normal;
+/// Normals that push or should, tangents that stick.
+void ContactForest::activateRows(const State& state) {
+    active_.clear();
+    for (std::uint32_t r = 0; r < rows_.size(); r += 2) {
+        const auto i = rows_[r].contact;
+        const Contact& c = state.contacts[i];
+        const Real gap = gapLeft(state, c);
+        std::uint32_t normal = none;
+        if (!given_[i] && (c.normalLambda > 0 || gap < 0)) {
+            normal = static_cast<std::uint32_t>(active_.size());
+            active_.push_back({.row = r, .error = static_cast<double>(gap)});
         }
+        if (sticks(state, i))
+            active_.push_back(
+                {.row = r + 1, .normal = normal, .error = static_cast<double>(slipOf(state, c))});
     }
 }
 
@@ -205,17 +213,22 @@ void ContactForest::assemble(const State& state) {
         node.towardsParent.setZero();
         node.motion.setZero();
     }
-    for (const Row& row : rows_) {
+    for (const ActiveRow& active : active_) {
+        const Row& row = rows_[active.row];
         const Edge& e = edges_[row.edge];
-        nodes_[e.a].system += row.weight * row.a * row.a.transpose();
-        nodes_[e.a].motion -= row.weight * row.error * row.a;
+        Node& a = nodes_[e.a];
+        const Vector3 weighted = row.weight * row.a;
+        a.system.noalias() += weighted * row.a.transpose();
+        a.motion -= active.error * weighted;
         if (e.b == none) continue;
-        nodes_[e.b].system += row.weight * row.b * row.b.transpose();
-        nodes_[e.b].motion -= row.weight * row.error * row.b;
-        if (nodes_[e.a].parent == e.b)
-            nodes_[e.a].towardsParent += row.weight * row.a * row.b.transpose();
+        Node& b = nodes_[e.b];
+        const Vector3 other = row.weight * row.b;
+        b.system.noalias() += other * row.b.transpose();
+        b.motion -= active.error * other;
+        if (a.parent == e.b)
+            a.towardsParent.noalias() += weighted * row.b.transpose();
         else
-            nodes_[e.b].towardsParent += row.weight * row.b * row.a.transpose();
+            b.towardsParent.noalias() += other * row.a.transpose();
     }
 }
 
@@ -223,14 +236,13 @@ void ContactForest::assemble(const State& state) {
 void ContactForest::eliminate() {
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
         Node& node = nodes_[*i];
-        const Eigen::LLT<Matrix3> system(node.system);
-        const Matrix3 through = system.solve(node.towardsParent);
+        const Cholesky3 system(node.system);
         node.motion = system.solve(node.motion);
-        if (node.parent != none) {
-            Node& parent = nodes_[node.parent];
-            parent.system -= node.towardsParent.transpose() * through;
-            parent.motion -= node.towardsParent.transpose() * node.motion;
-        }
+        if (node.parent == none) continue;
+        Node& parent = nodes_[node.parent];
+        const Matrix3 through = system.solve(node.towardsParent);
+        parent.system.noalias() -= node.towardsParent.transpose().lazyProduct(through);
+        parent.motion.noalias() -= node.towardsParent.transpose().lazyProduct(node.motion);
         node.towardsParent = through;
     }
 }
@@ -244,43 +256,48 @@ void ContactForest::substitute() {
 
 /// How much each multiplier must change for the solution.
 void ContactForest::findChanges() {
-    for (Row& row : rows_) {
+    for (ActiveRow& active : active_) {
+        const Row& row = rows_[active.row];
         const Edge& e = edges_[row.edge];
-        double left = row.error + row.a.dot(nodes_[e.a].motion);
+        double left = active.error + row.a.dot(nodes_[e.a].motion);
         if (e.b != none) left += row.b.dot(nodes_[e.b].motion);
-        row.change = static_cast<Real>(-row.weight * left);
+        active.change = static_cast<Real>(-row.weight * left);
     }
 }
 
 /// The share of the change that a row allows: until a normal would pull, or a tangent would hold
 /// by more than static friction.
-Real ContactForest::allowed(const State& state, const Row& row) const {
+Real ContactForest::allowed(const State& state, const ActiveRow& active) const {
+    const Row& row = rows_[active.row];
     const Contact& c = state.contacts[row.contact];
     const auto share = [](Real room, Real change) {
         return change <= room ? Real(1) : std::max<Real>(room, 0) / change;
     };
-    if (row.isNormal) return share(c.normalLambda, -row.change);
-    const Real normalChange = row.normal == none ? 0 : rows_[row.normal].change;
+    if (row.isNormal) return share(c.normalLambda, -active.change);
+    const Real normalChange = active.normal == none ? 0 : active_[active.normal].change;
     const Real bound = c.staticFriction * c.normalLambda;
     const Real growth = c.staticFriction * normalChange;
-    return std::min(share(bound - c.tangentLambda, row.change - growth),
-                    share(bound + c.tangentLambda, -row.change - growth));
+    return std::min(share(bound - c.tangentLambda, active.change - growth),
+                    share(bound + c.tangentLambda, -active.change - growth));
 }
 
 /// Takes the step as far as all rows allow, and lets go of those that allowed no more. Returns
 /// whether there were any.
 bool ContactForest::takeStep(State& state) {
     Real step = 1;
-    for (Row& row : rows_) step = std::min(step, row.allowed = allowed(state, row));
-    for (const Row& row : rows_) {
-        Contact& c = state.contacts[row.contact];
-        const Real change = step * row.change;
-        (row.isNormal ? c.normalLambda : c.tangentLambda) += change;
-        push(state, c, change * (row.isNormal ? c.normal : tangentOf(c)));
+    for (ActiveRow& active : active_)
+        step = std::min(step, active.allowed = allowed(state, active));
+    for (const ActiveRow& active : active_) {
+        const bool isNormal = rows_[active.row].isNormal;
+        Contact& c = state.contacts[rows_[active.row].contact];
+        const Real change = step * active.change;
+        (isNormal ? c.normalLambda : c.tangentLambda) += change;
+        push(state, c, change * (isNormal ? c.normal : tangentOf(c)));
     }
     if (step == 1) return false;
-    for (const Row& row : rows_)
-        if (row.allowed <= step) (row.isNormal ? given_ : slipping_)[row.contact] = 1;
+    for (const ActiveRow& active : active_)
+        if (active.allowed <= step)
+            (rows_[active.row].isNormal ? given_ : slipping_)[rows_[active.row].contact] = 1;
     return true;
 }
 
@@ -295,8 +312,8 @@ void ContactForest::forget(const State& state) {
     slipping_.reserve(2 * contacts);
 }
 
-/// Whether a contact that pushes is left with an error, or one that should push does not.
-bool ContactForest::isNeeded(const State& state) const {
+bool ContactForest::isNeeded(const State& state) {
+    const Real mostError = mostErrorSpeed * state.h;
     for (const Contact& c : state.contacts) {
         const Real gap = gapLeft(state, c);
         if (gap < -mostError || (c.normalLambda > 0 && gap > mostError)) return true;
@@ -312,8 +329,8 @@ void ContactForest::solve(State& state) {
     given_.assign(state.contacts.size(), 0);
     slipping_.assign(state.contacts.size(), 0);
     for (int i = 0; i < mostSteps; ++i) {
-        collectRows(state);
-        if (rows_.empty()) return;
+        activateRows(state);
+        if (active_.empty()) return;
         assemble(state);
         eliminate();
         substitute();

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Cholesky>
-
+#include "core/cholesky3.hpp"
 #include "core/disjoint_sets.hpp"
 #include "world/state.hpp"
 
@@ -21,6 +20,8 @@ namespace sulfur::detail {
 /// Holds scratch memory only.
 class ContactForest {
 public:
+    /// Whether a contact that pushes is left with an error, or one that should push does not.
+    static bool isNeeded(const State& state);
     /// A new tick: other contacts. Makes room for as many again, so that the first error does not
     /// allocate when it comes.
     void forget(const State& state);
@@ -29,8 +30,8 @@ public:
     void solve(State& state);
 
 private:
-    using Vector3 = Eigen::Matrix<double, 3, 1>;
-    using Matrix3 = Eigen::Matrix<double, 3, 3>;
+    using Vector3 = Cholesky3::Vector;
+    using Matrix3 = Cholesky3::Matrix;
 
     /// A rigid component, or a disc that moves by itself (its third freedom is never used).
     struct Node {
@@ -49,13 +50,17 @@ private:
     /// A constraint error + a . u_a + b . u_b = 0, held by a penalty.
     struct Row {
         std::uint32_t contact = 0, edge = 0;
-        std::uint32_t normal = none;  // of a tangent: the row of the same contact's normal
         bool isNormal = false;
         Vector3 a, b;
-        double error = 0;   // m
         double weight = 0;  // kg
-        Real change = 0;    // kg m, of the multiplier
-        Real allowed = 1;   // share of it that bounds leave
+    };
+    /// One that holds in the present step.
+    struct ActiveRow {
+        std::uint32_t row = 0;
+        std::uint32_t normal = none;  // of a tangent: the active row of the same contact's normal
+        double error = 0;             // m
+        Real change = 0;              // kg m, of the multiplier
+        Real allowed = 1;             // share of it that bounds leave
     };
     /// A contact and the nodes that it holds apart.
     struct Keyed {
@@ -63,7 +68,6 @@ private:
         std::uint32_t contact = 0;
     };
 
-    bool isNeeded(const State& state) const;
     void grow(const State& state);
     std::uint32_t nodeOf(const State& state, const Grip& grip);
     void collectContacts(const State& state);
@@ -71,18 +75,20 @@ private:
     void chooseEdges();
     void orderNodes();
     void collectRows(const State& state);
-    void addRow(const State& state, std::uint32_t edge, std::uint32_t contact, bool isNormal);
+    Row makeRow(const State& state, std::uint32_t edge, std::uint32_t contact, bool isNormal) const;
+    void activateRows(const State& state);
     bool sticks(const State& state, std::uint32_t contact) const;
     void assemble(const State& state);
     void eliminate();
     void substitute();
     void findChanges();
-    Real allowed(const State& state, const Row& row) const;
+    Real allowed(const State& state, const ActiveRow& active) const;
     bool takeStep(State& state);
 
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
-    std::vector<Row> rows_;
+    std::vector<Row> rows_;  // of the chosen edges: a contact's normal, then its tangent
+    std::vector<ActiveRow> active_;
     std::vector<Keyed> keyed_;
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
     std::vector<std::uint32_t> byLoad_, order_;
