@@ -53,15 +53,22 @@ private:
     double h_;
 };
 
-/// A chain of rigid links in another engine.
+/// A chain of rigid links, or a net of springs, in another engine.
 class PeerRun final : public Run {
 public:
     PeerRun(const AccuracyScene& scene, const bench::Setting& setting)
         : world_(bench::engineOf(setting.engine).make(setting)) {
-        bench::RopePlan plan;
-        for (const Vec& x : scene.start.x) plan.points.emplace_back(x);
-        plan.masses = scene.masses;
-        world_->addRope(plan);
+        std::vector<Point> points;
+        for (const Vec& x : scene.start.x) points.emplace_back(x);
+        if (scene.hasRigidJoints()) {
+            world_->addRope({std::move(points), scene.masses});
+            return;
+        }
+        bench::NetPlan net{std::move(points), scene.masses, {}};
+        for (const SceneJoint& joint : scene.joints)
+            net.springs.push_back(
+                {joint.a, joint.b, joint.restLength, joint.stiffness, joint.damping});
+        world_->addNet(net);
     }
     void advance(long ticks) override {
         for (long i = 0; i < ticks; ++i) world_->step();
@@ -72,16 +79,29 @@ private:
     std::unique_ptr<bench::EngineWorld> world_;
 };
 
-/// Whether a scene is a chain of rigid links that hangs from particle 0 and starts at rest.
+/// Whether a scene begins as the other engines' worlds do.
+bool startsAtRest(const AccuracyScene& scene) {
+    return scene.gravity == bench::gravity &&
+           std::all_of(scene.start.v.begin(), scene.start.v.end(),
+                       [](const Vec& v) { return v.isZero(); });
+}
+
+/// Whether it has springs only.
+bool isNet(const AccuracyScene& scene) {
+    return startsAtRest(scene) && !scene.joints.empty() &&
+           std::none_of(scene.joints.begin(), scene.joints.end(),
+                        [](const SceneJoint& joint) { return std::isinf(joint.stiffness); });
+}
+
+/// Whether it is a chain of rigid links that hangs from particle 0.
 bool isChain(const AccuracyScene& scene) {
     if (scene.joints.size() + 1 != scene.masses.size() || scene.joints.empty()) return false;
-    if (scene.gravity != bench::gravity || scene.masses[0] != 0) return false;
+    if (!startsAtRest(scene) || scene.masses[0] != 0) return false;
     for (std::size_t i = 0; i < scene.joints.size(); ++i)
         if (scene.joints[i].a != i || scene.joints[i].b != i + 1 ||
             !std::isinf(scene.joints[i].stiffness))
             return false;
-    return std::all_of(scene.start.v.begin(), scene.start.v.end(),
-                       [](const Vec& v) { return v.isZero(); });
+    return true;
 }
 
 void addPeers(std::vector<Subject>& subjects, const std::vector<int>& rates) {
@@ -101,10 +121,14 @@ void addPeers(std::vector<Subject>& subjects, const std::vector<int>& rates) {
             at.rate = rate;
             return std::make_unique<PeerRun>(scene, at);
         };
+        const bool nets = engine.offers(bench::Feature::nets);
+        const auto plays = [nets](const AccuracyScene& scene) {
+            return isChain(scene) || (nets && isNet(scene));
+        };
         subjects.push_back(
             {fmt::format("{}-{}{}", key, iterations, stiff ? "-stiff" : ""),
              fmt::format("{} x {}{}", engine.title, iterations, stiff ? ", stiff" : ""), false,
-             rates, start, isChain, bench::colourOf(key)});
+             rates, start, plays, bench::colourOf(key)});
     }
 }
 

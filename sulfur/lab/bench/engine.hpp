@@ -28,6 +28,20 @@ struct RopePlan {
     std::vector<double> masses;  ///< kg, of each point; that of the first means nothing
 };
 
+/// Points and springs between them that touch nothing.
+struct NetPlan {
+    struct Spring {
+        std::size_t a = 0, b = 0;
+        double length = 0, stiffness = 0, damping = 0;  ///< m, N/m, N s/m
+    };
+    std::vector<Point> points;   ///< metres
+    std::vector<double> masses;  ///< kg; 0: held where it is
+    std::vector<Spring> springs;
+
+    /// The mass with which the ends of a spring swing against each other, kg.
+    double reducedMass(const Spring& spring) const;
+};
+
 /// Springs along the sides and diagonals of a square of 4 x 4 discs: the blob of the comparison.
 struct BlobPlan {
     static constexpr int side = 4;                   ///< discs in a row
@@ -68,6 +82,8 @@ public:
     /// A square of 1 m and 1 kg with the inertia of a solid; `angle` in radians, `velocity` in m/s.
     virtual void addSquare(const Point& centre, double angle, const Point& velocity) = 0;
     virtual void addRope(const RopePlan& plan) = 0;
+    /// Numbered with the ropes.
+    virtual void addNet(const NetPlan&) {}
     /// A soft body at rest of about the size of the plan.
     virtual void addBlob(const Point& centre) = 0;
 
@@ -88,7 +104,7 @@ public:
 };
 
 /// What a scene needs.
-enum class Feature { squares, ropes, blobs, threads };
+enum class Feature { squares, ropes, blobs, nets, threads };
 
 struct Engine {
     std::string key, title;

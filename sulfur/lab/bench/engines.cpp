@@ -17,7 +17,7 @@ Engine box2dV3() {
     Engine engine{.key = "box2d3",
                   .title = "Box2D 3",
                   .version = {},
-                  .features = {squares, ropes, blobs, threads},
+                  .features = {squares, ropes, blobs, nets, threads},
                   .make = {},
                   .how = "build and install it, then configure with -DSULFUR_BOX2D_V3=PREFIX"};
 #ifdef SULFUR_BENCH_BOX2D_V3
@@ -31,7 +31,7 @@ Engine box2dV2() {
     Engine engine{.key = "box2d2",
                   .title = "Box2D 2.4",
                   .version = {},
-                  .features = {squares, ropes, blobs},
+                  .features = {squares, ropes, blobs, nets},
                   .make = {},
                   .how = "install the package libbox2d-dev and configure again"};
 #ifdef SULFUR_BENCH_BOX2D_V2
@@ -45,7 +45,7 @@ Engine chipmunk() {
     Engine engine{.key = "chipmunk",
                   .title = "Chipmunk",
                   .version = {},
-                  .features = {squares, ropes, blobs},
+                  .features = {squares, ropes, blobs, nets},
                   .make = {},
                   .how = "install the package libchipmunk-dev and configure again"};
 #ifdef SULFUR_BENCH_CHIPMUNK
@@ -90,6 +90,12 @@ std::string Setting::label() const {
     if (stiffJoints) text += ", stiff joints";
     if (threads > 1) text += fmt::format(", {} threads", threads);
     return text;
+}
+
+double NetPlan::reducedMass(const Spring& spring) const {
+    const double a = masses[spring.a], b = masses[spring.b];
+    if (a == 0 || b == 0) return a + b;
+    return a * b / (a + b);
 }
 
 std::vector<Point> BlobPlan::places() {

@@ -24,16 +24,9 @@ public:
         for (const Point& place : places)
             bodies.push_back(addDisc(centre + place, BlobPlan::radius,
                                      BlobPlan::mass / static_cast<double>(places.size()), group));
-        for (const auto& [a, b] : BlobPlan::springs()) {
-            b2DistanceJointDef def;
-            def.Initialize(bodies[a], bodies[b], bodies[a]->GetPosition(),
-                           bodies[b]->GetPosition());
-            def.minLength = 0;
-            def.maxLength = b2_maxFloat;
-            def.stiffness = static_cast<float>(BlobPlan::stiffness);
-            def.damping = static_cast<float>(BlobPlan::damping);
-            world_.CreateJoint(&def);
-        }
+        for (const auto& [a, b] : BlobPlan::springs())
+            addSpring(bodies[a], bodies[b], (places[b] - places[a]).norm(), BlobPlan::stiffness,
+                      BlobPlan::damping);
         blobs_.push_back(std::move(bodies));
     }
     std::vector<Point> blob(std::size_t i) const override { return places(blobs_[i]); }
@@ -44,7 +37,29 @@ public:
         world_.Step(1 / static_cast<float>(setting_.rate), setting_.iterations, positions);
     }
 
+    void addNet(const NetPlan& plan) override {
+        constexpr double radius = 0.01;
+        std::vector<b2Body*> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i)
+            bodies.push_back(addDisc(plan.points[i], radius, plan.masses[i], -1));
+        for (const NetPlan::Spring& spring : plan.springs)
+            addSpring(bodies[spring.a], bodies[spring.b], spring.length, spring.stiffness,
+                      spring.damping);
+        keepRope(std::move(bodies));
+    }
+
 private:
+    void addSpring(b2Body* a, b2Body* b, double length, double stiffness, double damping) {
+        b2DistanceJointDef def;
+        def.Initialize(a, b, a->GetPosition(), b->GetPosition());
+        def.length = static_cast<float>(length);
+        def.minLength = 0;
+        def.maxLength = b2_maxFloat;
+        def.stiffness = static_cast<float>(stiffness);
+        def.damping = static_cast<float>(damping);
+        world_.CreateJoint(&def);
+    }
+
     std::vector<std::vector<b2Body*>> blobs_;
 };
 

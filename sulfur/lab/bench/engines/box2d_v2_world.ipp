@@ -75,6 +75,9 @@ protected:
         return body;
     }
 
+    /// Numbers bodies that were joined elsewhere with the ropes.
+    void keepRope(std::vector<b2Body*> bodies) { ropes_.push_back(std::move(bodies)); }
+
     Setting setting_;
     b2World world_;
 

@@ -3,6 +3,7 @@
 #include <box2d/box2d.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -55,6 +56,23 @@ public:
             const double length = (plan.points[i] - plan.points[i - 1]).norm();
             b2DistanceJointDef def = jointOf(bodies[i - 1], bodies[i], length);
             if (setting_.stiffJoints) def.base.constraintHertz = 1e5F;
+            b2CreateDistanceJoint(world_, &def);
+        }
+        ropes_.push_back(std::move(bodies));
+    }
+
+    /// Its springs are given by their frequency and damping ratio.
+    void addNet(const NetPlan& plan) override {
+        constexpr double radius = 0.01;
+        std::vector<b2BodyId> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i)
+            bodies.push_back(addDisc(plan.points[i], radius, plan.masses[i], -1));
+        for (const NetPlan::Spring& spring : plan.springs) {
+            b2DistanceJointDef def = jointOf(bodies[spring.a], bodies[spring.b], spring.length);
+            const double omega = std::sqrt(spring.stiffness / plan.reducedMass(spring));
+            def.enableSpring = true;
+            def.hertz = static_cast<float>(omega / (2 * std::numbers::pi));
+            def.dampingRatio = static_cast<float>(spring.damping * omega / (2 * spring.stiffness));
             b2CreateDistanceJoint(world_, &def);
         }
         ropes_.push_back(std::move(bodies));

@@ -97,6 +97,27 @@ public:
         ropes_.push_back(std::move(bodies));
     }
 
+    void addNet(const NetPlan& plan) override {
+        constexpr double radius = 0.01;
+        std::vector<cpBody*> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i) {
+            const double mass = plan.masses[i];
+            if (mass > 0) {
+                bodies.push_back(
+                    addBody(plan.points[i], mass, cpMomentForCircle(mass, 0, radius, cpvzero)));
+            } else {
+                bodies.push_back(cpSpaceAddBody(space_, cpBodyNewStatic()));
+                cpBodySetPosition(bodies.back(), vec(plan.points[i]));
+                bodies_.push_back(bodies.back());
+            }
+        }
+        for (const NetPlan::Spring& spring : plan.springs)
+            add(cpDampedSpringNew(bodies[spring.a], bodies[spring.b], cpvzero, cpvzero,
+                                  spring.length, spring.stiffness, spring.damping));
+        anchors_.push_back(plan.points.front());
+        ropes_.push_back(std::move(bodies));
+    }
+
     void addBlob(const Point& centre) override {
         const std::vector<Point> places = BlobPlan::places();
         const double mass = BlobPlan::mass / static_cast<double>(places.size());
@@ -122,7 +143,8 @@ public:
     }
     std::vector<Point> rope(std::size_t i) const override {
         std::vector<Point> all = places(ropes_[i]);
-        all.front() = anchors_[i];
+        // The world's own static body stands at the origin, wherever a rope is held.
+        if (ropes_[i].front() == cpSpaceGetStaticBody(space_)) all.front() = anchors_[i];
         return all;
     }
     std::vector<Point> blob(std::size_t i) const override { return places(blobs_[i]); }
