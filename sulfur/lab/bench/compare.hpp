@@ -27,7 +27,7 @@ struct Row {
     Spread lastSecond;       ///< the same, of the last second only
     double simulated = 0;    ///< s; less than the scene's when the limit stopped it
     Figures figures;         ///< of the first run
-    StageTimes stages = {};  ///< s in all, of a run of its own
+    StageTimes stages = {};  ///< s on the wall in all, of a run of its own
 
     bool cut() const { return simulated < scene.seconds; }
     /// Not a number when there is none of this name.

@@ -50,15 +50,17 @@ std::string line(const Row& row) {
     return out + '\n';
 }
 
+/// Shares, because engines read the clock on the wall, which also counts what other programs take.
 std::string stagesOf(const Row& row) {
     double sum = 0;
+    for (const auto& [name, seconds] : row.stages) sum += seconds;
     for (const auto& [name, seconds] : row.stages)
-        if (name != "whole step") sum += seconds;
+        if (name == "whole step") sum = seconds;
     std::string out =
         fmt::format("{} {:<12} {:<28}", row.scene.key, row.scene.variant, titleOf(row.setting));
     for (const auto& [name, seconds] : row.stages)
-        if (seconds >= 0.005 * sum)
-            out += fmt::format("  {} {}", name, number(1e3 * seconds / row.simulated));
+        if (name != "whole step" && seconds >= 0.005 * sum)
+            out += fmt::format("  {} {:.1f}", name, 100 * seconds / sum);
     return out + '\n';
 }
 
@@ -112,7 +114,8 @@ std::string asText(const Comparison& comparison) {
     }
     const bool staged = std::any_of(comparison.rows.begin(), comparison.rows.end(),
                                     [](const Row& row) { return !row.stages.empty(); });
-    if (staged) out += "\nStages, ms/s, in a run of their own; what is below 0.5 % is left out:\n";
+    if (staged)
+        out += "\nStages, % of a tick, in a run of their own; what is below 0.5 % is left out:\n";
     for (const Row& row : comparison.rows)
         if (!row.stages.empty()) out += stagesOf(row);
     return out;
