@@ -102,7 +102,7 @@ private:
         std::string out =
             "Share of a core's time (%) that physics takes while N boxes of 1 m drop each second, "
             "the mean of\n10 s. The arena and the way they drop are scene S1's, because the "
-            "paper does not tell its own;\nthe machines of the paper are those of 2014.\n" +
+            "paper does not tell its own;\nthe machines are the paper's, of 2014 and before.\n" +
             bench::missingEngines();
         out += fmt::format("{:<36}", "boxes a second");
         for (const int rate : rates) out += fmt::format("{:>8}", rate);
