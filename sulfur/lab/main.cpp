@@ -15,6 +15,7 @@ using namespace sulfur::lab;
 
 struct Options {
     bool list = false, csv = false, json = false;
+    std::string csvFile, jsonFile;  ///< empty: standard output
     std::string plotFolder;
 };
 
@@ -30,12 +31,15 @@ void writeWhole(const std::filesystem::path& file, const std::string& text) {
     if (stream && !problem) return;
     std::error_code ignored;
     std::filesystem::remove(half, ignored);
-    throw std::runtime_error(file.string() +
-                             " cannot be written; choose a folder with --plot that can");
+    throw std::runtime_error(file.string() + " cannot be written; choose a place that can");
 }
 
 void show(const Report& report, const Options& options) {
-    std::cout << (options.csv ? report.csv : options.json ? report.json : report.text);
+    if (!options.csvFile.empty()) writeWhole(options.csvFile, report.csv);
+    if (!options.jsonFile.empty()) writeWhole(options.jsonFile, report.json);
+    const bool csv = options.csv && options.csvFile.empty();
+    const bool json = options.json && options.jsonFile.empty();
+    std::cout << (csv ? report.csv : json ? report.json : report.text);
     if (!options.plotFolder.empty())
         for (const auto& picture : report.pictures)
             writeWhole(std::filesystem::path(options.plotFolder) / picture.file, picture.svg);
@@ -52,6 +56,9 @@ int run(const CLI::App& app, const Options& options, const Experiments& experime
     }
     for (const auto& experiment : experiments) {
         if (!app.got_subcommand(experiment->name())) continue;
+        if (options.csv && options.csvFile.empty() && options.json && options.jsonFile.empty())
+            throw std::runtime_error(
+                "--csv excludes --json on standard output; give one of them a file");
         if (!options.plotFolder.empty()) std::filesystem::create_directories(options.plotFolder);
         const Report report = experiment->run();
         show(report, options);
@@ -60,11 +67,25 @@ int run(const CLI::App& app, const Options& options, const Experiments& experime
     throw std::runtime_error("no experiment is named; name one of those that --list shows");
 }
 
+/// An option that prints a form of the report, or with the name of a file writes it there.
+void addOutput(CLI::App& app, const std::string& name, bool& wanted, std::string& file,
+               const std::string& form) {
+    app.add_option_function<std::vector<std::string>>(
+           name,
+           [&wanted, &file](const std::vector<std::string>& given) {
+               wanted = true;
+               if (!given.empty()) file = given.front();
+           },
+           "Print " + form + "; with a FILE, write it there and print the table")
+        ->expected(0, 1)
+        ->type_name("[FILE]");
+}
+
 void declare(CLI::App& app, Options& options, const Experiments& experiments) {
     app.set_version_flag("--version", std::string("sulfur_lab ") + sulfur::version());
     app.add_flag("--list", options.list, "Name the experiments");
-    auto* csv = app.add_flag("--csv", options.csv, "Print comma-separated values");
-    app.add_flag("--json", options.json, "Print JSON")->excludes(csv);
+    addOutput(app, "--csv", options.csv, options.csvFile, "comma-separated values");
+    addOutput(app, "--json", options.json, options.jsonFile, "JSON");
     app.add_option("--plot", options.plotFolder, "Also write SVG pictures into this folder");
     app.require_subcommand(0, 1);
     // What an experiment does not know may be one of the options above.

@@ -42,4 +42,17 @@ const PaperTable& paperTable3() {
     return table;
 }
 
+const std::vector<int>& paperBoxRates() {
+    static const std::vector<int> rates{20, 40, 60, 80, 100, 150, 200};
+    return rates;
+}
+
+const std::vector<PaperMachine>& paperTable4() {
+    static const std::vector<PaperMachine> machines{
+        {"Athlon64 3200, Windows XP", {12, 30, 45, 65, 83, 100, 100}},
+        {"Core2Duo T7700, Windows 7", {10, 22, 42, 55, 72, 95, 100}},
+        {"Core-i7 930, Ubuntu", {5, 10, 20, 25, 35, 50, 75}}};
+    return machines;
+}
+
 }  // namespace sulfur::lab

@@ -2,7 +2,8 @@
 //
 // Maggiorini, Ripamonti, Sauro: "Unifying Rigid and Soft Bodies Representation: The Sulfur Physics
 // Engine", 2014, section 3.1, tables 2 and 3: the largest elastic constant (N/m) before a rope of
-// 40 particles explodes. The paper leaves out values below 50.
+// 40 particles explodes. The paper leaves out values below 50. Table 4: the share of processor time
+// that physics takes while boxes drop, by the number of boxes a second.
 #pragma once
 
 #include <optional>
@@ -35,5 +36,14 @@ struct PaperTable {
 
 const PaperTable& paperTable2();
 const PaperTable& paperTable3();
+
+/// Table 4: a machine, and what it needed.
+struct PaperMachine {
+    std::string name;
+    std::vector<double> percent;  ///< of processor time, one for each of paperBoxRates()
+};
+/// Boxes a second, the columns of Table 4.
+const std::vector<int>& paperBoxRates();
+const std::vector<PaperMachine>& paperTable4();
 
 }  // namespace sulfur::lab

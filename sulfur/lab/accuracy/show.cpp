@@ -44,7 +44,7 @@ std::string cheapest(const WorkPrecision& scene, double error) {
         }
         text +=
             best ? fmt::format("{} at {} Hz, {:.2e} s", best->title, bestPoint.rate, bestPoint.cost)
-                 : fmt::format("{}", ours ? "World not at all" : "no integrator");
+                 : fmt::format("{}", ours ? "World not at all" : "no other method");
         if (ours) text += "; ";
     }
     return text + '\n';
@@ -80,6 +80,10 @@ std::string asText(const std::vector<WorkPrecision>& scenes, const CostOptions& 
         }
         out += "\nThe cheapest:\n";
         for (const double error : {0.1, 0.01, 0.001, 0.0001}) out += cheapest(work, error);
+        out += "Pareto front, from cheap to exact:\n";
+        for (const FrontPoint& p : paretoFront(work))
+            out += fmt::format("  {:<24}{:>7} Hz  {:.1e} m  {:.2e} s\n", p.title, p.point.rate,
+                               p.point.error, p.point.cost);
     }
     return out;
 }
@@ -137,7 +141,9 @@ std::string asSvg(const WorkPrecision& work) {
     plot.xLogarithmic = true;
     double least = 1e9, most = 1e-9, low = 1, high = 1e-9;
     for (const WorkCurve& curve : work.curves) {
-        Series series{curve.title, colours.at(curve.key), false, curve.ours, true, {}};
+        Series series{curve.title, curve.colour.empty() ? colours.at(curve.key) : curve.colour,
+                      false,       curve.ours,
+                      true,        {}};
         series.dashed = curve.key.find("held") != std::string::npos;
         for (const WorkPoint& point : curve.points) {
             if (!std::isfinite(point.error) || !(point.error > 0)) continue;
@@ -149,6 +155,10 @@ std::string asSvg(const WorkPrecision& work) {
         }
         plot.series.push_back(std::move(series));
     }
+    Series front{"Pareto front", "#f1c40f", true, false, true, {}};
+    for (const FrontPoint& p : paretoFront(work))
+        if (p.point.error > 0) front.points.emplace_back(p.point.cost, p.point.error);
+    plot.series.push_back(std::move(front));
     for (double x = std::floor(std::log10(least)); x <= std::ceil(std::log10(most)); ++x)
         plot.xTicks.push_back(std::pow(10, x));
     // Below this it is rounding.

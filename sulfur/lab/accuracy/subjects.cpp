@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sulfur/sulfur.hpp>
 
 #include "battery/scenes.hpp"
+#include "bench/engine.hpp"
+#include "bench/show.hpp"
 #include "integrators/integrator.hpp"
 
 namespace sulfur::lab {
@@ -49,6 +53,85 @@ private:
     double h_;
 };
 
+/// A chain of rigid links, or a net of springs, in another engine.
+class PeerRun final : public Run {
+public:
+    PeerRun(const AccuracyScene& scene, const bench::Setting& setting)
+        : world_(bench::engineOf(setting.engine).make(setting)) {
+        std::vector<Point> points;
+        for (const Vec& x : scene.start.x) points.emplace_back(x);
+        if (scene.hasRigidJoints()) {
+            world_->addRope({std::move(points), scene.masses});
+            return;
+        }
+        bench::NetPlan net{std::move(points), scene.masses, {}};
+        for (const SceneJoint& joint : scene.joints)
+            net.springs.push_back(
+                {joint.a, joint.b, joint.restLength, joint.stiffness, joint.damping});
+        world_->addNet(net);
+    }
+    void advance(long ticks) override {
+        for (long i = 0; i < ticks; ++i) world_->step();
+    }
+    Vec position(std::size_t particle) const override { return world_->rope(0)[particle]; }
+
+private:
+    std::unique_ptr<bench::EngineWorld> world_;
+};
+
+/// Whether a scene begins as the other engines' worlds do.
+bool startsAtRest(const AccuracyScene& scene) {
+    return scene.gravity == bench::gravity &&
+           std::all_of(scene.start.v.begin(), scene.start.v.end(),
+                       [](const Vec& v) { return v.isZero(); });
+}
+
+/// Whether it has springs only.
+bool isNet(const AccuracyScene& scene) {
+    return startsAtRest(scene) && !scene.joints.empty() &&
+           std::none_of(scene.joints.begin(), scene.joints.end(),
+                        [](const SceneJoint& joint) { return std::isinf(joint.stiffness); });
+}
+
+/// Whether it is a chain of rigid links that hangs from particle 0.
+bool isChain(const AccuracyScene& scene) {
+    if (scene.joints.size() + 1 != scene.masses.size() || scene.joints.empty()) return false;
+    if (!startsAtRest(scene) || scene.masses[0] != 0) return false;
+    for (std::size_t i = 0; i < scene.joints.size(); ++i)
+        if (scene.joints[i].a != i || scene.joints[i].b != i + 1 ||
+            !std::isinf(scene.joints[i].stiffness))
+            return false;
+    return true;
+}
+
+void addPeers(std::vector<Subject>& subjects, const std::vector<int>& rates) {
+    struct Choice {
+        const char* engine;
+        int iterations;
+        bool stiff;
+    };
+    for (const auto& [key, iterations, stiff] :
+         {Choice{"box2d3", 4, false}, Choice{"box2d3", 4, true}, Choice{"box2d2", 8, false},
+          Choice{"chipmunk", 10, false}, Choice{"bullet", 10, false}}) {
+        const bench::Engine& engine = bench::engineOf(key);
+        if (!engine.found()) continue;
+        const bench::Setting setting{.engine = key, .iterations = iterations, .stiffJoints = stiff};
+        const auto start = [setting](const AccuracyScene& scene, int rate) {
+            bench::Setting at = setting;
+            at.rate = rate;
+            return std::make_unique<PeerRun>(scene, at);
+        };
+        const bool nets = engine.offers(bench::Feature::nets);
+        const auto plays = [nets](const AccuracyScene& scene) {
+            return isChain(scene) || (nets && isNet(scene));
+        };
+        subjects.push_back(
+            {fmt::format("{}-{}{}", key, iterations, stiff ? "-stiff" : ""),
+             fmt::format("{} x {}{}", engine.title, iterations, stiff ? ", stiff" : ""), false,
+             rates, start, plays, bench::colourOf(key)});
+    }
+}
+
 }  // namespace
 
 std::vector<Subject> accuracySubjects(bool quick) {
@@ -60,15 +143,25 @@ std::vector<Subject> accuracySubjects(bool quick) {
     std::vector<Subject> subjects;
     for (const int sweeps : {1, 4, 16})
         subjects.push_back({fmt::format("world-{}", sweeps),
-                            fmt::format("World, {} sweep{}", sweeps, sweeps == 1 ? "" : "s"), true,
-                            ours, [sweeps](const AccuracyScene& scene, int rate) {
+                            fmt::format("World, {} sweep{}", sweeps, sweeps == 1 ? "" : "s"),
+                            true,
+                            ours,
+                            [sweeps](const AccuracyScene& scene, int rate) {
                                 return std::make_unique<WorldRun>(scene, rate, sweeps);
-                            }});
+                            },
+                            {},
+                            {}});
     for (const IntegratorEntry& entry : integrators())
-        subjects.push_back({entry.key, entry.title, false, theirs,
+        subjects.push_back({entry.key,
+                            entry.title,
+                            false,
+                            theirs,
                             [make = entry.make](const AccuracyScene& scene, int rate) {
                                 return std::make_unique<IntegratorRun>(scene, rate, make());
-                            }});
+                            },
+                            {},
+                            {}});
+    addPeers(subjects, ours);
     return subjects;
 }
 

@@ -53,11 +53,28 @@ double medianTime(const AccuracyScene& scene, const Subject& subject, int rate, 
 
 }  // namespace
 
+std::vector<FrontPoint> paretoFront(const WorkPrecision& work) {
+    std::vector<FrontPoint> all, front;
+    for (const WorkCurve& curve : work.curves)
+        for (const WorkPoint& point : curve.points)
+            if (std::isfinite(point.error) && std::isfinite(point.cost))
+                all.push_back({curve.title, point});
+    std::sort(all.begin(), all.end(), [](const FrontPoint& a, const FrontPoint& b) {
+        return a.point.cost != b.point.cost ? a.point.cost < b.point.cost
+                                            : a.point.error < b.point.error;
+    });
+    for (FrontPoint& p : all)
+        if (front.empty() || p.point.error < front.back().point.error)
+            front.push_back(std::move(p));
+    return front;
+}
+
 WorkPrecision measureWorkPrecision(AccuracyScene scene, const std::vector<Subject>& subjects,
                                    const CostOptions& options) {
     WorkPrecision result{std::move(scene), {}};
     for (const Subject& subject : subjects) {
-        WorkCurve curve{subject.key, subject.title, subject.ours, {}};
+        if (subject.plays && !subject.plays(result.scene)) continue;
+        WorkCurve curve{subject.key, subject.title, subject.ours, {}, subject.colour};
         for (const int rate : subject.rates) {
             const auto ticksPerSample = std::lround(result.scene.interval * rate);
             const auto ticks = ticksPerSample * static_cast<long>(result.scene.path.size());

@@ -30,12 +30,22 @@ struct WorkCurve {
     std::string key, title;
     bool ours = false;
     std::vector<WorkPoint> points;
+    std::string colour = {};  ///< as the subject's
 };
 
 struct WorkPrecision {
     AccuracyScene scene;
     std::vector<WorkCurve> curves;
 };
+
+/// A point of the Pareto front: no other point is as exact at less cost.
+struct FrontPoint {
+    std::string title;
+    WorkPoint point;
+};
+/// From the cheapest point to the most exact one; points that cost as much or more and are no more
+/// exact are left out.
+std::vector<FrontPoint> paretoFront(const WorkPrecision& work);
 
 WorkPrecision measureWorkPrecision(AccuracyScene scene, const std::vector<Subject>& subjects,
                                    const CostOptions& options);

@@ -1,4 +1,6 @@
 // accuracy: work-precision diagrams.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
@@ -18,7 +20,8 @@ public:
 
     void declare(CLI::App& app) override {
         app.add_option("--scene", scenes_, "Only these scenes")->check(CLI::IsMember(sceneKeys()));
-        app.add_option("--load", options_.load, "Load of the rope, in masses of a link")
+        app.add_option("--load", loads_, "Loads of the rope, in masses of a link")
+            ->delimiter(',')
             ->check(CLI::Range(1.0, 1e6))
             ->capture_default_str();
         app.add_flag("--quick", quick_, "Fewer rates and shorter measurements");
@@ -32,8 +35,13 @@ public:
         for (const std::string& key : sceneKeys()) {
             const bool wanted =
                 scenes_.empty() || std::find(scenes_.begin(), scenes_.end(), key) != scenes_.end();
-            if (wanted)
-                results.push_back(measureWorkPrecision(makeScene(key, options_), subjects, cost));
+            if (!wanted) continue;
+            const bool rope = key == "rope";
+            for (const double load : rope ? loads_ : std::vector{1.0}) {
+                AccuracyScene scene = makeScene(key, {.load = load});
+                if (rope) scene.key = fmt::format("rope-{:g}", load);
+                results.push_back(measureWorkPrecision(std::move(scene), subjects, cost));
+            }
         }
         Report report{asText(results, cost), asCsv(results), asJson(results)};
         for (const WorkPrecision& work : results)
@@ -43,7 +51,7 @@ public:
 
 private:
     std::vector<std::string> scenes_;
-    SceneOptions options_;
+    std::vector<double> loads_{1, 100, 1000};
     bool quick_ = false;
 };
 

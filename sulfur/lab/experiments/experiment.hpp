@@ -42,5 +42,9 @@ std::unique_ptr<Experiment> makeTable3();
 std::unique_ptr<Experiment> makeAccuracy();
 std::unique_ptr<Experiment> makeStability();
 std::unique_ptr<Experiment> makeBroadPhase();
+std::unique_ptr<Experiment> makeBench();
+std::unique_ptr<Experiment> makeTable4();
+std::unique_ptr<Experiment> makeScaling();
+std::unique_ptr<Experiment> makeSkip();
 
 }  // namespace sulfur::lab

@@ -4,7 +4,8 @@ namespace sulfur::lab {
 
 Experiments allExperiments() {
     Experiments all;
-    for (const auto make : {makeTable2, makeTable3, makeAccuracy, makeStability, makeBroadPhase})
+    for (const auto make : {makeTable2, makeTable3, makeTable4, makeAccuracy, makeStability,
+                            makeBroadPhase, makeBench, makeScaling, makeSkip})
         all.push_back(make());
     return all;
 }

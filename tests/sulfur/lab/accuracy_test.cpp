@@ -87,4 +87,27 @@ TEST(Accuracy, OffersEveryIntegratorAndThreeSettingsOfOurs) {
     EXPECT_TRUE(keys.count("world-1") && keys.count("world-4") && keys.count("world-16"));
 }
 
+TEST(Accuracy, TheFrontHoldsWhatNothingBeats) {
+    WorkPrecision work;
+    work.curves = {{"a", "A", true, {{60, 1e-1, 1}, {500, 1e-3, 5}, {1000, 1e-3, 8}}, ""},
+                   {"b", "B", false, {{60, 2e-1, 2}, {500, 1e-2, 3}}, ""}};
+    const auto front = paretoFront(work);
+    ASSERT_EQ(front.size(), 3u);
+    EXPECT_EQ(front[0].title, "A");
+    EXPECT_EQ(front[1].title, "B");
+    EXPECT_EQ(front[1].point.cost, 3);
+    EXPECT_EQ(front[2].point.cost, 5);
+}
+
+TEST(Accuracy, OtherEnginesPlayChainsAndNetsOnly) {
+    for (const Subject& subject : accuracySubjects(true)) {
+        if (!subject.plays) continue;
+        EXPECT_TRUE(subject.plays(makeScene("pendulum", {}))) << subject.key;
+        EXPECT_TRUE(subject.plays(makeScene("rope", {}))) << subject.key;
+        EXPECT_FALSE(subject.plays(makeScene("spring", {}))) << subject.key;
+        EXPECT_EQ(subject.plays(makeScene("lattice", {})), subject.key != "bullet-10");
+        EXPECT_FALSE(subject.plays(makeScene("fall", {}))) << subject.key;
+    }
+}
+
 }  // namespace

@@ -37,7 +37,8 @@ const char* const quick = " --highest 200 --resolution 1 --seconds 2 --only-expl
 TEST(Program, ListsItsExperiments) {
     const auto outcome = lab("--list");
     EXPECT_EQ(outcome.status, 0);
-    for (const char* name : {"table2", "table3", "accuracy", "stability", "broadphase"})
+    for (const char* name : {"table2", "table3", "table4", "accuracy", "stability", "broadphase",
+                             "bench", "scaling", "skip"})
         EXPECT_NE(outcome.output.find(name), std::string::npos) << name;
 }
 
@@ -49,9 +50,12 @@ TEST(Program, HasHelpAndVersion) {
 }
 
 TEST(Program, RefusesAWrongNameInOneSentence) {
-    for (const char* arguments : {"table9", "", "table3 --damper sideways", "table3 --seconds -1",
-                                  "accuracy --scene nowhere", "stability --battery --group nothing",
-                                  "--csv --json table3", "table2 table3"}) {
+    for (const char* arguments :
+         {"table9", "", "table3 --damper sideways", "table3 --seconds -1",
+          "accuracy --scene nowhere", "bench --scene S6", "bench --engine none", "bench --rounds 0",
+          "bench --core 4000 --scene S4", "bench --date 2026-01-01", "bench --quick --large",
+          "skip --bodies 1", "stability --battery --group nothing", "--csv --json table3",
+          "table2 table3"}) {
         const auto outcome = lab(arguments);
         EXPECT_NE(outcome.status, 0) << arguments;
         EXPECT_EQ(outcome.output.rfind("sulfur_lab: ", 0), 0u) << outcome.output;
@@ -154,6 +158,22 @@ TEST(Program, CountsWhatTheBroadPhaseMisses) {
     EXPECT_GT(literal, 0u);
     EXPECT_EQ(lab(quickly + " --json").output.front(), '{');
     EXPECT_NE(lab(quickly).output.find("heaps 8e+08 m apart"), std::string::npos);
+}
+
+TEST(Program, ComparesAndWritesWhatItFoundIntoFiles) {
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("sulfur_lab_bench_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    const std::string at = "'" + folder.string();
+    const auto outcome =
+        lab("bench --quick --scene S4 --engine sulfur --rounds 1 --no-stages --csv " + at +
+            "/bench.csv' --json " + at + "/bench.json' --plot " + at + "' --history " + at +
+            "/history.csv' --date 2026-01-01");
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("S4 swing 1:1000"), std::string::npos) << outcome.output;
+    for (const char* file : {"bench.csv", "bench.json", "history.csv", "bench_S4_hang-1-1.svg"})
+        EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Program, RefusesAPlaceForPicturesThatIsNone) {

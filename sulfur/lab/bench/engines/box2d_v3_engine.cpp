@@ -1,0 +1,199 @@
+// Box2D 3, through its C interface. Its headers have the names of Box2D 2's: this file sees only
+// these.
+#include <box2d/box2d.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "bench/engine.hpp"
+
+namespace sulfur::lab::bench {
+
+namespace {
+
+b2Vec2 vec(const Point& p) {
+    return {static_cast<float>(p.x()), static_cast<float>(p.y())};
+}
+
+class Box2dV3World final : public EngineWorld {
+public:
+    explicit Box2dV3World(const Setting& setting) : setting_(setting) {
+        b2WorldDef def = b2DefaultWorldDef();
+        def.gravity = {0, static_cast<float>(-gravity)};
+        def.enableSleep = false;
+        def.workerCount = setting.threads;
+        world_ = b2CreateWorld(&def);
+    }
+    ~Box2dV3World() override { b2DestroyWorld(world_); }
+    Box2dV3World(Box2dV3World&&) = delete;
+    Box2dV3World& operator=(Box2dV3World&&) = delete;
+
+    void addFixed(const Point& centre, const Point& half) override {
+        b2BodyDef def = b2DefaultBodyDef();
+        placeAt(def, centre);
+        addBox(b2CreateBody(world_, &def), half);
+    }
+
+    void addSquare(const Point& centre, double angle, const Point& velocity) override {
+        b2BodyDef def = b2DefaultBodyDef();
+        def.type = b2_dynamicBody;
+        placeAt(def, centre);
+        def.rotation = b2MakeRot(static_cast<float>(angle));
+        def.linearVelocity = vec(velocity);
+        squares_.push_back(b2CreateBody(world_, &def));
+        addBox(squares_.back(), Point(0.5, 0.5));
+    }
+
+    void addRope(const RopePlan& plan) override {
+        constexpr double radius = 0.05;
+        std::vector<b2BodyId> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i) {
+            bodies.push_back(addDisc(plan.points[i], radius, i == 0 ? 0 : plan.masses[i],
+                                     /*group=*/-1));
+            if (i == 0) continue;
+            const double length = (plan.points[i] - plan.points[i - 1]).norm();
+            b2DistanceJointDef def = jointOf(bodies[i - 1], bodies[i], length);
+            if (setting_.stiffJoints) def.base.constraintHertz = 1e5F;
+            b2CreateDistanceJoint(world_, &def);
+        }
+        ropes_.push_back(std::move(bodies));
+    }
+
+    /// Its springs are given by their frequency and damping ratio.
+    void addNet(const NetPlan& plan) override {
+        constexpr double radius = 0.01;
+        std::vector<b2BodyId> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i)
+            bodies.push_back(addDisc(plan.points[i], radius, plan.masses[i], -1));
+        for (const NetPlan::Spring& spring : plan.springs) {
+            b2DistanceJointDef def = jointOf(bodies[spring.a], bodies[spring.b], spring.length);
+            const double omega = std::sqrt(spring.stiffness / plan.reducedMass(spring));
+            def.enableSpring = true;
+            def.hertz = static_cast<float>(omega / (2 * std::numbers::pi));
+            def.dampingRatio = static_cast<float>(spring.damping * omega / (2 * spring.stiffness));
+            b2CreateDistanceJoint(world_, &def);
+        }
+        ropes_.push_back(std::move(bodies));
+    }
+
+    void addBlob(const Point& centre) override {
+        const std::vector<Point> places = BlobPlan::places();
+        const int group = -2 - static_cast<int>(blobs_.size());
+        std::vector<b2BodyId> bodies;
+        for (const Point& place : places)
+            bodies.push_back(addDisc(centre + place, BlobPlan::radius,
+                                     BlobPlan::mass / static_cast<double>(places.size()), group));
+        for (const auto& [a, b] : BlobPlan::springs()) {
+            b2DistanceJointDef def = jointOf(bodies[a], bodies[b], (places[b] - places[a]).norm());
+            def.enableSpring = true;
+            def.hertz = static_cast<float>(BlobPlan::hertz);
+            def.dampingRatio = static_cast<float>(BlobPlan::dampingRatio);
+            b2CreateDistanceJoint(world_, &def);
+        }
+        blobs_.push_back(std::move(bodies));
+    }
+
+    void step() override {
+        b2World_Step(world_, 1 / static_cast<float>(setting_.rate), setting_.iterations);
+        if (profiling_) addProfile();
+    }
+
+    std::pair<Point, double> square(std::size_t i) const override {
+        return {positionOf(squares_[i]),
+                static_cast<double>(b2Rot_GetAngle(b2Body_GetRotation(squares_[i])))};
+    }
+    std::vector<Point> rope(std::size_t i) const override { return places(ropes_[i]); }
+    std::vector<Point> blob(std::size_t i) const override { return places(blobs_[i]); }
+
+    void setProfiling(bool on) override { profiling_ = on; }
+    StageTimes stages() const override { return stages_; }
+
+private:
+    static void placeAt(b2BodyDef& def, const Point& p) {
+        // Of another type where it was built for large worlds.
+        def.position.x = static_cast<decltype(def.position.x)>(p.x());
+        def.position.y = static_cast<decltype(def.position.y)>(p.y());
+    }
+
+    static b2ShapeDef shapeDef() {
+        b2ShapeDef def = b2DefaultShapeDef();
+        def.density = 1;
+        def.material.friction = static_cast<float>(friction);
+        return def;
+    }
+
+    static void addBox(b2BodyId body, const Point& half) {
+        const b2ShapeDef def = shapeDef();
+        const b2Polygon box = b2MakeBox(static_cast<float>(half.x()), static_cast<float>(half.y()));
+        b2CreatePolygonShape(body, &def, &box);
+    }
+
+    /// A mass of 0 is fixed. Discs of one negative group do not touch each other.
+    b2BodyId addDisc(const Point& centre, double radius, double mass, int group) {
+        b2BodyDef bodyDef = b2DefaultBodyDef();
+        bodyDef.type = mass > 0 ? b2_dynamicBody : b2_staticBody;
+        placeAt(bodyDef, centre);
+        const b2BodyId body = b2CreateBody(world_, &bodyDef);
+        b2ShapeDef def = shapeDef();
+        def.density = static_cast<float>(mass / (std::numbers::pi * radius * radius));
+        def.filter.groupIndex = group;
+        const b2Circle circle{{0, 0}, static_cast<float>(radius)};
+        b2CreateCircleShape(body, &def, &circle);
+        return body;
+    }
+
+    static b2DistanceJointDef jointOf(b2BodyId a, b2BodyId b, double length) {
+        b2DistanceJointDef def = b2DefaultDistanceJointDef();
+        def.base.bodyIdA = a;
+        def.base.bodyIdB = b;
+        def.length = static_cast<float>(length);
+        return def;
+    }
+
+    /// Box2D tells milliseconds of the last step.
+    void addProfile() {
+        const b2Profile p = b2World_GetProfile(world_);
+        const std::array<std::pair<const char*, float>, 5> now{{{"pairs", p.pairs},
+                                                                {"collide", p.collide},
+                                                                {"constraints", p.constraints},
+                                                                {"refit", p.refit},
+                                                                {"whole step", p.step}}};
+        if (stages_.empty())
+            for (const auto& stage : now) stages_.emplace_back(stage.first, 0);
+        for (std::size_t i = 0; i < now.size(); ++i)
+            stages_[i].second += 1e-3 * static_cast<double>(now[i].second);
+    }
+
+    static Point positionOf(b2BodyId body) {
+        const auto p = b2Body_GetPosition(body);
+        return {static_cast<double>(p.x), static_cast<double>(p.y)};
+    }
+    static std::vector<Point> places(const std::vector<b2BodyId>& bodies) {
+        std::vector<Point> all;
+        for (const b2BodyId body : bodies) all.push_back(positionOf(body));
+        return all;
+    }
+
+    Setting setting_;
+    b2WorldId world_{};
+    std::vector<b2BodyId> squares_;
+    std::vector<std::vector<b2BodyId>> ropes_, blobs_;
+    bool profiling_ = false;
+    StageTimes stages_;
+};
+
+}  // namespace
+
+std::unique_ptr<EngineWorld> makeBox2dV3(const Setting& setting) {
+    return std::make_unique<Box2dV3World>(setting);
+}
+
+std::string box2dV3Version() {
+    const b2Version v = b2GetVersion();
+    return std::to_string(v.major) + '.' + std::to_string(v.minor) + '.' +
+           std::to_string(v.revision);
+}
+
+}  // namespace sulfur::lab::bench

@@ -1,0 +1,197 @@
+// Chipmunk.
+#include <chipmunk/chipmunk.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "bench/engine.hpp"
+
+namespace sulfur::lab::bench {
+
+namespace {
+
+cpVect vec(const Point& p) {
+    return cpv(p.x(), p.y());
+}
+
+/// Debian's Chipmunk greets on standard output when its first space is made. That is where the
+/// results go, so it speaks to nobody.
+cpSpace* quietFirstSpace() {
+    std::fflush(stdout);
+    const int kept = ::dup(STDOUT_FILENO);
+    const int nobody = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (kept >= 0 && nobody >= 0) ::dup2(nobody, STDOUT_FILENO);
+    cpSpace* space = cpSpaceNew();
+    std::fflush(stdout);
+    if (kept >= 0 && nobody >= 0) ::dup2(kept, STDOUT_FILENO);
+    if (kept >= 0) ::close(kept);
+    if (nobody >= 0) ::close(nobody);
+    return space;
+}
+
+cpSpace* newSpace() {
+    static bool greeted = false;
+    if (greeted) return cpSpaceNew();
+    greeted = true;
+    return quietFirstSpace();
+}
+
+class ChipmunkWorld final : public EngineWorld {
+public:
+    explicit ChipmunkWorld(const Setting& setting) : setting_(setting), space_(newSpace()) {
+        cpSpaceSetGravity(space_, cpv(0, -gravity));
+        cpSpaceSetIterations(space_, setting.iterations);
+        // The default of 0.1 is meant for pixels.
+        cpSpaceSetCollisionSlop(space_, 0.005);
+    }
+    ~ChipmunkWorld() override {
+        for (cpConstraint* constraint : constraints_) {
+            cpSpaceRemoveConstraint(space_, constraint);
+            cpConstraintFree(constraint);
+        }
+        for (cpShape* shape : shapes_) {
+            cpSpaceRemoveShape(space_, shape);
+            cpShapeFree(shape);
+        }
+        for (cpBody* body : bodies_) {
+            cpSpaceRemoveBody(space_, body);
+            cpBodyFree(body);
+        }
+        cpSpaceFree(space_);
+    }
+    ChipmunkWorld(ChipmunkWorld&&) = delete;
+    ChipmunkWorld& operator=(ChipmunkWorld&&) = delete;
+
+    void addFixed(const Point& centre, const Point& half) override {
+        cpBody* ground = cpSpaceGetStaticBody(space_);
+        const Point low = centre - half, high = centre + half;
+        add(cpBoxShapeNew2(ground, cpBBNew(low.x(), low.y(), high.x(), high.y()), 0));
+    }
+
+    void addSquare(const Point& centre, double angle, const Point& velocity) override {
+        cpBody* body = addBody(centre, 1, cpMomentForBox(1, 1, 1));
+        cpBodySetAngle(body, angle);
+        cpBodySetVelocity(body, vec(velocity));
+        add(cpBoxShapeNew(body, 1, 1, 0));
+        squares_.push_back(body);
+    }
+
+    void addRope(const RopePlan& plan) override {
+        std::vector<cpBody*> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i) {
+            constexpr double radius = 0.05;
+            if (i == 0) {
+                bodies.push_back(cpSpaceGetStaticBody(space_));
+                anchors_.push_back(plan.points[0]);
+                continue;
+            }
+            const double mass = plan.masses[i];
+            bodies.push_back(
+                addBody(plan.points[i], mass, cpMomentForCircle(mass, 0, radius, cpvzero)));
+            const cpVect from = i == 1 ? vec(plan.points[0]) : cpvzero;
+            add(cpPinJointNew(bodies[i - 1], bodies[i], from, cpvzero));
+        }
+        ropes_.push_back(std::move(bodies));
+    }
+
+    void addNet(const NetPlan& plan) override {
+        constexpr double radius = 0.01;
+        std::vector<cpBody*> bodies;
+        for (std::size_t i = 0; i < plan.points.size(); ++i) {
+            const double mass = plan.masses[i];
+            if (mass > 0) {
+                bodies.push_back(
+                    addBody(plan.points[i], mass, cpMomentForCircle(mass, 0, radius, cpvzero)));
+            } else {
+                bodies.push_back(cpSpaceAddBody(space_, cpBodyNewStatic()));
+                cpBodySetPosition(bodies.back(), vec(plan.points[i]));
+                bodies_.push_back(bodies.back());
+            }
+        }
+        for (const NetPlan::Spring& spring : plan.springs)
+            add(cpDampedSpringNew(bodies[spring.a], bodies[spring.b], cpvzero, cpvzero,
+                                  spring.length, spring.stiffness, spring.damping));
+        anchors_.push_back(plan.points.front());
+        ropes_.push_back(std::move(bodies));
+    }
+
+    void addBlob(const Point& centre) override {
+        const std::vector<Point> places = BlobPlan::places();
+        const double mass = BlobPlan::mass / static_cast<double>(places.size());
+        std::vector<cpBody*> bodies;
+        for (const Point& place : places) {
+            bodies.push_back(addBody(centre + place, mass,
+                                     cpMomentForCircle(mass, 0, BlobPlan::radius, cpvzero)));
+            cpShape* shape = add(cpCircleShapeNew(bodies.back(), BlobPlan::radius, cpvzero));
+            cpShapeSetFilter(
+                shape, cpShapeFilterNew(blobs_.size() + 1, CP_ALL_CATEGORIES, CP_ALL_CATEGORIES));
+        }
+        for (const auto& [a, b] : BlobPlan::springs())
+            add(cpDampedSpringNew(bodies[a], bodies[b], cpvzero, cpvzero,
+                                  (places[b] - places[a]).norm(), BlobPlan::stiffness,
+                                  BlobPlan::damping));
+        blobs_.push_back(std::move(bodies));
+    }
+
+    void step() override { cpSpaceStep(space_, 1.0 / setting_.rate); }
+
+    std::pair<Point, double> square(std::size_t i) const override {
+        return {positionOf(squares_[i]), cpBodyGetAngle(squares_[i])};
+    }
+    std::vector<Point> rope(std::size_t i) const override {
+        std::vector<Point> all = places(ropes_[i]);
+        // The world's own static body stands at the origin, wherever a rope is held.
+        if (ropes_[i].front() == cpSpaceGetStaticBody(space_)) all.front() = anchors_[i];
+        return all;
+    }
+    std::vector<Point> blob(std::size_t i) const override { return places(blobs_[i]); }
+
+private:
+    /// Takes the shape. Chipmunk multiplies the friction of two surfaces.
+    cpShape* add(cpShape* shape) {
+        cpShapeSetFriction(shape, std::sqrt(friction));
+        shapes_.push_back(cpSpaceAddShape(space_, shape));
+        return shape;
+    }
+    void add(cpConstraint* constraint) {
+        constraints_.push_back(cpSpaceAddConstraint(space_, constraint));
+    }
+    cpBody* addBody(const Point& centre, double mass, double inertia) {
+        cpBody* body = cpSpaceAddBody(space_, cpBodyNew(mass, inertia));
+        cpBodySetPosition(body, vec(centre));
+        bodies_.push_back(body);
+        return body;
+    }
+    static Point positionOf(const cpBody* body) {
+        const cpVect p = cpBodyGetPosition(body);
+        return {p.x, p.y};
+    }
+    static std::vector<Point> places(const std::vector<cpBody*>& bodies) {
+        std::vector<Point> all;
+        for (const cpBody* body : bodies) all.push_back(positionOf(body));
+        return all;
+    }
+
+    Setting setting_;
+    cpSpace* space_;
+    std::vector<cpBody*> bodies_, squares_;
+    std::vector<cpShape*> shapes_;
+    std::vector<cpConstraint*> constraints_;
+    std::vector<std::vector<cpBody*>> ropes_, blobs_;
+    std::vector<Point> anchors_;
+};
+
+}  // namespace
+
+std::unique_ptr<EngineWorld> makeChipmunk(const Setting& setting) {
+    return std::make_unique<ChipmunkWorld>(setting);
+}
+
+std::string chipmunkVersion() {
+    return cpVersionString;
+}
+
+}  // namespace sulfur::lab::bench
