@@ -108,6 +108,10 @@ TEST(Pack, entriesThatShareNamesOrBytesAreRefused) {
     EXPECT_TRUE(
         saysOf(refusal({{.name = "a", .content = "1"}, {.name = "b", .content = "1", .offset = 0}}),
                "not where"));
+    EXPECT_TRUE(saysOf(refusal({{.name = "b/", .content = "", .mode = 040755},
+                                {.name = "b/", .content = "", .mode = 040755}}),
+                       "twice"))
+        << "PhysicsFS would refuse to mount it";
     // The same header twice, as in a bomb whose entries overlap.
     std::string bytes = packBytes({{.name = "a", .content = "1"}});
     EXPECT_NO_THROW(Pack::fromBytes(asBytes(bytes), "test.zip"));

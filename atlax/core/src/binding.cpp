@@ -57,9 +57,9 @@ std::optional<Binding> Binding::parse(std::string_view text) {
     if (colon == std::string_view::npos) return {};
     const std::string_view device = text.substr(0, colon);
     std::string_view name = text.substr(colon + 1);
-    const auto with = [](Device d, std::optional<std::uint8_t> code) -> std::optional<Binding> {
-        if (!code) return {};
-        return Binding{d, *code};
+    const auto with = [](Device d, std::optional<std::uint8_t> number) -> std::optional<Binding> {
+        if (!number) return {};
+        return Binding{d, *number};
     };
     if (device == "key") {
         const Key key = keyFromName(name);

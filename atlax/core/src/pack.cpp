@@ -111,6 +111,7 @@ struct End {
 
 struct Listed {
     PackEntry entry;
+    std::uint16_t version = 0;  ///< needed to unpack it
     std::uint16_t flags = 0;
     std::uint64_t localOffset = 0;
     bool folder = false;
@@ -178,6 +179,7 @@ private:
         Listed listed;
         PackEntry& entry = listed.entry;
         entry.name = h.text(centralSize, nameLength);
+        listed.version = h.u16(6);
         listed.flags = h.u16(8);
         entry.deflated = h.u16(10) == deflate;
         entry.crc = h.u32(16);
@@ -241,8 +243,9 @@ private:
         if (h.u32(0) != localSignature || h.u16(26) != entry.name.size() ||
             h.text(localSize, entry.name.size()) != entry.name)
             refuse(entry.name, "is not where the directory says");
-        if (h.u16(6) != listed.flags || (h.u16(8) == deflate) != entry.deflated ||
-            h.u32(14) != entry.crc || h.u32(18) != entry.packedSize || h.u32(22) != entry.size)
+        if (h.u16(4) != listed.version || h.u16(6) != listed.flags ||
+            h.u16(8) != (entry.deflated ? deflate : stored) || h.u32(14) != entry.crc ||
+            h.u32(18) != entry.packedSize || h.u32(22) != entry.size)
             refuse(entry.name, "lies about its size or kind: its two headers differ");
         entry.offset = listed.localOffset + bytes.size() + h.u16(28);
         if (entry.offset + entry.packedSize > directory)
@@ -263,9 +266,9 @@ private:
     }
 
     void checkNames() const {
-        std::set<std::string, std::less<>> files;
+        std::set<std::string, std::less<>> files, folders;
         for (const Listed& listed : listed_)
-            if (!listed.folder && !files.insert(listed.entry.name).second)
+            if (!(listed.folder ? folders : files).insert(listed.entry.name).second)
                 refuse(listed.entry.name, "stands there twice");
         for (const Listed& listed : listed_) {
             const std::string& name = listed.entry.name;
