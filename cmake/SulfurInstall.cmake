@@ -62,7 +62,7 @@ endforeach()
 # Each installs itself; here they learn to find the project's shared libraries beside them,
 # wherever the tree is moved.
 set(SULFUR_PROGRAMS)
-foreach(program quaoar quaoar_solve sulfurchamber sulfur_lab)
+foreach(program quaoar quaoar_solve sulfurchamber sulfur_lab atlax_pack)
   if(TARGET ${program})
     list(APPEND SULFUR_PROGRAMS ${program})
     set_target_properties(${program} PROPERTIES

@@ -39,6 +39,66 @@ TEST_P(Rates, countExactlyOverDays) {
 
 INSTANTIATE_TEST_SUITE_P(Timestep, Rates, testing::Values(60, 144, 333, 500, 997, 10'000));
 
+/// Frames of 1/7 s for a week, up to 10 kHz: not a single tick too many or too few.
+TEST_P(Rates, doNotDriftOverAWeek) {
+    FixedTimestep step(GetParam());
+    atlax::FakeClock clock;
+    step.advance(clock.now());
+    constexpr std::int64_t frames = 7 * 24 * 3600 * std::int64_t{7};
+    for (std::int64_t frame = 1; frame <= frames; ++frame) {
+        clock.advance(frame * second / 7 - clock.now());
+        step.advance(clock.now());
+        step.takeTicks(2000);
+    }
+    EXPECT_EQ(step.ticks(), static_cast<std::uint64_t>(7 * day / second * GetParam()));
+    EXPECT_EQ(step.due(), 0);
+    EXPECT_EQ(step.alpha(), 0);
+    EXPECT_EQ(step.lostNs(), 0);
+}
+
+/// Whatever is given up for a day, taken and lost time add up to the time that passed.
+TEST_P(Rates, accountForAllTimeUnderOverload) {
+    FixedTimestep step(GetParam());
+    atlax::FakeClock clock;
+    step.advance(clock.now());
+    constexpr std::int64_t frameNs = 33'333'337;
+    while (clock.now() < day) {
+        clock.advance(frameNs);
+        step.advance(clock.now());
+        step.takeTicks(1);
+        step.giveUp();
+    }
+    const double tickNs = 1e9 / GetParam();
+    const double counted = static_cast<double>(step.ticks()) * tickNs + step.alpha() * tickNs +
+                           static_cast<double>(step.lostNs());
+    EXPECT_NEAR(counted, static_cast<double>(clock.now()), 2);
+    EXPECT_GT(step.overload(), 0.4);
+}
+
+TEST(Timestep, ticksAreTakenInBulk) {
+    FixedTimestep step(500);
+    step.advance(0);
+    step.advance(100'000'000);
+    EXPECT_EQ(step.takeTicks(20), 20);
+    EXPECT_EQ(step.takeTicks(-1), 0);
+    EXPECT_EQ(step.takeTicks(1000), 30);
+    EXPECT_EQ(step.ticks(), 50u);
+    step.setPaused(true);
+    step.singleTick();
+    EXPECT_EQ(step.takeTicks(5), 1);
+}
+
+/// Overload in slow motion is told in real time.
+TEST(Timestep, lostTimeIsRealTime) {
+    FixedTimestep step(1000);
+    step.setSpeedPermille(500);
+    step.advance(0);
+    step.advance(200'000'000);
+    EXPECT_EQ(step.due(), 100);
+    step.giveUp();
+    EXPECT_EQ(step.lostNs(), 200'000'000);
+}
+
 TEST(Timestep, ticksCostNothingWhenFramesAreShorter) {
     FixedTimestep step(60);
     step.advance(0);

@@ -1,24 +1,22 @@
-#include <al.h>
-#include <alc.h>
-#include <dlfcn.h>
-
 #include <algorithm>
-#include <array>
 #include <atlax/audio.hpp>
 #include <atlax/error.hpp>
 #include <atlax/log.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <string>
-#include <vector>
+
+#include "audio_impl.hpp"
 
 namespace atlax {
 
+using detail::within;
+
 namespace {
 
-constexpr std::size_t voiceCount = 32;
 constexpr int lowestRate = 8'000;
 constexpr int highestRate = 192'000;
+/// Pieces that fade out at the same time; more are cut.
+constexpr std::size_t mostMusic = 3;
 
 void requireSound(std::size_t samples, int rate) {
     if (samples == 0) throw Error("a sound without samples cannot be made");
@@ -27,167 +25,71 @@ void requireSound(std::size_t samples, int rate) {
                     std::to_string(lowestRate) + " to " + std::to_string(highestRate));
 }
 
-float within(float value, float low, float high, float otherwise) {
-    return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
-}
-
-float safeGain(float gain) {
-    return within(gain, 0, 4, 0);
-}
-float safePitch(float pitch) {
-    return within(pitch, 0.05f, 8, 1);
-}
-
-void ignoreAlsaMessage(const char*, int, const char*, int, const char*, ...) {}
-
-/// A missing device is reported by the log in one line; the libraries below would write ten more to
-/// standard error. ALSA is asked through the loader, since only OpenAL needs it.
-void quietLibraries() {
-    ::setenv("ALSOFT_LOGLEVEL", "0", 0);
-    void* alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
-    if (alsa == nullptr) return;
-    using Handler = void (*)(const char*, int, const char*, int, const char*, ...);
-    using SetHandler = int (*)(Handler);
-    auto* set = reinterpret_cast<SetHandler>(::dlsym(alsa, "snd_lib_error_set_handler"));  // NOLINT
-    if (set != nullptr) set(ignoreAlsaMessage);
-}
-
-/// A place on the half circle in front of the listener, at distance 1, so that the loudness stays.
-void placeSource(ALuint source, float pan) {
-    const float x = within(pan, -1, 1, 0);
-    alSource3f(source, AL_POSITION, x, 0, -std::sqrt(std::max(1 - x * x, 0.0f)));
+std::size_t index(Bus bus) {
+    return std::min(static_cast<std::size_t>(bus), busCount - 1);
 }
 
 }  // namespace
 
-namespace detail {
-
-/// Lives on after its Audio, then without a buffer.
-struct AudioDevice {
-    ALCdevice* device = nullptr;
-    ALCcontext* context = nullptr;
-
-    AudioDevice() {
-        quietLibraries();
-        device = alcOpenDevice(nullptr);
-        if (device == nullptr) return;
-        context = alcCreateContext(device, nullptr);
-        if (context != nullptr && alcMakeContextCurrent(context) == ALC_TRUE) return;
-        close();
-    }
-    ~AudioDevice() { close(); }
-    AudioDevice(const AudioDevice&) = delete;
-    AudioDevice& operator=(const AudioDevice&) = delete;
-
-    void close() {
-        if (context != nullptr) {
-            alcMakeContextCurrent(nullptr);
-            alcDestroyContext(context);
-        }
-        if (device != nullptr) alcCloseDevice(device);
-        context = nullptr;
-        device = nullptr;
-    }
-};
-
-struct SoundObject {
-    std::weak_ptr<AudioDevice> device;
-    ALuint buffer = 0;
-    double seconds = 0;
-
-    SoundObject() = default;
-    ~SoundObject() {
-        if (buffer != 0 && !device.expired()) alDeleteBuffers(1, &buffer);
-    }
-    SoundObject(const SoundObject&) = delete;
-    SoundObject& operator=(const SoundObject&) = delete;
-};
-
-}  // namespace detail
-
-struct Audio::Implementation {
-    struct Slot {
-        ALuint source = 0;
-        std::uint32_t generation = 0;
-        std::uint64_t started = 0;
-        bool loop = false;
-        std::shared_ptr<detail::SoundObject> sound;  ///< a buffer must outlive its playing
-    };
-
-    std::shared_ptr<detail::AudioDevice> device = std::make_shared<detail::AudioDevice>();
-    std::array<Slot, voiceCount> slots;
-    std::size_t usable = 0;
-    std::uint64_t plays = 0;
-    std::uint32_t generations = 0;
-    float master = 1;
-
-    bool available() const { return device->context != nullptr; }
-
-    void makeSources() {
-        alGetError();
-        for (Slot& slot : slots) {
-            alGenSources(1, &slot.source);
-            if (alGetError() != AL_NO_ERROR) break;  // a device with fewer voices
-            ++usable;
-            alSourcei(slot.source, AL_SOURCE_RELATIVE, AL_TRUE);
-            alSourcef(slot.source, AL_ROLLOFF_FACTOR, 0);
-            alSourcef(slot.source, AL_MAX_GAIN, 4);
-        }
-    }
-
-    bool busy(const Slot& slot) const {
-        if (slot.sound == nullptr) return false;
-        ALint state = AL_STOPPED;
-        alGetSourcei(slot.source, AL_SOURCE_STATE, &state);
-        return state == AL_PLAYING || state == AL_PAUSED;
-    }
-
-    void release(Slot& slot) {
-        alSourceStop(slot.source);
-        alSourcei(slot.source, AL_BUFFER, 0);
-        slot.sound.reset();
-        slot.generation = 0;
-    }
-
-    /// A free slot, else the oldest that does not loop, else none.
-    Slot* choose() {
-        Slot* oldest = nullptr;
-        for (std::size_t i = 0; i < usable; ++i) {
-            if (!busy(slots[i])) return &slots[i];
-            if (!slots[i].loop && (oldest == nullptr || slots[i].started < oldest->started))
-                oldest = &slots[i];
-        }
-        return oldest;
-    }
-
-    Slot* find(Voice voice) {
-        if (voice.generation == 0 || voice.slot >= usable) return nullptr;
-        Slot& slot = slots[voice.slot];
-        return slot.generation == voice.generation && busy(slot) ? &slot : nullptr;
-    }
-};
+float Curve::operator()(float quantity) const {
+    const float width = fromHigh - fromLow;
+    if (!std::isfinite(quantity) || width == 0) return toLow;
+    return toLow + (toHigh - toLow) * std::clamp((quantity - fromLow) / width, 0.0f, 1.0f);
+}
 
 double Sound::seconds() const {
-    return object_ ? object_->seconds : 0;
+    return object_ ? object_->seconds() : 0;
+}
+
+Music::Music(std::vector<std::byte> oggFile, const std::string& name) {
+    auto data = std::make_shared<detail::MusicData>();
+    data->bytes = std::move(oggFile);
+    data->name = name;
+    detail::MusicDecoder decoder(data);
+    const int channels = decoder.channels();
+    if (decoder.streams() != 1)
+        throw Error(name + ": this music is of several streams in one file");
+    if (channels < 1 || channels > 2)
+        throw Error(name + ": this music has " + std::to_string(channels) +
+                    " channels, where one or two are allowed");
+    if (decoder.rate() < lowestRate || decoder.rate() > highestRate)
+        throw Error(name + ": the sample rate of this music, " + std::to_string(decoder.rate()) +
+                    " Hz, is outside of " + std::to_string(lowestRate) + " to " +
+                    std::to_string(highestRate));
+    data->channels = channels;
+    data->rate = decoder.rate();
+    data->seconds = decoder.seconds();
+    data_ = std::move(data);
+}
+
+double Music::seconds() const {
+    return data_ ? data_->seconds : 0;
 }
 
 Audio::Audio() : implementation_(std::make_unique<Implementation>()) {
-    if (implementation_->available())
-        implementation_->makeSources();
-    else
-        log(LogLevel::Warning, "no sound device: the program goes on in silence");
+    implementation_->openDevice();
 }
 
 Audio::~Audio() {
-    auto& self = *implementation_;
-    for (std::size_t i = 0; i < self.usable; ++i) {
-        self.release(self.slots[i]);
-        alDeleteSources(1, &self.slots[i].source);
-    }
+    implementation_->closeDevice();
 }
 
 bool Audio::available() const {
-    return implementation_->available();
+    return implementation_->device != nullptr;
+}
+
+std::vector<std::string> Audio::devices() const {
+    return detail::audioDeviceNames();
+}
+
+bool Audio::setDevice(const std::string& name) {
+    auto& self = *implementation_;
+    for (auto& slot : self.slots) self.goOn(slot, 0);
+    self.deviceName = name;
+    self.openDevice();
+    if (self.device == nullptr) return false;
+    const auto names = devices();
+    return name.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
 Sound Audio::createSound(std::span<const float> samples, int sampleRate) {
@@ -201,36 +103,31 @@ Sound Audio::createSound(std::span<const float> samples, int sampleRate) {
 Sound Audio::createSound(std::span<const std::int16_t> samples, int sampleRate) {
     requireSound(samples.size(), sampleRate);
     auto object = std::make_shared<detail::SoundObject>();
-    object->seconds = static_cast<double>(samples.size()) / sampleRate;
-    if (implementation_->available()) {
-        alGetError();
-        alGenBuffers(1, &object->buffer);
-        object->device = implementation_->device;
-        alBufferData(object->buffer, AL_FORMAT_MONO16, samples.data(),
-                     static_cast<ALsizei>(samples.size_bytes()), sampleRate);
-        if (alGetError() != AL_NO_ERROR) log(LogLevel::Warning, "a sound could not be stored");
-    }
+    object->samples.assign(samples.begin(), samples.end());
+    object->rate = sampleRate;
+    // Now, so that the first time it is played does not take longer than others.
+    if (implementation_->device != nullptr) object->bufferOn(implementation_->device);
     return Sound(std::move(object));
 }
 
 Voice Audio::play(const Sound& sound, const PlayOptions& options) {
     auto& self = *implementation_;
-    if (!sound.valid() || sound.object_->buffer == 0) return {};
-    if (sound.object_->device.lock() != self.device) return {};
-    auto* slot = self.choose();
+    if (!sound.valid()) return {};
+    auto* slot = self.choose(options.priority);
     if (slot == nullptr) return {};
     self.release(*slot);
     slot->sound = sound.object_;
-    slot->loop = options.loop;
+    slot->options = options;
+    slot->options.bus = static_cast<Bus>(index(options.bus));
+    slot->now = {options.gain, options.pitch, options.pan};
     slot->started = ++self.plays;
+    slot->position = 0;
+    slot->paused = false;
+    slot->ended = false;
     if (++self.generations == 0) ++self.generations;
     slot->generation = self.generations;
-    alSourcei(slot->source, AL_BUFFER, static_cast<ALint>(sound.object_->buffer));
-    alSourcei(slot->source, AL_LOOPING, options.loop ? AL_TRUE : AL_FALSE);
-    alSourcef(slot->source, AL_GAIN, safeGain(options.gain));
-    alSourcef(slot->source, AL_PITCH, safePitch(options.pitch));
-    placeSource(slot->source, options.pan);
-    alSourcePlay(slot->source);
+    self.applyParameters(*slot);
+    self.startSource(*slot);
     return {static_cast<std::uint32_t>(slot - self.slots.data()), slot->generation};
 }
 
@@ -239,8 +136,7 @@ void Audio::stop(Voice voice) {
 }
 
 void Audio::stopAll() {
-    for (std::size_t i = 0; i < implementation_->usable; ++i)
-        implementation_->release(implementation_->slots[i]);
+    for (auto& slot : implementation_->slots) implementation_->release(slot);
 }
 
 bool Audio::playing(Voice voice) const {
@@ -248,16 +144,75 @@ bool Audio::playing(Voice voice) const {
 }
 
 void Audio::setGain(Voice voice, float gain) {
-    if (auto* slot = implementation_->find(voice)) alSourcef(slot->source, AL_GAIN, safeGain(gain));
+    auto* slot = implementation_->find(voice);
+    if (slot == nullptr) return;
+    slot->now.gain = gain;
+    implementation_->applyParameters(*slot);
 }
 
 void Audio::setPitch(Voice voice, float pitch) {
-    if (auto* slot = implementation_->find(voice))
-        alSourcef(slot->source, AL_PITCH, safePitch(pitch));
+    auto* slot = implementation_->find(voice);
+    if (slot == nullptr) return;
+    slot->now.pitch = pitch;
+    implementation_->applyParameters(*slot);
 }
 
 void Audio::setPan(Voice voice, float pan) {
-    if (auto* slot = implementation_->find(voice)) placeSource(slot->source, pan);
+    auto* slot = implementation_->find(voice);
+    if (slot == nullptr) return;
+    slot->now.pan = pan;
+    implementation_->applyParameters(*slot);
+}
+
+void Audio::setPosition(Voice voice, Vec2 position) {
+    auto* slot = implementation_->find(voice);
+    if (slot == nullptr || !slot->options.placement) return;
+    slot->options.placement->position = position;
+    implementation_->applyParameters(*slot);
+}
+
+void Audio::follow(Voice voice, std::function<VoiceParameters()> source) {
+    if (auto* slot = implementation_->find(voice)) slot->followed = std::move(source);
+}
+
+std::optional<VoiceParameters> Audio::heard(Voice voice) const {
+    const auto* slot = implementation_->find(voice);
+    if (slot == nullptr) return {};
+    return slot->heard;
+}
+
+void Audio::setListener(Vec2 position) {
+    implementation_->listener = position;
+}
+
+void Audio::playMusic(const Music& music, const MusicOptions& options) {
+    auto& self = *implementation_;
+    if (!music.valid()) return;
+    const float fade = within(options.fadeSeconds, 0, 60, 1);
+    if (!self.music.empty() && !self.music.back().leaving() &&
+        self.music.back().data() == music.data_.get())
+        return;
+    stopMusic(fade);
+    while (self.music.size() >= mostMusic) {
+        self.music.front().detach(self.device != nullptr);
+        self.music.pop_front();
+    }
+    self.music.emplace_back(music.data_,
+                            MusicOptions{within(options.gain, 0, 1, 0), fade, options.loop});
+    if (self.device != nullptr) self.music.back().attach();
+}
+
+void Audio::stopMusic(float fadeSeconds) {
+    for (auto& stream : implementation_->music) stream.fadeTo(0, within(fadeSeconds, 0, 60, 1));
+}
+
+bool Audio::musicPlaying() const {
+    const auto& music = implementation_->music;
+    return !music.empty() && !music.back().leaving() && !music.back().over();
+}
+
+double Audio::musicSeconds() const {
+    return musicPlaying() ? implementation_->music.back().position() : 0;
 }
 
 void Audio::setMasterVolume(float volume) {
@@ -269,15 +224,32 @@ float Audio::masterVolume() const {
     return implementation_->master;
 }
 
+void Audio::setBusVolume(Bus bus, float volume) {
+    auto& self = *implementation_;
+    self.volumes[index(bus)] = within(volume, 0, 1, 0);
+    for (auto& slot : self.slots)
+        if (slot.options.bus == bus && self.busy(slot)) self.applyParameters(slot);
+}
+
+float Audio::busVolume(Bus bus) const {
+    return implementation_->volumes[index(bus)];
+}
+
+void Audio::addDucking(const Ducking& rule) {
+    Ducking safe = rule;
+    safe.gain = within(rule.gain, 0, 1, 1);
+    safe.attackSeconds = within(rule.attackSeconds, 0, 10, 0.1f);
+    safe.releaseSeconds = within(rule.releaseSeconds, 0, 10, 0.5f);
+    implementation_->rules.push_back({safe, 1});
+}
+
 void Audio::setPaused(bool paused) {
     auto& self = *implementation_;
-    for (std::size_t i = 0; i < self.usable; ++i) {
-        auto& slot = self.slots[i];
-        if (!self.busy(slot)) continue;
-        ALint state = AL_STOPPED;
-        alGetSourcei(slot.source, AL_SOURCE_STATE, &state);
-        if (paused && state == AL_PLAYING) alSourcePause(slot.source);
-        if (!paused && state == AL_PAUSED) alSourcePlay(slot.source);
+    for (auto& slot : self.slots) {
+        if (slot.paused == paused || !self.busy(slot)) continue;
+        slot.paused = paused;
+        if (slot.source == 0) continue;
+        paused ? alSourcePause(slot.source) : alSourcePlay(slot.source);
     }
 }
 

@@ -86,6 +86,8 @@ void BackendPlatform::frame(bool visible) {
     gamepads_->poll([this](const Event& event) { handle(event); });
     clock_.advance(start);
     runTicks();
+    if (audio_ != nullptr) audio_->update(static_cast<double>(start - lastFrame_) * 1e-9);
+    lastFrame_ = start;
     const std::int64_t ticksEnd = now_();
     if (!finished() && visible && !size_.empty()) drawFrame();
     measure(start, ticksEnd, now_());

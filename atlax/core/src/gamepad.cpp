@@ -101,6 +101,13 @@ Gamepads::~Gamepads() {
     SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
+int Gamepads::addMappings(std::string_view database) {
+    constexpr std::size_t longest = 8u << 20;
+    if (!implementation_->running || database.empty() || database.size() > longest) return 0;
+    SDL_RWops* text = SDL_RWFromConstMem(database.data(), static_cast<int>(database.size()));
+    return std::max(SDL_GameControllerAddMappingsFromRW(text, 1), 0);
+}
+
 void Gamepads::poll(const std::function<void(const Event&)>& sink) {
     if (!implementation_->running) return;
     SDL_PumpEvents();

@@ -23,10 +23,12 @@ FixedTimestep::FixedTimestep(int rateHz) : rateHz_(rateHz) {
 void FixedTimestep::setRateHz(int rateHz) {
     requireRate(rateHz);
     rateHz_ = rateHz;  // units_ is a fraction of a tick, so it needs no conversion
+    lostUnits_ = 0;
 }
 
 void FixedTimestep::setSpeedPermille(int permille) {
     speedPermille_ = std::clamp(permille, 1, 10'000);
+    lostUnits_ = 0;
 }
 
 void FixedTimestep::advance(std::int64_t nowNs) {
@@ -46,16 +48,17 @@ void FixedTimestep::advance(std::int64_t nowNs) {
 }
 
 bool FixedTimestep::takeTick() {
-    if (paused_) {
-        if (singles_ == 0) return false;
-        --singles_;
-        ++ticks_;
-        return true;
-    }
-    if (units_ < unitsPerTick) return false;
-    units_ -= unitsPerTick;
-    ++ticks_;
-    return true;
+    return takeTicks(1) == 1;
+}
+
+std::int64_t FixedTimestep::takeTicks(std::int64_t most) {
+    const std::int64_t taken = std::clamp<std::int64_t>(most, 0, due());
+    if (paused_)
+        singles_ -= taken;
+    else
+        units_ -= taken * unitsPerTick;
+    ticks_ += static_cast<std::uint64_t>(taken);
+    return taken;
 }
 
 std::int64_t FixedTimestep::due() const {
@@ -67,7 +70,11 @@ void FixedTimestep::giveUp() {
     const std::int64_t dropped = units_ / unitsPerTick * unitsPerTick;
     if (dropped == 0) return;
     units_ -= dropped;
-    lose(dropped / rateHz_ / speedPermille_);
+    // The remainder waits for the next time, so that days of overload are not rounded away.
+    lostUnits_ += dropped;
+    const std::int64_t unitsPerNs = std::int64_t{rateHz_} * speedPermille_;
+    lose(lostUnits_ / unitsPerNs);
+    lostUnits_ %= unitsPerNs;
 }
 
 double FixedTimestep::alpha() const {

@@ -84,6 +84,7 @@ private:
     float scaleFactor_ = 1;
     bool focused_ = true;
     bool started_ = false;
+    std::int64_t lastFrame_ = 0;
 
     struct Window {
         std::int64_t start = 0;

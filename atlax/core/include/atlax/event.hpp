@@ -108,7 +108,8 @@ struct FileDropped {
     std::filesystem::path file{};
 };
 
-/// Everything that a backend may tell an application. Plain values, free to copy and store.
+/// Everything that a backend may tell an application. Plain values that own what they hold, free to
+/// copy and store in any thread.
 using Event = std::variant<WindowResized, FocusChanged, CloseRequested, KeyEvent, TextEvent,
                            MouseMoved, MouseButtonEvent, WheelEvent, PadConnected, PadDisconnected,
                            PadButtonEvent, PadAxisEvent, FileDropped>;

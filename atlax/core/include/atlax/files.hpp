@@ -9,6 +9,9 @@
 
 namespace atlax {
 
+// Plain files by their paths. The functions own nothing and may be called from any thread; those
+// that can fail throw atlax::Error. For mounted folders and packs see file_system.hpp.
+
 /// Reads a whole file of at most `maxBytes`. Throws Error with the name and the reason (missing,
 /// a folder, too large, unreadable). Never blocks on a device or pipe: only regular files are read.
 std::string readFile(const std::filesystem::path& file, std::size_t maxBytes);
@@ -39,6 +42,9 @@ std::filesystem::path programFolder();
 /// Folders are asked in this order: the environment variable, folders given by the program, then
 /// "../share/<application>" beside the program, then the source tree (for programs that
 /// run from the build folder).
+///
+/// A plain value that owns the names of the folders; one that does not change may be asked by
+/// several threads at once.
 class Assets {
 public:
     struct Options {

@@ -58,7 +58,8 @@ struct InputState {
 };
 
 /// Gathers events and gives each tick its InputState. Used by the backends; a test or a replay
-/// may use one of its own. Everything held is let go when the focus is lost.
+/// may use one of its own. Everything held is let go when the focus is lost. One thread; nothing
+/// throws, and events that name no key, button or pad are ignored.
 class InputSampler {
 public:
     void feed(const Event& event);

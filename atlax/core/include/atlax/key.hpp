@@ -7,7 +7,8 @@ namespace atlax {
 
 /// Keys by their place on a US keyboard (so that WASD is the same square on every layout);
 /// text comes through TextEvent. The numbers are atlax's own and stable: recordings and
-/// settings may store them.
+/// settings may store them. Plain values: everything here may be used in any thread, and throws
+/// nothing.
 // clang-format off
 enum class Key : std::uint8_t {
     Unknown = 0,

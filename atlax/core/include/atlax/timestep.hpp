@@ -12,8 +12,9 @@ namespace atlax {
 /// When the program cannot keep up, the time that it has no room for is given up and reported:
 /// simulated time then runs slower than real time, while the length of a tick never changes.
 ///
-/// The class reads no clock; the caller passes the time (nanoseconds of any monotonic clock), so
-/// tests run days in milliseconds. One thread. Use:
+/// The class reads no clock; the caller passes the time (nanoseconds of any monotonic clock, also
+/// of a FakeClock), so tests run days in milliseconds. A plain value that owns nothing else; one
+/// thread. Only what is said to throws. Use:
 ///
 ///     timestep.advance(now());
 ///     while (timestep.takeTick()) {
@@ -45,6 +46,9 @@ public:
     /// True when a tick is due, and counts it as done.
     bool takeTick();
 
+    /// Takes at most `most` of the ticks that are due, and returns how many.
+    std::int64_t takeTicks(std::int64_t most);
+
     /// Ticks that are due now.
     std::int64_t due() const;
 
@@ -70,7 +74,9 @@ public:
     void setSpeedPermille(int permille);
     int speedPermille() const { return speedPermille_; }
 
-    /// Real time given up since the start, nanoseconds.
+    /// Real time given up since the start, nanoseconds. Nothing is rounded away: at an unchanged
+    /// rate and speed, ticks taken, ticks due, the fraction of a tick and this add up to the time
+    /// that has passed, within one nanosecond over any number of days.
     std::int64_t lostNs() const { return lostNs_; }
     /// Share of real time given up over about the last second: 0 keeps up, 0.25 means that
     /// simulated time runs a quarter slower than it should.
@@ -91,9 +97,23 @@ private:
     std::int64_t singles_ = 0;
     std::uint64_t ticks_ = 0;
     std::int64_t lostNs_ = 0;
+    std::int64_t lostUnits_ = 0;  ///< given up, but less than a nanosecond
     std::int64_t windowNs_ = 0;
     std::int64_t windowLostNs_ = 0;
     double overload_ = 0;
+};
+
+/// A clock that goes only when it is told to, for tests and for replays faster than time. Starts at
+/// 0. A plain value; one thread. Hand `[&] { return clock.now(); }` to whoever wants a clock.
+class FakeClock {
+public:
+    /// Nanoseconds.
+    std::int64_t now() const { return now_; }
+    /// Lets so many nanoseconds pass; negative ones turn it back, which a real one never does.
+    void advance(std::int64_t ns) { now_ += ns; }
+
+private:
+    std::int64_t now_ = 0;
 };
 
 }  // namespace atlax
