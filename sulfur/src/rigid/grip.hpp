@@ -2,6 +2,8 @@
 //
 // A joint, contact or attachment acts on grips, so that what touches or hangs on a rigid component
 // feels its effective mass at that point.
+//
+// What every sweep calls for every contact is always inlined: that is worth a fifth of their time.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +19,7 @@ inline Grip gripOf(const State& state, std::uint32_t particle) {
 }
 
 /// Where the grip goes in this tick, so far.
-inline Vec2 displacementOf(const State& state, const Grip& grip) {
+[[gnu::always_inline]] inline Vec2 displacementOf(const State& state, const Grip& grip) {
     if (grip.cluster == none) return state.particles.displacement[grip.particle];
     const Cluster& c = state.clusters.list[grip.cluster];
     return c.displacement + c.sine * perpendicular(grip.arm) - c.versine * grip.arm;
@@ -50,7 +52,7 @@ inline void updateTurn(Cluster& c) {
 
 /// Turns the cluster's motion of this tick by `by` radians more. Small turns, as the sweeps make
 /// them, to third order; the exact sine is taken when the tick ends.
-inline void turnBy(Cluster& c, double by) {
+[[gnu::always_inline]] inline void turnBy(Cluster& c, double by) {
     constexpr double most = 1e5;  // rad in a tick: as good as any larger one
     c.angle = std::clamp(c.angle + by, -most, most);
     if (std::abs(by) > 0.05) {
@@ -64,7 +66,7 @@ inline void turnBy(Cluster& c, double by) {
 }
 
 /// Changes displacements by a push of `impulse` (kg m: impulse times the tick).
-inline void push(State& state, const Grip& grip, const Vec2& impulse) {
+[[gnu::always_inline]] inline void push(State& state, const Grip& grip, const Vec2& impulse) {
     if (grip.cluster == none) {
         state.particles.displacement[grip.particle] +=
             state.particles.inverseMass[grip.particle] * impulse;

@@ -18,14 +18,14 @@ inline Vec2 tangentOf(const Contact& c) {
     return {-c.normal[1], c.normal[0]};
 }
 
-inline Vec2 relativeDisplacement(const State& state, const Contact& c) {
+[[gnu::always_inline]] inline Vec2 relativeDisplacement(const State& state, const Contact& c) {
     Vec2 moved =
         displacementOf(state, c.gripOfParticle) - c.shareA * displacementOf(state, c.gripOfA);
     if (c.shareB != 0) moved -= c.shareB * displacementOf(state, c.gripOfB);
     return moved;
 }
 
-inline void push(State& state, const Contact& c, const Vec2& impulse) {
+[[gnu::always_inline]] inline void push(State& state, const Contact& c, const Vec2& impulse) {
     push(state, c.gripOfParticle, impulse);
     push(state, c.gripOfA, -c.shareA * impulse);
     if (c.shareB != 0) push(state, c.gripOfB, -c.shareB * impulse);
@@ -44,19 +44,19 @@ inline void shift(State& state, const Contact& c, const Vec2& impulse) {
 }
 
 /// m: more than what rests can gain of slip in a tick.
-inline Real slipOfRest(const State& state) {
+[[gnu::always_inline]] inline Real slipOfRest(const State& state) {
     return 2 * std::max<Real>(state.settings.gravity.norm(), 1) * state.h * state.h;
 }
 
 /// By how much the gap at the end of the tick is more than it must be; what was negative at its
 /// start is taken back by the recovery.
-inline Real gapLeft(const State& state, const Contact& c) {
+[[gnu::always_inline]] inline Real gapLeft(const State& state, const Contact& c) {
     const Real start = std::max<Real>(c.gap - c.slack, 0);
     return start - c.rise + c.normal.dot(relativeDisplacement(state, c));
 }
 
 /// How far the surfaces slide along the tangent in this tick.
-inline Real slipOf(const State& state, const Contact& c) {
+[[gnu::always_inline]] inline Real slipOf(const State& state, const Contact& c) {
     return c.conveyed + tangentOf(c).dot(relativeDisplacement(state, c));
 }
 
