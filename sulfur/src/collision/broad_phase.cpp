@@ -150,9 +150,12 @@ void rasteriseFixed(State& state) {
     ++broad.fixedRuns;
 }
 
-/// A skin as wide as what the fastest end covers in this tick and half of the next, at least.
+/// A skin as wide as what the particle covers in this tick and half of the next, at least; and up
+/// to ten ticks, if that is no more than a cell, so that not every tick something leaves its skin.
 Real skinOf(const State& state, std::uint32_t particle) {
-    return state.broad.baseSkin + Real(1.5) * state.particles.displacement[particle].norm();
+    const Real cell = static_cast<Real>(state.broad.cellSize);
+    const Real step = state.particles.displacement[particle].norm();
+    return state.broad.baseSkin + Real(1.5) * step + std::min(Real(8.5) * step, cell);
 }
 
 /// With how wide a skin a collider was rasterised, at least.

@@ -45,7 +45,8 @@ void solveConstraints(State& state) {
         if (sweep > 0 && contactsAlone && !ContactForest::isNeeded(state)) break;
         solveImplicitJoints(state);
         solveContacts(state, sweep % 2 != 0);
-        forest.solve(state);
+        // In the last sweep and every other one before: what it has mended, sweeps keep.
+        if ((state.settings.sweeps - sweep) % 2 != 0) forest.solve(state);
         solveAttachments(state);
         solveGrabs(state);
         solveRigidJoints(state);
