@@ -56,6 +56,7 @@ struct Contact {
     bool sliding = false;     // it slid in the last tick, so that kinetic friction counts
     bool inherited = false;   // it goes on from a contact of the last tick
     bool rough = false;       // has friction that can hold it
+    bool fast = false;        // its sides move far past or towards each other in this tick
 };
 
 /// What a contact was in the last tick, with which its successor begins.

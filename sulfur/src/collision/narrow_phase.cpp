@@ -98,6 +98,12 @@ bool comesSliding(const State& state, const Contact& c, const Vec2& moved) {
     return std::abs(c.conveyed + perpendicular(c.normal).dot(moved)) > slipOfRest(state);
 }
 
+/// Whether it closes or slides, by the predicted motion, by so large a share of its thickness that
+/// its direction, which is that of the tick's start, may be wrong at the end.
+bool isFast(const Contact& c, Real closing, const Vec2& moved) {
+    return -closing > Real(0.05) * c.thickness || moved.norm() > Real(0.25) * c.thickness;
+}
+
 /// A kinematic body that runs into a sleeper can only wake it in this tick.
 void knock(State& state, const Contact& c, Real closing) {
     if (c.gap + closing > 0) return;
@@ -107,14 +113,16 @@ void knock(State& state, const Contact& c, Real closing) {
 
 /// Adds the contact if the predicted displacements could close its gap.
 void keepIfNear(State& state, const Touch& t) {
-    const Real closing = t.meeting.normal.dot(relativeDisplacement(state.particles, t));
+    const Vec2 moved = relativeDisplacement(state.particles, t);
+    const Real closing = t.meeting.normal.dot(moved);
     const Real gap = t.meeting.distance - t.thickness;
     if (gap + std::min<Real>(closing, 0) > watchedGap(state, t.thickness)) return;
     Contact contact = makeContact(state, t);
     if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing);
     contact.approach = -closing / state.h;
     contact.slack = slackOf(state, contact);
-    contact.sliding = comesSliding(state, contact, relativeDisplacement(state.particles, t));
+    contact.sliding = comesSliding(state, contact, moved);
+    contact.fast = isFast(contact, closing, moved);
     if (mayRebound(contact)) planRebound(state, contact);
     state.contacts.push_back(contact);
 }

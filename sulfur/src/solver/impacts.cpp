@@ -13,8 +13,6 @@ namespace sulfur::detail {
 
 namespace {
 
-/// An impact is fast when it closes more than this share of the thickness in a tick.
-constexpr Real fastShare = Real(0.05);
 constexpr int bisections = 10;
 
 double square(double x) {
@@ -106,7 +104,7 @@ void Impacts::unite(const State& state) {
     };
     for (const Contact& c : state.contacts) {
         if (c.normalLambda <= 0) continue;
-        std::uint8_t trait = c.approach * state.h > fastShare * c.thickness ? fast : 0;
+        std::uint8_t trait = c.fast ? fast : 0;
         if (c.conveyed != 0) trait |= driven;
         traits_[c.bodyA] |= trait;
         traits_[c.bodyB] |= trait;
@@ -129,9 +127,7 @@ bool Impacts::findGroups(const State& state) {
     groups_.clear();
     parts_.clear();
     bodies_.clear();
-    const auto isFast = [&](const Contact& c) {
-        return c.normalLambda > 0 && c.approach * state.h > fastShare * c.thickness;
-    };
+    const auto isFast = [](const Contact& c) { return c.fast && c.normalLambda > 0; };
     if (std::none_of(state.contacts.begin(), state.contacts.end(), isFast)) return false;
     unite(state);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
