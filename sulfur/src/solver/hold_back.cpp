@@ -49,6 +49,18 @@ bool anyFast(const State& state) {
     return false;
 }
 
+/// What holding back took of the displacement of a particle that keeps its velocity.
+struct LostWay {
+    std::uint32_t particle = 0;
+    Vec2 displacement{0, 0};  // m
+};
+
+/// Of the present tick, until keepVelocities().
+std::vector<LostWay>& lostWays() {
+    thread_local std::vector<LostWay> ways;
+    return ways;
+}
+
 class Brakes {
 public:
     explicit Brakes(State& state) : state_(state), held_(scratch()) {
@@ -98,12 +110,19 @@ private:
                state_.trees.ofParticle[b.firstParticle] == none;
     }
 
+    /// Whether its velocity will be that of its displacement, as that of a chain that nothing
+    /// touches is not.
+    bool followsDisplacement(std::uint32_t particle) const {
+        const auto tree = state_.trees.ofParticle[particle];
+        return tree == none || !state_.trees.list[tree].alone || state_.trees.touched[tree] != 0;
+    }
+
     void hold(std::uint32_t particle, const Held& held) {
         Particles& p = state_.particles;
         if (p.cluster[particle] != none || p.inverseMass[particle] == 0) return;
         Vec2& displacement = p.displacement[particle];
-        if (held.keepsVelocity)
-            p.velocity[particle] += ((1 - held.share) / state_.h * displacement).cast<double>();
+        if (held.keepsVelocity && followsDisplacement(particle))
+            lostWays().push_back({particle, (1 - held.share) * displacement});
         displacement *= held.share;
     }
 
@@ -130,6 +149,7 @@ private:
 }  // namespace
 
 void holdBack(State& state) {
+    lostWays().clear();
     if (state.broad.candidates.empty() || !anyFast(state)) return;
     Brakes brakes(state);
     for (int round = 0; round < rounds; ++round) {
@@ -146,6 +166,12 @@ void holdBack(State& state) {
         }
         if (!brakes.apply()) return;
     }
+}
+
+void keepVelocities(State& state) {
+    for (const LostWay& way : lostWays())
+        state.particles.velocity[way.particle] += (way.displacement / state.h).cast<double>();
+    lostWays().clear();
 }
 
 }  // namespace sulfur::detail

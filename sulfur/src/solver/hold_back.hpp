@@ -11,4 +11,8 @@ namespace sulfur::detail {
 /// prediction did not show, or that four sweeps did not finish.
 void holdBack(State& state);
 
+/// After velocities followed from displacements: gives back what they have lost by holdBack() of
+/// this tick.
+void keepVelocities(State& state);
+
 }  // namespace sulfur::detail

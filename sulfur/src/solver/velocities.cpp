@@ -3,6 +3,7 @@
 
 #include "core/limits.hpp"
 #include "rigid/cluster_motion.hpp"
+#include "solver/hold_back.hpp"
 #include "solver/impacts.hpp"
 #include "solver/motion.hpp"
 #include "solver/restitution.hpp"
@@ -34,6 +35,7 @@ void updateVelocities(State& state) {
     velocitiesFromDisplacements(state);
     updateTreeVelocities(state);
     updateClusterVelocities(state);
+    keepVelocities(state);
     rebound(state);
     limitRebounds(state);
     movePoints(state);

@@ -50,11 +50,14 @@ Collision collide(const Blueprint& one, const Blueprint& other, Real speed, Real
 TEST(Impacts, FastRigidThingsGainNoEnergy) {
     const Blueprint rod = shapes::rope({.from = {Real(-0.4), 0}, .to = {Real(0.4), 0}, .links = 1});
     const Blueprint crate = shapes::box({.size = {Real(0.6), Real(0.4)}});
+    const Blueprint ball = shapes::ball({.radius = Real(0.1), .mass = 2});
     for (const Real speed : {Real(20), Real(90), Real(150)})
         for (const Real omega : {Real(-50), Real(7), Real(40)}) {
-            const Collision c = collide(rod, crate, speed, omega);
-            EXPECT_LT(c.growth, 1e-6) << speed << ' ' << omega;
-            EXPECT_LT(c.momentumError, 1e-5 * c.momentumBefore) << speed << ' ' << omega;
+            for (const Blueprint& one : {rod, ball}) {
+                const Collision c = collide(one, crate, speed, omega);
+                EXPECT_LT(c.growth, 1e-6) << speed << ' ' << omega;
+                EXPECT_LT(c.momentumError, 1e-5 * c.momentumBefore) << speed << ' ' << omega;
+            }
         }
 }
 
