@@ -40,6 +40,8 @@ public:
     PixelSize size() const override { return size_; }
     float scaleFactor() const override { return scaleFactor_; }
     bool focused() const override { return focused_; }
+    bool hasFileDialogs() const override { return false; }
+    std::optional<std::filesystem::path> chooseFile(const FileDialog& dialog) override;
     void requestScreenshot(const std::filesystem::path& file) override { screenshot_ = file; }
     void quit(int exitCode = 0) override;
 
