@@ -14,9 +14,10 @@ struct TargetObject;
 }  // namespace detail
 
 struct TextureOptions {
-    bool smooth = true;   ///< linear filter; false keeps hard pixels
-    bool repeat = false;  ///< the picture repeats outside of 0..1, else its border is stretched
-    bool mipmaps = true;  ///< smooth when drawn much smaller
+    bool smooth = true;     ///< linear filter; false keeps hard pixels
+    bool repeat = false;    ///< the picture repeats outside of 0..1, else its border is stretched
+    bool mipmaps = true;    ///< smooth when drawn much smaller
+    int mipmapLevels = 14;  ///< how often it is halved at most, for pictures on one page
 };
 
 /// A picture on the graphics card, made by Canvas::createTexture. A cheap handle: copies share the
