@@ -1,5 +1,6 @@
 #include "example.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -41,6 +42,8 @@ void Example::start(Platform& platform) {
     platform_ = &platform;
     font_ = Font::standard();
     checker_ = platform.canvas().createTexture(checkerboard());
+    if (options_.effects) post_.emplace(platform.canvas());
+    if (options_.load) load_.emplace();
     const Vec2 size = platform.size().toVec();
     say("started " + std::to_string(std::lround(size.x)) + " " +
         std::to_string(std::lround(size.y)) + " scale " +
@@ -48,7 +51,14 @@ void Example::start(Platform& platform) {
 }
 
 void Example::stop() {
-    if (meter_) say(meter_->report(platform_->clock()));
+    if (meter_) {
+        say(meter_->report(platform_->clock()));
+        const CanvasStatistics cost = platform_->canvas().statistics();
+        say("a frame: " + std::to_string(cost.triangles) + " triangles in " +
+            std::to_string(cost.drawCalls) + " draw calls");
+    }
+    // They belong to the canvas, which goes after this.
+    post_.reset();
     say("stopped");
 }
 
@@ -137,7 +147,9 @@ void Example::tick() {
 
 void Example::draw(Canvas& canvas, double alpha) {
     if (meter_ && meter_->frame(platform_->clock(), alpha)) platform_->quit();
+    if (post_) post_->begin();
     drawScene(canvas, alpha);
+    if (post_) post_->end(std::array<PostEffect, 2>{Bloom{}, Vignette{}});
     drawState(canvas);
 }
 
@@ -162,6 +174,7 @@ void Example::drawScene(Canvas& canvas, double alpha) {
     }
     canvas.sprite(checker_, {1, 1.2f}, {2, 2}, {.angle = 0.3f + turned_ * 0.1f, .tint = ice});
     canvas.capsule({3, 0.4f}, {4.5f, 2}, 0.4f, Color::hex(0xE0605A));
+    if (load_) load_->draw(canvas, checker_, angle);
     canvas.setBlend(Blend::Additive);
     canvas.glow({0, 6}, 2, amber.faded(0.7f));
     canvas.setBlend(Blend::Alpha);

@@ -2,16 +2,20 @@
 
 #include <atlax/application.hpp>
 #include <atlax/font.hpp>
+#include <atlax/post_process.hpp>
 #include <deque>
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "load.hpp"
 #include "tick_meter.hpp"
 
 struct ExampleOptions {
     bool still = false;                ///< draws no motion, so that pictures can be compared
     std::optional<double> seconds{};   ///< measures ticks for so long, then ends
+    bool load = false;                 ///< draws the benchmark's load
+    bool effects = false;              ///< bloom and a vignette
     std::filesystem::path pictures{};  ///< folder of the pictures that F12 takes
 };
 
@@ -47,6 +51,8 @@ private:
     atlax::Platform* platform_ = nullptr;
     std::optional<atlax::Font> font_;
     atlax::Texture checker_;
+    std::optional<atlax::PostProcess> post_;
+    std::optional<Load> load_;
     std::string typed_;
     std::string pasted_;
     bool textInput_ = false;

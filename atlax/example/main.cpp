@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
     app.add_option("--pictures", example.pictures, "Folder of the pictures that F12 takes")
         ->check(CLI::ExistingDirectory);
     app.add_flag("--still", example.still, "Draw no motion");
+    app.add_flag("--load", example.load, "Draw 100,000 textured triangles and 10,000 capsules");
+    app.add_flag("--effects", example.effects, "Draw with bloom and vignette");
     app.add_flag("--fullscreen", window.fullscreen, "Fill the screen");
     app.add_flag("--offscreen", window.offscreen, "No window: draw into memory");
     CLI11_PARSE(app, argc, argv);

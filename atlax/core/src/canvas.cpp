@@ -34,6 +34,7 @@ Canvas::~Canvas() {
     implementation_->glyphs.clear();
     implementation_->frame = {};
     implementation_->saved.clear();
+    implementation_->modelTarget = {};
     implementation_->graveyard->bury();
 }
 

@@ -36,6 +36,10 @@ void Graveyard::bury() {
     }
     for (const GLuint program : programs) glDeleteProgram(program);
     programs.clear();
+    glDeleteVertexArrays(static_cast<GLsizei>(vertexArrays.size()), vertexArrays.data());
+    vertexArrays.clear();
+    glDeleteBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    buffers.clear();
     if (!textures.empty()) {
         glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
         textures.clear();

@@ -7,6 +7,7 @@
 
 #include "batch.hpp"
 #include "glyph_atlas.hpp"
+#include "model_renderer.hpp"
 
 namespace atlax {
 
@@ -47,6 +48,8 @@ public:
     std::shared_ptr<detail::Graveyard> graveyard = std::make_shared<detail::Graveyard>();
     detail::Batch batch{graveyard};
     detail::GlyphAtlas glyphs{graveyard};
+    std::unique_ptr<detail::ModelRenderer> models;  ///< made when first needed
+    RenderTarget modelTarget;
     Frame frame;
     std::vector<Frame> saved;
     float scaleFactor = 1;

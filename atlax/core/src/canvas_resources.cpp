@@ -76,6 +76,10 @@ void unpremultiply(Image& image) {
     }
 }
 
+GLuint detail::nameOf(const Texture& texture) {
+    return texture.object_ ? texture.object_->name : 0;
+}
+
 PixelSize Texture::size() const {
     return object_ ? object_->size : PixelSize{};
 }

@@ -16,6 +16,8 @@ struct Graveyard {
     std::vector<GLuint> textures;
     std::vector<GLuint> framebuffers;
     std::vector<GLuint> programs;
+    std::vector<GLuint> vertexArrays;
+    std::vector<GLuint> buffers;
 
     void bury();
 };
@@ -42,6 +44,9 @@ struct TargetObject {
     TargetObject(const TargetObject&) = delete;
     TargetObject& operator=(const TargetObject&) = delete;
 };
+
+/// OpenGL's name of a texture, 0 for none.
+GLuint nameOf(const Texture& texture);
 
 /// A program of the canvas: its own, or a caller's shader.
 struct ShaderObject {

@@ -1,5 +1,6 @@
 #include "shader.hpp"
 
+#include <algorithm>
 #include <atlax/error.hpp>
 #include <string>
 #include <vector>
@@ -110,12 +111,16 @@ GLuint compile(GLenum kind, const std::vector<const char*>& parts) {
 }  // namespace
 
 GLuint buildCanvasProgram(const char* paint) {
-    std::vector<const char*> parts{version, fragmentHead, fragmentMain};
-    if (paint != nullptr)
-        parts = {version, "#define ATLAX_CUSTOM\n", fragmentHead, fragmentMain, "\n#line 1\n",
-                 paint};
+    if (paint == nullptr) return buildProgram(vertexSource, {fragmentHead, fragmentMain});
+    return buildProgram(
+        vertexSource, {"#define ATLAX_CUSTOM\n", fragmentHead, fragmentMain, "\n#line 1\n", paint});
+}
+
+GLuint buildProgram(const char* vertexPart, const std::vector<const char*>& fragmentParts) {
+    std::vector<const char*> parts(fragmentParts.size() + 1, version);
+    std::copy(fragmentParts.begin(), fragmentParts.end(), parts.begin() + 1);
     const GLuint fragment = compile(GL_FRAGMENT_SHADER, parts);
-    const GLuint vertex = compile(GL_VERTEX_SHADER, {version, vertexSource});
+    const GLuint vertex = compile(GL_VERTEX_SHADER, {version, vertexPart});
     const GLuint program = glCreateProgram();
     glAttachShader(program, vertex);
     glAttachShader(program, fragment);

@@ -1,5 +1,6 @@
 #include <wx/dcclient.h>
 #include <wx/dnd.h>
+#include <wx/log.h>
 #include <wx/timer.h>
 #include <wx/toplevel.h>
 
@@ -215,6 +216,7 @@ void View::finishIfEnded() {
 bool View::start() {
     const wxSize client = GetClientSize();
     if (!IsShownOnScreen() || client.GetWidth() <= 1 || client.GetHeight() <= 1) return false;
+    const wxLogNull quiet;  // what is wrong is said below
     const wxGLContextAttrs attributes = contextAttributes();
     auto context = std::make_unique<wxGLContext>(this, nullptr, &attributes);
     if (!context->IsOK() || !SetCurrent(*context))

@@ -9,6 +9,7 @@
 #include <atlax/color.hpp>
 #include <atlax/font.hpp>
 #include <atlax/image.hpp>
+#include <atlax/model.hpp>
 #include <atlax/shader.hpp>
 #include <atlax/texture.hpp>
 #include <atlax/vec.hpp>
@@ -124,6 +125,8 @@ public:
     /// `tint` is premultiplied with the opacity in it. Uniforms of type float to vec4 are its
     /// parameters. Throws Error with the driver's message, whose lines are those of `source`.
     Shader createShader(std::string_view source);
+    /// Copies a model to the graphics card. Throws Error as createTexture does.
+    ModelMesh createModel(const Model& model);
     /// Reads a target back with straight alpha.
     Image read(const RenderTarget& target);
     /// Reads what the current frame has drawn so far (for screenshots), opaque.
@@ -200,6 +203,12 @@ public:
     /// both borders they shrink alike. `uv` picks a part of the texture, as sprite() does.
     void ninePatch(const Texture& texture, Rect rect, const Insets& insets, float pixel = 1,
                    const SpriteStyle& style = {});
+
+    /// Draws models with depth and light among each other; on what is drawn already they lie flat,
+    /// as one sprite, so that clip, opacity, blend mode and shader act on them. Each part of a
+    /// model is a draw call. Throws Error when the card has no room for a picture of the frame's
+    /// size.
+    void models(std::span<const ModelInstance> instances, const ModelView& view = {});
 
     /// Draws UTF-8 text at a point (see TextStyle for what the point means); '\n' starts a
     /// new line. Returns its extent in units of the current space.

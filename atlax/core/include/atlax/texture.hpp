@@ -7,10 +7,12 @@
 namespace atlax {
 
 class Canvas;
+class Texture;
 
 namespace detail {
 struct TextureObject;
 struct TargetObject;
+unsigned nameOf(const Texture& texture);
 }  // namespace detail
 
 struct TextureOptions {
@@ -34,6 +36,7 @@ public:
 private:
     friend class Canvas;
     friend class RenderTarget;
+    friend unsigned detail::nameOf(const Texture& texture);
     explicit Texture(std::shared_ptr<detail::TextureObject> object) : object_(std::move(object)) {}
     std::shared_ptr<detail::TextureObject> object_;
 };
