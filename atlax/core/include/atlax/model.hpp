@@ -49,7 +49,7 @@ struct Model {
 /// transforms applied, colours and pictures of materials; no animations. Other files that it names
 /// are read only from its folder and below. Throws Error with the file's name and the reason: not a
 /// model, beyond the limits, numbers that are not finite, a missing or foreign file; nothing is
-/// half-loaded. Any thread.
+/// half-loaded. One thread at a time, as for pictures.
 Model loadModel(const std::filesystem::path& file);
 
 /// The same from bytes in memory, which may name no other files; the ending of `name` says which of
