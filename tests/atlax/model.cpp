@@ -113,6 +113,11 @@ TEST(Model, whatIsNoModelIsRefusedWithAReason) {
     EXPECT_NE(refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").find("test.obj"), std::string::npos);
     EXPECT_NE(refusal("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").find("test.obj"),
               std::string::npos);
+    // Sound as STL, which its name hides.
+    EXPECT_NE(refusal("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                      "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n")
+                  .find("test.obj"),
+              std::string::npos);
     EXPECT_THROW(loadModel("/no/such/model.obj"), Error);
 }
 

@@ -1,7 +1,5 @@
 // Whatever bytes are handed over as a picture, they are decoded or refused with atlax::Error, and
 // what was decoded is as large as it says.
-#include <SDL_log.h>
-
 #include <atlax/error.hpp>
 #include <atlax/image.hpp>
 #include <cstdlib>
@@ -37,7 +35,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    SDL_LogSetAllPriority(SDL_LOG_PRIORITY_CRITICAL);
     const auto bytes = std::as_bytes(std::span(data, size));
     try {
         check(atlax::decodeImage(bytes, "fuzz"));

@@ -1,7 +1,9 @@
+#include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+
 #include <algorithm>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
@@ -217,12 +219,25 @@ std::string kindOf(const std::string& name) {
     return ending;
 }
 
+/// Leaves only the readers of OBJ and glTF 2. Otherwise assimp looks at the content and hands it to
+/// any of its many readers, whatever the name says.
+void keepOurReaders(Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const std::string_view name = importer.GetImporterInfo(i)->mName;
+        if (name == "glTF2 Importer" || name == "Wavefront Object Importer") continue;
+        Assimp::BaseImporter* other = importer.GetImporter(i);
+        importer.UnregisterLoader(other);
+        delete other;  // ours from here on
+    }
+}
+
 Model import(std::span<const std::byte> bytes, const fs::path& folder, const std::string& name) {
     const std::string self = "model" + kindOf(name);
     if (bytes.empty()) refuse(name, "is empty");
     if (bytes.size() > Model::mostBytes) refuse(name, "is larger than 64 MiB");
     Files files(folder, self, bytes);
     Assimp::Importer importer;
+    keepOurReaders(importer);
     importer.SetIOHandler(new FileSystem(files));  // the importer owns it
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
