@@ -11,6 +11,7 @@ enter_work_folder() {
     cd "$1" || exit
     export XDG_CONFIG_HOME=$PWD/config XDG_DATA_HOME=$PWD/data XDG_CACHE_HOME=$PWD/cache
     export ALSOFT_DRIVERS=null SDL_VIDEODRIVER=x11 GDK_BACKEND=x11 NO_AT_BRIDGE=1
+    export GSETTINGS_BACKEND=memory
 }
 
 # wait_until SECONDS COMMAND...: tries ten times a second.

@@ -44,6 +44,11 @@ void BackendPlatform::quit(int exitCode) {
     if (!exitCode_) exitCode_ = exitCode;
 }
 
+std::optional<std::filesystem::path> BackendPlatform::chooseFile(const FileDialog& dialog) {
+    log(LogLevel::Warning, "this backend has no dialog for \"" + dialog.title + "\"");
+    return {};
+}
+
 void BackendPlatform::begin() {
     canvas_ = std::make_unique<Canvas>();
     gamepads_ = std::make_unique<Gamepads>();
@@ -159,7 +164,7 @@ public:
         begin();
         while (!finished()) {
             ++frames_;
-            frame();
+            frame(!minimised_);
         }
         end();
         return exitCode();
@@ -172,7 +177,10 @@ public:
         screen_.resize(size);
         handle(WindowResized{size, 1});
     }
+    void setMinimised(bool minimised) override { minimised_ = minimised; }
+    bool minimised() const override { return minimised_; }
     void setCursorVisible(bool) override {}
+    void setCursor(Cursor) override {}
     void setTextInput(bool) override {}
     std::string clipboard() override { return clipboard_; }
     void setClipboard(const std::string& utf8) override { clipboard_ = utf8; }
@@ -187,6 +195,7 @@ private:
     OffscreenCanvas screen_;
     std::int64_t frames_ = 0;
     bool fullscreen_ = false;
+    bool minimised_ = false;
     std::string clipboard_;
 };
 

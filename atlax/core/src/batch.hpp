@@ -16,7 +16,14 @@ namespace atlax::detail {
 using PackedColor = std::array<std::uint16_t, 4>;
 
 /// What the fragment shader does with a primitive, when it is not a shape (shader.cpp).
-enum class Mode : int { Textured = -1, Flat = -2, Gradient = -3, Glow = -4 };
+enum class Mode : int {
+    Textured = -1,
+    Flat = -2,
+    Gradient = -3,
+    Glow = -4,
+    Linear = -5,
+    Radial = -6
+};
 
 struct Vertex {
     Vec2 position;  ///< pixels, y down
@@ -29,10 +36,14 @@ constexpr std::array<float, 4> shapeOf(Mode mode) {
     return {0, 0, 0, static_cast<float>(static_cast<int>(mode))};
 }
 
+/// Two colours, of 8 bits a channel, in three whole numbers that a float holds exactly, and how
+/// they go over: Mode::Linear along uv.x, Mode::Radial along the length of uv.
+std::array<float, 4> gradientShape(const PackedColor& start, const PackedColor& end, Mode mode);
+
 /// Gathers triangles and draws them with as few calls as possible. Needs the context current.
 class Batch {
 public:
-    Batch();
+    explicit Batch(std::shared_ptr<Graveyard> graveyard);
     ~Batch();
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
@@ -44,6 +55,10 @@ public:
 
     /// Triangles that follow may sample this texture. Flushes when another one was in use.
     void useTexture(const std::shared_ptr<TextureObject>& texture);
+
+    /// Flushes when something changes that a draw call cannot hold twice.
+    void setBlend(Blend blend);
+    void setShader(std::shared_ptr<ShaderObject> shader, std::span<const ShaderValue> values);
 
     /// Makes room for this many vertices in one draw call; may flush. Call before nextVertex().
     void reserve(std::size_t count);
@@ -64,12 +79,15 @@ public:
     CanvasStatistics statistics;
 
 private:
-    GLuint program_ = 0;
+    void useProgram() const;
+
+    std::shared_ptr<ShaderObject> plain_;
+    std::shared_ptr<ShaderObject> shader_;  ///< the caller's, or none
+    std::vector<ShaderValue> values_;
+    Blend blend_ = Blend::Alpha;  ///< Additive counts as Alpha
     GLuint vertexArray_ = 0;
     GLuint vertexBuffer_ = 0;
     GLuint indexBuffer_ = 0;
-    GLint viewportUniform_ = -1;
-    GLint flipUniform_ = -1;
     PixelSize size_;
     bool rowZeroIsTop_ = false;
     bool clipped_ = false;

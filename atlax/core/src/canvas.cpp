@@ -34,6 +34,7 @@ Canvas::~Canvas() {
     implementation_->glyphs.clear();
     implementation_->frame = {};
     implementation_->saved.clear();
+    implementation_->modelTarget = {};
     implementation_->graveyard->bury();
 }
 
@@ -46,7 +47,8 @@ void Canvas::beginFrame(PixelSize size, float scaleFactor, unsigned framebuffer)
     self.frame.size = size;
     self.saved.clear();
     self.scaleFactor = scaleFactor > 0 ? scaleFactor : 1;
-    self.blend = Blend::Alpha;
+    setShader({});
+    setBlend(Blend::Alpha);
     self.opacity = 1;
     self.bindFrame();
 }
@@ -144,6 +146,14 @@ void Canvas::popClip() {
 
 void Canvas::setBlend(Blend blend) {
     implementation_->blend = blend;
+    implementation_->batch.setBlend(blend);
+}
+
+void Canvas::setShader(const Shader& shader, std::span<const ShaderValue> values) {
+    // A shader of another canvas would be some other program's name here.
+    const bool ours =
+        shader.object_ != nullptr && shader.object_->graveyard == implementation_->graveyard;
+    implementation_->batch.setShader(ours ? shader.object_ : nullptr, values);
 }
 
 void Canvas::setOpacity(float opacity) {

@@ -34,15 +34,52 @@ void Graveyard::bury() {
         glDeleteFramebuffers(static_cast<GLsizei>(framebuffers.size()), framebuffers.data());
         framebuffers.clear();
     }
+    for (const GLuint program : programs) glDeleteProgram(program);
+    programs.clear();
+    glDeleteVertexArrays(static_cast<GLsizei>(vertexArrays.size()), vertexArrays.data());
+    vertexArrays.clear();
+    glDeleteBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+    buffers.clear();
     if (!textures.empty()) {
         glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
         textures.clear();
     }
 }
 
-Batch::Batch() : program_(buildCanvasProgram()) {
-    viewportUniform_ = glGetUniformLocation(program_, "viewport");
-    flipUniform_ = glGetUniformLocation(program_, "flip");
+ShaderObject::ShaderObject(std::shared_ptr<Graveyard> g, GLuint p)
+    : graveyard(std::move(g)), program(p) {
+    GLint count = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        std::array<char, 256> name{};
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, static_cast<GLuint>(i), static_cast<GLsizei>(name.size()),
+                           nullptr, &size, &type, name.data());
+        const GLint location = glGetUniformLocation(program, name.data());
+        const std::string_view view(name.data());
+        if (view == "viewport")
+            viewport = location;
+        else if (view == "flip")
+            flip = location;
+        else if (type == GL_FLOAT || type == GL_FLOAT_VEC2 || type == GL_FLOAT_VEC3 ||
+                 type == GL_FLOAT_VEC4)
+            uniforms.push_back({name.data(), location, type});
+    }
+}
+
+std::array<float, 4> gradientShape(const PackedColor& start, const PackedColor& end, Mode mode) {
+    const auto eight = [](std::uint16_t v) { return (v * 255u + 32767u) / 65535u; };
+    const auto three = [](unsigned a, unsigned b, unsigned c) {
+        return static_cast<float>(a << 16 | b << 8 | c);
+    };
+    return {three(eight(start[0]), eight(start[1]), eight(start[2])),
+            three(eight(start[3]), eight(end[0]), eight(end[1])),
+            three(eight(end[2]), eight(end[3]), 0), static_cast<float>(static_cast<int>(mode))};
+}
+
+Batch::Batch(std::shared_ptr<Graveyard> graveyard)
+    : plain_(std::make_shared<ShaderObject>(std::move(graveyard), buildCanvasProgram())) {
     glGenVertexArrays(1, &vertexArray_);
     glGenBuffers(1, &vertexBuffer_);
     glGenBuffers(1, &indexBuffer_);
@@ -54,7 +91,6 @@ Batch::Batch() : program_(buildCanvasProgram()) {
 }
 
 Batch::~Batch() {
-    glDeleteProgram(program_);
     glDeleteVertexArrays(1, &vertexArray_);
     glDeleteBuffers(1, &vertexBuffer_);
     glDeleteBuffers(1, &indexBuffer_);
@@ -72,8 +108,6 @@ void Batch::bindTarget(GLuint framebuffer, PixelSize size, bool rowZeroIsTop) {
     glDisable(GL_CULL_FACE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_BLEND);
-    // Premultiplied: additive drawing is alpha 0 in the vertex, not another state.
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 void Batch::setClip(const Rect* pixels) {
@@ -105,6 +139,42 @@ void Batch::useTexture(const std::shared_ptr<TextureObject>& texture) {
     texture_ = texture;
 }
 
+void Batch::setBlend(Blend blend) {
+    // Premultiplied: additive drawing is alpha 0 in the vertex, not another state.
+    if (blend == Blend::Additive) blend = Blend::Alpha;
+    if (blend == blend_) return;
+    flush();
+    blend_ = blend;
+}
+
+void Batch::setShader(std::shared_ptr<ShaderObject> shader, std::span<const ShaderValue> values) {
+    if (shader == nullptr && shader_ == nullptr) return;
+    flush();
+    shader_ = std::move(shader);
+    values_.assign(values.begin(), values.end());
+}
+
+void Batch::useProgram() const {
+    const ShaderObject& object = shader_ ? *shader_ : *plain_;
+    glUseProgram(object.program);
+    glUniform2f(object.viewport, static_cast<float>(size_.width), static_cast<float>(size_.height));
+    glUniform1f(object.flip, rowZeroIsTop_ ? -1.0f : 1.0f);
+    for (const auto& uniform : object.uniforms) {
+        std::array<float, 4> v{};
+        for (const ShaderValue& value : values_)
+            if (value.name == uniform.name) v = value.value;
+        if (uniform.type == GL_FLOAT) glUniform1f(uniform.location, v[0]);
+        if (uniform.type == GL_FLOAT_VEC2) glUniform2f(uniform.location, v[0], v[1]);
+        if (uniform.type == GL_FLOAT_VEC3) glUniform3f(uniform.location, v[0], v[1], v[2]);
+        if (uniform.type == GL_FLOAT_VEC4) glUniform4f(uniform.location, v[0], v[1], v[2], v[3]);
+    }
+    if (blend_ == Blend::Multiply)
+        glBlendFunc(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA);
+    else
+        glBlendFunc(GL_ONE,
+                    blend_ == Blend::Screen ? GL_ONE_MINUS_SRC_COLOR : GL_ONE_MINUS_SRC_ALPHA);
+}
+
 void Batch::reserve(std::size_t count) {
     if (vertices_.empty() || vertices_.size() + count <= maxVertices) return;
     const auto texture = texture_;  // flush lets it go, but the caller has just chosen it
@@ -122,10 +192,7 @@ void Batch::quad(const std::array<Vertex, 4>& corners) {
 
 void Batch::flush() {
     if (!indices_.empty()) {
-        glUseProgram(program_);
-        glUniform2f(viewportUniform_, static_cast<float>(size_.width),
-                    static_cast<float>(size_.height));
-        glUniform1f(flipUniform_, rowZeroIsTop_ ? -1.0f : 1.0f);
+        useProgram();
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, texture_ ? texture_->name : 0);
         glBindVertexArray(vertexArray_);

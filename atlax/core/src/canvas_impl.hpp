@@ -7,6 +7,7 @@
 
 #include "batch.hpp"
 #include "glyph_atlas.hpp"
+#include "model_renderer.hpp"
 
 namespace atlax {
 
@@ -45,8 +46,10 @@ struct Frame {
 class Canvas::Implementation {
 public:
     std::shared_ptr<detail::Graveyard> graveyard = std::make_shared<detail::Graveyard>();
-    detail::Batch batch;
+    detail::Batch batch{graveyard};
     detail::GlyphAtlas glyphs{graveyard};
+    std::unique_ptr<detail::ModelRenderer> models;  ///< made when first needed
+    RenderTarget modelTarget;
     Frame frame;
     std::vector<Frame> saved;
     float scaleFactor = 1;
@@ -77,8 +80,18 @@ public:
     void outline(Box outer, float width, Color color);
     /// Closed or open line in pixels without repeated points.
     void strokePixels(std::span<const Vec2> points, float width, Color color, bool closed);
+    /// What fills a polygon: a colour, or a mode with uv = axes * (pixels - origin).
+    struct Fill {
+        detail::PackedColor color{};
+        std::array<float, 4> shape = detail::shapeOf(detail::Mode::Flat);
+        Vec2 origin{};
+        Vec2 u{};
+        Vec2 v{};
+    };
+    Fill fillOf(const Gradient& gradient) const;
+    void fillPolygon(std::span<const Vec2> points, const Fill& fill);
     /// Simple polygon, doubleArea positive, without repeated points.
-    void polygonPixels(std::span<const Vec2> points, Color color);
+    void polygonPixels(std::span<const Vec2> points, const Fill& fill);
 
     std::vector<Vec2> scratch;  ///< points in pixels, reused
 };

@@ -9,7 +9,6 @@ namespace atlax {
 
 using detail::Mode;
 using detail::PackedColor;
-using detail::shapeOf;
 using detail::Vertex;
 
 namespace {
@@ -113,20 +112,46 @@ void Canvas::triangle(Vec2 a, Vec2 b, Vec2 c, Color color) {
 }
 
 void Canvas::polygon(std::span<const Vec2> points, Color color) {
-    auto& self = *implementation_;
-    gatherPixels(self.scratch, self.frame.space, points);
-    detail::removeRepeats(self.scratch);
-    if (self.scratch.size() < 3) return;
-    if (detail::doubleArea(self.scratch) < 0)
-        std::reverse(self.scratch.begin(), self.scratch.end());
-    self.polygonPixels(self.scratch, color);
+    implementation_->fillPolygon(points, {.color = implementation_->pack(color)});
 }
 
-void Canvas::Implementation::polygonPixels(std::span<const Vec2> points, Color color) {
+void Canvas::polygon(std::span<const Vec2> points, const Gradient& gradient) {
+    const Vec2 way = gradient.to - gradient.from;
+    if (!std::isfinite(way.x) || !std::isfinite(way.y)) return;
+    implementation_->fillPolygon(points, implementation_->fillOf(gradient));
+}
+
+Canvas::Implementation::Fill Canvas::Implementation::fillOf(const Gradient& gradient) const {
+    const Vec2 from = frame.space.toPixels(gradient.from);
+    const Vec2 way = frame.space.toPixels(gradient.to) - from;
+    // Of no length, all is beyond its end.
+    const float squared = std::max(dot(way, way), 1e-12f);
+    const bool radial = gradient.kind == Gradient::Kind::Radial;
+    constexpr std::uint16_t full = 65535;
+    Fill fill{.color = {full, full, full, full},
+              .shape = detail::gradientShape(pack(gradient.start), pack(gradient.end),
+                                             radial ? Mode::Radial : Mode::Linear),
+              .origin = from,
+              .u = way / squared};
+    if (radial) fill.v = perpendicular(fill.u);
+    return fill;
+}
+
+void Canvas::Implementation::fillPolygon(std::span<const Vec2> points, const Fill& fill) {
+    gatherPixels(scratch, frame.space, points);
+    detail::removeRepeats(scratch);
+    if (scratch.size() < 3) return;
+    if (detail::doubleArea(scratch) < 0) std::reverse(scratch.begin(), scratch.end());
+    polygonPixels(scratch, fill);
+}
+
+void Canvas::Implementation::polygonPixels(std::span<const Vec2> points, const Fill& fill) {
     // The border becomes a strip one pixel wide, from full colour inside to nothing outside.
-    const PackedColor full = pack(color);
     constexpr PackedColor nothing{};
-    const auto shape = shapeOf(Mode::Flat);
+    const auto vertex = [&](Vec2 p, const PackedColor& color) {
+        const Vec2 d = p - fill.origin;
+        return Vertex{p, {dot(d, fill.u), dot(d, fill.v)}, color, fill.shape};
+    };
     const std::size_t n = points.size();
     batch.reserve(2 * n);
     const std::uint32_t first = batch.nextVertex();
@@ -134,8 +159,8 @@ void Canvas::Implementation::polygonPixels(std::span<const Vec2> points, Color c
         const Vec2 before = normalized(points[i] - points[(i + n - 1) % n]);
         const Vec2 after = normalized(points[(i + 1) % n] - points[i]);
         const Vec2 inward = miter(before, after, 2) * 0.5f;
-        batch.add({points[i] + inward, {}, full, shape});
-        batch.add({points[i] - inward, {}, nothing, shape});
+        batch.add(vertex(points[i] + inward, fill.color));
+        batch.add(vertex(points[i] - inward, nothing));
     }
     for (const auto& t : detail::triangulate(points))
         batch.triangle(first + 2 * t[0], first + 2 * t[1], first + 2 * t[2]);

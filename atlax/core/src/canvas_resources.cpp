@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "canvas_impl.hpp"
+#include "shader.hpp"
 
 namespace atlax {
 
@@ -15,6 +16,7 @@ void setFilter(const TextureOptions& options) {
     const GLint wrap = options.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, far);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, options.smooth ? GL_LINEAR : GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, std::clamp(options.mipmapLevels, 0, 14));
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
 }
@@ -74,6 +76,10 @@ void unpremultiply(Image& image) {
     }
 }
 
+GLuint detail::nameOf(const Texture& texture) {
+    return texture.object_ ? texture.object_->name : 0;
+}
+
 PixelSize Texture::size() const {
     return object_ ? object_->size : PixelSize{};
 }
@@ -127,6 +133,12 @@ RenderTarget Canvas::createTarget(PixelSize size) {
     glClearBufferfv(GL_COLOR, 0, transparent);
     if (clipped) glEnable(GL_SCISSOR_TEST);
     return RenderTarget(std::move(object));
+}
+
+Shader Canvas::createShader(std::string_view source) {
+    const std::string text(source);
+    const GLuint program = detail::buildCanvasProgram(text.c_str());
+    return Shader(std::make_shared<detail::ShaderObject>(implementation_->graveyard, program));
 }
 
 Image Canvas::read(const RenderTarget& target) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "canvas_impl.hpp"
 #include "polygon.hpp"
@@ -211,6 +212,58 @@ void Canvas::sprite(const Texture& texture, Vec2 centre, Vec2 size, const Sprite
                       shape};
     };
     self.batch.quad({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+}
+
+void Canvas::drawTarget(const RenderTarget& target) {
+    if (!target.valid()) return;
+    auto& frame = implementation_->frame;
+    const Space space = std::exchange(frame.space, Space{});
+    const std::vector<Rect> clips = std::exchange(frame.clips, {});
+    implementation_->applyClip();
+    const Vec2 size = frame.size.toVec();
+    sprite(target.texture(), size * 0.5f, size);
+    frame.space = space;
+    frame.clips = clips;
+    implementation_->applyClip();
+}
+
+namespace {
+
+/// Where the nine parts begin along one side, and the share of the borders that fits.
+std::array<float, 4> cuts(float length, float before, float after) {
+    const float borders = before + after;
+    const float share = borders > length && borders > 0 ? length / borders : 1.0f;
+    return {0, before * share, length - after * share, length};
+}
+
+}  // namespace
+
+void Canvas::ninePatch(const Texture& texture, Rect rect, const Insets& insets, float pixel,
+                       const SpriteStyle& style) {
+    const bool sound = insets.left >= 0 && insets.top >= 0 && insets.right >= 0 &&
+                       insets.bottom >= 0 && pixel > 0 && rect.size.x > 0 && rect.size.y > 0;
+    if (!texture.valid() || !sound) return;
+    const Vec2 picture = texture.size().toVec();
+    const std::array xs = cuts(rect.size.x, insets.left * pixel, insets.right * pixel);
+    const std::array ys = cuts(rect.size.y, insets.top * pixel, insets.bottom * pixel);
+    const Rect uv = style.uv;
+    const std::array us{0.0f, insets.left / picture.x, uv.size.x - insets.right / picture.x,
+                        uv.size.x};
+    const std::array vs{0.0f, insets.top / picture.y, uv.size.y - insets.bottom / picture.y,
+                        uv.size.y};
+    const bool world = implementation_->frame.space.world();
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column) {
+            const Vec2 size{xs[column + 1] - xs[column], ys[row + 1] - ys[row]};
+            if (!(size.x > 0) || !(size.y > 0)) continue;
+            // The picture's first row is the upper edge, which in the world is the larger y.
+            const float y =
+                world ? rect.max().y - ys[row] - size.y / 2 : rect.min.y + ys[row] + size.y / 2;
+            const Rect part{uv.min + Vec2{us[column], vs[row]},
+                            {us[column + 1] - us[column], vs[row + 1] - vs[row]}};
+            sprite(texture, {rect.min.x + xs[column] + size.x / 2, y}, size,
+                   {.tint = style.tint, .uv = part});
+        }
 }
 
 }  // namespace atlax

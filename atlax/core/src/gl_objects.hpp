@@ -4,6 +4,7 @@
 
 #include <atlax/texture.hpp>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace atlax::detail {
 struct Graveyard {
     std::vector<GLuint> textures;
     std::vector<GLuint> framebuffers;
+    std::vector<GLuint> programs;
+    std::vector<GLuint> vertexArrays;
+    std::vector<GLuint> buffers;
 
     void bury();
 };
@@ -39,6 +43,28 @@ struct TargetObject {
     ~TargetObject() { texture->graveyard->framebuffers.push_back(framebuffer); }
     TargetObject(const TargetObject&) = delete;
     TargetObject& operator=(const TargetObject&) = delete;
+};
+
+/// OpenGL's name of a texture, 0 for none.
+GLuint nameOf(const Texture& texture);
+
+/// A program of the canvas: its own, or a caller's shader.
+struct ShaderObject {
+    struct Uniform {
+        std::string name;
+        GLint location = -1;
+        GLenum type = GL_FLOAT;
+    };
+    std::shared_ptr<Graveyard> graveyard;
+    GLuint program = 0;
+    GLint viewport = -1;
+    GLint flip = -1;
+    std::vector<Uniform> uniforms;  ///< the caller's
+
+    ShaderObject(std::shared_ptr<Graveyard> g, GLuint p);
+    ~ShaderObject() { graveyard->programs.push_back(program); }
+    ShaderObject(const ShaderObject&) = delete;
+    ShaderObject& operator=(const ShaderObject&) = delete;
 };
 
 }  // namespace atlax::detail

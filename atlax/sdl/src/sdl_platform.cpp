@@ -15,6 +15,13 @@ namespace {
 /// A hidden window needs no frames, but its program goes on ticking.
 constexpr int hiddenFramesPerSecond = 30;
 
+/// In the order of Cursor.
+constexpr std::array<SDL_SystemCursor, cursorCount> systemCursors{
+    SDL_SYSTEM_CURSOR_ARROW,     SDL_SYSTEM_CURSOR_IBEAM,   SDL_SYSTEM_CURSOR_HAND,
+    SDL_SYSTEM_CURSOR_CROSSHAIR, SDL_SYSTEM_CURSOR_SIZEALL, SDL_SYSTEM_CURSOR_SIZEWE,
+    SDL_SYSTEM_CURSOR_SIZENS,    SDL_SYSTEM_CURSOR_WAIT,    SDL_SYSTEM_CURSOR_NO,
+};
+
 [[noreturn]] void fail(const std::string& what) {
     throw Error(what + ": " + SDL_GetError());
 }
@@ -77,6 +84,10 @@ void SdlPlatform::openContext(bool vsync) {
 }
 
 void SdlPlatform::close() {
+    for (SDL_Cursor*& cursor : cursors_) {
+        if (cursor != nullptr) SDL_FreeCursor(cursor);
+        cursor = nullptr;
+    }
     if (context_ != nullptr) SDL_GL_DeleteContext(context_);
     if (window_ != nullptr) SDL_DestroyWindow(window_);
     context_ = nullptr;
@@ -154,8 +165,24 @@ void SdlPlatform::setWindowSize(PixelSize size) {
     SDL_SetWindowSize(window_, windowSide(size.width), windowSide(size.height));
 }
 
+void SdlPlatform::setMinimised(bool minimised) {
+    minimised ? SDL_MinimizeWindow(window_) : SDL_RestoreWindow(window_);
+}
+
+bool SdlPlatform::minimised() const {
+    return (SDL_GetWindowFlags(window_) & SDL_WINDOW_MINIMIZED) != 0;
+}
+
 void SdlPlatform::setCursorVisible(bool visible) {
     SDL_ShowCursor(visible ? SDL_ENABLE : SDL_DISABLE);
+}
+
+void SdlPlatform::setCursor(Cursor cursor) {
+    const auto index = static_cast<std::size_t>(cursor);
+    if (index >= cursors_.size()) return;
+    SDL_Cursor*& made = cursors_[index];
+    if (made == nullptr) made = SDL_CreateSystemCursor(systemCursors[index]);
+    SDL_SetCursor(made == nullptr ? SDL_GetDefaultCursor() : made);
 }
 
 void SdlPlatform::setTextInput(bool on) {

@@ -2,6 +2,7 @@
 
 #include <SDL.h>
 
+#include <array>
 #include <atlax/backend.hpp>
 #include <string>
 
@@ -17,6 +18,11 @@ public:
 };
 
 /// One window with an OpenGL 3.3 core context.
+///
+/// The loop is this class's own (loop()): all events that wait, the ticks that are due, one frame,
+/// swapping the buffers, which waits for the display where it has vsync, then sleeping until the
+/// next frame is due (WindowOptions::maxFramesPerSecond). A minimised window goes on at 30 frames a
+/// second without drawing. Ticks follow the fixed clock, whatever a frame took.
 class SdlPlatform : public BackendPlatform {
 public:
     /// Opens the window. Throws Error with one sentence when that is not possible.
@@ -32,7 +38,10 @@ public:
     void setFullscreen(bool fullscreen) override;
     bool fullscreen() const override;
     void setWindowSize(PixelSize size) override;
+    void setMinimised(bool minimised) override;
+    bool minimised() const override;
     void setCursorVisible(bool visible) override;
+    void setCursor(Cursor cursor) override;
     void setTextInput(bool on) override;
     std::string clipboard() override;
     void setClipboard(const std::string& utf8) override;
@@ -50,6 +59,8 @@ private:
     Video video_;
     SDL_Window* window_ = nullptr;
     SDL_GLContext context_ = nullptr;
+    /// Made when first asked for; null where SDL has none.
+    std::array<SDL_Cursor*, cursorCount> cursors_{};
     int maxFramesPerSecond_;
 };
 

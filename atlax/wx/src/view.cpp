@@ -1,5 +1,6 @@
 #include <wx/dcclient.h>
 #include <wx/dnd.h>
+#include <wx/log.h>
 #include <wx/timer.h>
 #include <wx/toplevel.h>
 
@@ -10,6 +11,7 @@
 #include <bitset>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "swap_interval.hpp"
 #include "view_platform.hpp"
@@ -98,7 +100,9 @@ struct View::Handlers {
     std::bitset<mouseButtonCount> buttonsDown;
     bool vsync = true;
     bool running = false;
-    bool over = false;  // ended; never starts again
+    bool inDialog = false;
+    bool dialogClosed = false;  // and the application has not been told
+    bool over = false;          // ended; never starts again
 };
 
 View::View(wxWindow* parent, Application& application, const WindowOptions& options, wxWindowID id)
@@ -142,6 +146,20 @@ void View::bindEvents() {
     handlers_->timer.Bind(wxEVT_TIMER, [](wxTimerEvent&) { wxWakeUpIdle(); });
 }
 
+View::DialogGuard::DialogGuard(View& view) : view_(view) {
+    if (view_.handlers_->inDialog) throw Error("a dialog is open already");
+    view_.handlers_->inDialog = true;
+}
+
+View::DialogGuard::~DialogGuard() {
+    Handlers& handlers = *view_.handlers_;
+    handlers.inDialog = false;
+    handlers.keysDown.reset();
+    handlers.buttonsDown.reset();
+    handlers.dialogClosed = true;
+    view_.CallAfter([view = &view_] { view->SetFocus(); });  // GTK gives it back to nobody
+}
+
 Platform& View::platform() {
     return *platform_;
 }
@@ -167,7 +185,7 @@ void View::attempt(const std::function<void()>& body) {
 }
 
 void View::send(const Event& event) {
-    if (!handlers_->running) return;
+    if (!handlers_->running || handlers_->inDialog) return;
     attempt([&] { platform_->handle(event); });
 }
 
@@ -198,6 +216,7 @@ void View::finishIfEnded() {
 bool View::start() {
     const wxSize client = GetClientSize();
     if (!IsShownOnScreen() || client.GetWidth() <= 1 || client.GetHeight() <= 1) return false;
+    const wxLogNull quiet;  // what is wrong is said below
     const wxGLContextAttrs attributes = contextAttributes();
     auto context = std::make_unique<wxGLContext>(this, nullptr, &attributes);
     if (!context->IsOK() || !SetCurrent(*context))
@@ -211,6 +230,7 @@ bool View::start() {
     handlers_->running = true;
     try {
         platform_->begin();
+        platform_->handle(FocusChanged{HasFocus()});  // said again to who was not there yet
     } catch (...) {
         handlers_->running = false;
         throw;
@@ -223,6 +243,11 @@ bool View::runFrame() {
     const auto* window = dynamic_cast<wxTopLevelWindow*>(wxGetTopLevelParent(this));
     const bool visible = IsShownOnScreen() && window != nullptr && !window->IsIconized();
     SetCurrent(*handlers_->context);
+    if (std::exchange(handlers_->dialogClosed, false)) {
+        tellSize();
+        platform_->handle(FocusChanged{false});  // lets go of what was held
+        platform_->handle(FocusChanged{HasFocus()});
+    }
     platform_->frame(visible);
     if (platform_->finished()) return false;
     if (visible) SwapBuffers();
@@ -235,7 +260,7 @@ bool View::runFrame() {
 
 void View::onIdle(wxIdleEvent& event) {
     event.Skip();
-    if (handlers_->over) return;
+    if (handlers_->over || handlers_->inDialog) return;
     bool again = false;
     attempt([&] {
         if (!handlers_->running && !start()) {
@@ -264,7 +289,7 @@ void View::onPaint(wxPaintEvent&) {
 
 void View::onSize(wxSizeEvent& event) {
     event.Skip();
-    if (handlers_->running) attempt([&] { tellSize(); });
+    if (handlers_->running && !handlers_->inDialog) attempt([&] { tellSize(); });
     handlers_->nextFrameNs = 0;
 }
 
@@ -283,9 +308,10 @@ void View::onKey(wxKeyEvent& event) {
     const Key key = keyOf(event);
     const bool down = event.GetEventType() == wxEVT_KEY_DOWN;
     auto held = handlers_->keysDown[static_cast<std::size_t>(key)];
+    const bool repeat = down && held;
+    held = down;  // before it is told: a dialog that it opens lets go of all keys
     // A key that was released elsewhere went up for the application when the focus was lost.
-    if (key != Key::Unknown) send(KeyEvent{key, down, down && held, modifiersOf(event)});
-    held = down;
+    if (key != Key::Unknown) send(KeyEvent{key, down, repeat, modifiersOf(event)});
 }
 
 void View::onChar(wxKeyEvent& event) {
@@ -326,10 +352,18 @@ void View::onMouseWheel(wxMouseEvent& event) {
                     modifiersOf(event)});
 }
 
+// Whoever lets go of them elsewhere, the application is told here, as SDL does it too.
+void View::releaseKeys() {
+    for (int i = 1; i < keyCount; ++i)
+        if (handlers_->keysDown[static_cast<std::size_t>(i)])
+            send(KeyEvent{static_cast<Key>(i), false, false, Modifiers::None});
+    handlers_->keysDown.reset();
+}
+
 void View::onFocus(wxFocusEvent& event) {
     event.Skip();
     const bool focused = event.GetEventType() == wxEVT_SET_FOCUS;
-    if (!focused) handlers_->keysDown.reset();
+    if (!focused) releaseKeys();
     send(FocusChanged{focused});
 }
 

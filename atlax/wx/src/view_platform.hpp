@@ -23,15 +23,37 @@ public:
     void setFullscreen(bool fullscreen) override;
     bool fullscreen() const override;
     void setWindowSize(PixelSize size) override;
+    void setMinimised(bool minimised) override;
+    bool minimised() const override;
     void setCursorVisible(bool visible) override;
+    void setCursor(Cursor cursor) override;
     void setTextInput(bool on) override { textInput_ = on; }
     bool textInput() const { return textInput_; }
     std::string clipboard() override;
     void setClipboard(const std::string& utf8) override;
+    bool hasFileDialogs() const override { return true; }
+    std::optional<std::filesystem::path> chooseFile(const FileDialog& dialog) override;
+
+private:
+    void showCursor();
+
+    View& view_;
+    Cursor cursor_ = Cursor::Arrow;
+    bool cursorVisible_ = true;
+    bool textInput_ = false;
+};
+
+/// While it lives the application is not called: a dialog's event loop runs inside of one of its
+/// own callbacks. What became of size and focus meanwhile is told afterwards.
+class View::DialogGuard {
+public:
+    explicit DialogGuard(View& view);
+    ~DialogGuard();
+    DialogGuard(const DialogGuard&) = delete;
+    DialogGuard& operator=(const DialogGuard&) = delete;
 
 private:
     View& view_;
-    bool textInput_ = false;
 };
 
 }  // namespace atlax::wx

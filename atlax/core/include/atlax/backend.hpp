@@ -12,7 +12,7 @@
 
 namespace atlax {
 
-/// Nanoseconds of a monotonic clock.
+/// Nanoseconds of a monotonic clock. Any thread.
 std::int64_t monotonicNs();
 
 /// What all backends share, for those who write one: input sampling, gamepads, the fixed clock,
@@ -22,7 +22,11 @@ std::int64_t monotonicNs();
 ///     while (!finished()) { handle(event)...; frame(); swap }
 ///     end();
 ///
-/// or, driven by another program's loop (a widget), handle() and frame() from its callbacks.
+/// or, driven by another program's loop (a widget), handle() and frame() from its callbacks. How
+/// each backend's loop is driven stands at atlax::sdl::SdlPlatform and atlax::wx::View.
+///
+/// Owns the canvas, the sound and the gamepads, between begin() and end(). Main thread only. Errors
+/// of the application's functions pass through begin(), handle() and frame().
 class BackendPlatform : public Platform {
 public:
     using Now = std::function<std::int64_t()>;
@@ -40,6 +44,8 @@ public:
     PixelSize size() const override { return size_; }
     float scaleFactor() const override { return scaleFactor_; }
     bool focused() const override { return focused_; }
+    bool hasFileDialogs() const override { return false; }
+    std::optional<std::filesystem::path> chooseFile(const FileDialog& dialog) override;
     void requestScreenshot(const std::filesystem::path& file) override { screenshot_ = file; }
     void quit(int exitCode = 0) override;
 

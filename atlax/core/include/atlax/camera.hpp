@@ -4,7 +4,8 @@
 
 namespace atlax {
 
-/// How world space (metres, y up) appears on a canvas (pixels, y down). A plain value.
+/// How world space (metres, y up) appears on a canvas (pixels, y down). A plain value: any
+/// thread, nothing throws.
 struct Camera {
     Vec2 centre;                 ///< metres; appears in the middle of the canvas
     float pixelsPerMetre = 100;  ///< must be positive

@@ -9,6 +9,8 @@
 #include <atlax/color.hpp>
 #include <atlax/font.hpp>
 #include <atlax/image.hpp>
+#include <atlax/model.hpp>
+#include <atlax/shader.hpp>
 #include <atlax/texture.hpp>
 #include <atlax/vec.hpp>
 
@@ -17,6 +19,8 @@ namespace atlax {
 enum class Blend {
     Alpha,     ///< covers what is below by its alpha
     Additive,  ///< adds light; for glows, sparks, snow
+    Multiply,  ///< darkens by its colour; for shadows and tinted glass
+    Screen,    ///< lightens towards white, never beyond; for mist
 };
 
 enum class AlignX { Left, Centre, Right };
@@ -46,6 +50,25 @@ struct SpriteStyle {
     Rect uv{{0, 0}, {1, 1}};
 };
 
+/// Colours that go over from `start` to `end`; beyond both they stay. Linear: along the way between
+/// two points, in bands across. Radial: from a middle to a rim, in circles.
+struct Gradient {
+    enum class Kind { Linear, Radial };
+    Kind kind = Kind::Linear;
+    Vec2 from{};  ///< of the current space; radial: the middle
+    Vec2 to{};    ///< radial: a point of the rim
+    Color start{};
+    Color end{};
+};
+
+/// Widths of the border of a nine-patch, pixels of the picture.
+struct Insets {
+    float left = 0;
+    float top = 0;
+    float right = 0;
+    float bottom = 0;
+};
+
 /// What one frame cost.
 struct CanvasStatistics {
     int drawCalls = 0;
@@ -54,8 +77,9 @@ struct CanvasStatistics {
 };
 
 /// Draws with OpenGL 3.3 core, in the order of the calls (later covers earlier), batched: a draw
-/// call is spent only when the texture, the clip or the target changes. Blend modes, shapes,
-/// cameras and plain colours cost none.
+/// call is spent only when the texture, the clip, the target or the shader changes, and between
+/// Multiply, Screen and the other blend modes. Alpha and Additive, shapes, cameras, gradients and
+/// plain colours cost none.
 ///
 /// Lines, capsules, circles and rounded rectangles are antialiased by their distance in the
 /// fragment shader, polygons by a fringe of one pixel; no multisampling is needed.
@@ -90,6 +114,19 @@ public:
     /// come back afterwards. Pushes nest. No frame is needed for drawing into a target.
     void pushTarget(const RenderTarget& target);
     void popTarget();
+    /// Draws a target pixel by pixel over all of what is drawn into, which should have its size;
+    /// with the present blend mode, opacity and shader, whatever the space and without the clip.
+    void drawTarget(const RenderTarget& target);
+    /// Makes a shader from the GLSL 3.30 of a function
+    ///
+    ///     vec4 paint(vec2 uv, vec4 tint)
+    ///
+    /// that returns a premultiplied colour and may sample `picture`, which is premultiplied too;
+    /// `tint` is premultiplied with the opacity in it. Uniforms of type float to vec4 are its
+    /// parameters. Throws Error with the driver's message, whose lines are those of `source`.
+    Shader createShader(std::string_view source);
+    /// Copies a model to the graphics card. Throws Error as createTexture does.
+    ModelMesh createModel(const Model& model);
     /// Reads a target back with straight alpha.
     Image read(const RenderTarget& target);
     /// Reads what the current frame has drawn so far (for screenshots), opaque.
@@ -116,6 +153,10 @@ public:
     void popClip();
 
     void setBlend(Blend blend);
+    /// Sprites, meshes and flat polygons that follow are painted by this shader, with these values
+    /// of its uniforms, the others being 0; by the canvas again after setShader({}). Shapes, text
+    /// and gradients are not affected. No shader at the start of a frame.
+    void setShader(const Shader& shader, std::span<const ShaderValue> values = {});
     /// Multiplies the alpha of everything that follows, 0..1; for fades.
     void setOpacity(float opacity);
 
@@ -148,12 +189,26 @@ public:
     /// Any simple polygon, convex or concave, in either direction. Fewer than three points
     /// draw nothing; a polygon that crosses itself is filled somehow.
     void polygon(std::span<const Vec2> points, Color color);
+    /// The same with a gradient.
+    void polygon(std::span<const Vec2> points, const Gradient& gradient);
     void polygonOutline(std::span<const Vec2> points, float width, Color color);
 
     /// Triangles from triples of indices into `vertices`; indices out of range are skipped.
     void mesh(const Texture& texture, std::span<const MeshVertex> vertices,
               std::span<const std::uint32_t> indices);
     void sprite(const Texture& texture, Vec2 centre, Vec2 size, const SpriteStyle& style = {});
+
+    /// A picture whose corners keep their size while its edges and its middle stretch: panels,
+    /// buttons. A pixel of the border is `pixel` units wide; where the rectangle is too small for
+    /// both borders they shrink alike. `uv` picks a part of the texture, as sprite() does.
+    void ninePatch(const Texture& texture, Rect rect, const Insets& insets, float pixel = 1,
+                   const SpriteStyle& style = {});
+
+    /// Draws models with depth and light among each other; on what is drawn already they lie flat,
+    /// as one sprite, so that clip, opacity, blend mode and shader act on them. Each part of a
+    /// model is a draw call. Throws Error when the card has no room for a picture of the frame's
+    /// size.
+    void models(std::span<const ModelInstance> instances, const ModelView& view = {});
 
     /// Draws UTF-8 text at a point (see TextStyle for what the point means); '\n' starts a
     /// new line. Returns its extent in units of the current space.

@@ -5,7 +5,8 @@
 namespace atlax {
 
 /// A colour with straight (not premultiplied) alpha. Components are sRGB-encoded in
-/// 0..1, as in design programs; the canvas premultiplies and blends in that space.
+/// 0..1, as in design programs; the canvas premultiplies and blends in that space. A
+/// plain value: any thread, nothing throws.
 struct Color {
     float r = 1;
     float g = 1;

@@ -12,7 +12,9 @@
 namespace atlax {
 
 /// A picture in memory: 8 bits a channel, red green blue alpha, straight alpha, rows
-/// from the top. A plain value that owns its pixels; needs no window and no OpenGL.
+/// from the top. A plain value that owns its pixels; needs no window and no OpenGL. Any
+/// thread, each picture by one at a time; the functions that read and write files of pictures by
+/// one thread at a time.
 class Image {
 public:
     /// Largest width and height that are accepted anywhere.

@@ -25,7 +25,8 @@ private:
     std::unique_ptr<Handles> handles_;
 };
 
-/// A canvas whose frames become pictures: for screenshots, tests and machines without display.
+/// A canvas whose frames become pictures: for screenshots, tests and machines without display. Owns
+/// its context, its canvas and its target. The thread that made it; what throws is said.
 ///
 ///     OffscreenCanvas offscreen({1280, 720});
 ///     Canvas& canvas = offscreen.begin();

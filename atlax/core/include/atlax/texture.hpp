@@ -7,16 +7,19 @@
 namespace atlax {
 
 class Canvas;
+class Texture;
 
 namespace detail {
 struct TextureObject;
 struct TargetObject;
+unsigned nameOf(const Texture& texture);
 }  // namespace detail
 
 struct TextureOptions {
-    bool smooth = true;   ///< linear filter; false keeps hard pixels
-    bool repeat = false;  ///< the picture repeats outside of 0..1, else its border is stretched
-    bool mipmaps = true;  ///< smooth when drawn much smaller
+    bool smooth = true;     ///< linear filter; false keeps hard pixels
+    bool repeat = false;    ///< the picture repeats outside of 0..1, else its border is stretched
+    bool mipmaps = true;    ///< smooth when drawn much smaller
+    int mipmapLevels = 14;  ///< how often it is halved at most, for pictures on one page
 };
 
 /// A picture on the graphics card, made by Canvas::createTexture. A cheap handle: copies share the
@@ -33,6 +36,7 @@ public:
 private:
     friend class Canvas;
     friend class RenderTarget;
+    friend unsigned detail::nameOf(const Texture& texture);
     explicit Texture(std::shared_ptr<detail::TextureObject> object) : object_(std::move(object)) {}
     std::shared_ptr<detail::TextureObject> object_;
 };

@@ -6,7 +6,8 @@
 namespace atlax {
 
 /// A point or a direction: metres in world space (y up), pixels in screen space
-/// (y down, origin at the top left corner of the window).
+/// (y down, origin at the top left corner of the window). Like all types here a plain value: any
+/// thread, nothing throws.
 struct Vec2 {
     float x = 0;
     float y = 0;

@@ -57,6 +57,7 @@ public:
 private:
     class ViewPlatform;
     class DropTarget;
+    class DialogGuard;
     struct Handlers;
 
     void bindEvents();
@@ -68,6 +69,7 @@ private:
     void onMouseButton(wxMouseEvent& event);
     void onMouseWheel(wxMouseEvent& event);
     void onFocus(wxFocusEvent& event);
+    void releaseKeys();
     bool start();
     bool runFrame();
     void tellSize();
