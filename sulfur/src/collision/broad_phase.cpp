@@ -305,10 +305,7 @@ void collectCandidates(State& state) {
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
 }
 
-/// A contact is made within at most one and a half thicknesses; the rest is for rounding.
-constexpr double watchedThicknesses = 2;
-
-/// How much each candidate and pair has to spare before it needs a look, see BroadPhase.
+/// How much each candidate and pair has to spare before it needs a look.
 void measureSpares(State& state) {
     BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
@@ -316,12 +313,14 @@ void measureSpares(State& state) {
         const Point from = x[c.a] - x[particle], to = x[c.b] - x[particle];
         return (from + nearestAlong<Point>(Point(0, 0), from, to) * (to - from)).norm();
     };
-    broad.spareOfCandidate.clear();
+    broad.watches.clear();
     for (const Candidate& candidate : broad.candidates) {
         const Collider& c = broad.collider(candidate.collider);
         const Real thickness = state.particles.reach[candidate.particle] + c.radius;
-        broad.spareOfCandidate.push_back(static_cast<Real>(
-            distance(candidate.particle, c) - watchedThicknesses * static_cast<double>(thickness)));
+        // A thousandth for rounding.
+        const Real needed = Real(1.001) * thickness + broad.watchedGap(thickness);
+        const double spare = distance(candidate.particle, c) - static_cast<double>(needed);
+        broad.watches.push_back({candidate.particle, c.a, c.b, static_cast<Real>(spare)});
     }
     broad.spareOfPair.clear();
     for (const auto pair : broad.pairs) {

@@ -26,6 +26,13 @@ struct CoarseGrid {
 /// few tens of cells of the next.
 inline constexpr double coarsening = 64;
 
+/// How far the sides of a candidate were apart when they were rasterised, beyond where a contact
+/// is made.
+struct Watch {
+    std::uint32_t particle = 0, a = 0, b = 0;
+    Real spare = 0;  // m
+};
+
 /// The grid and the candidates that came out of it. They stay valid until some collider has left
 /// its skin: the margin by which it was rasterised larger than it is.
 struct BroadPhase {
@@ -44,9 +51,8 @@ struct BroadPhase {
     double reach = 0;                   // m, the largest radius of any collider
     std::vector<Candidate> candidates;  // sorted, without duplicates
     std::vector<std::uint64_t> pairs;   // of colliders, sorted; scratch and for crossings
-    /// How far the two sides of each candidate, or pair, may come towards each other from where
-    /// they were rasterised before a look at them is worth while.
-    std::vector<Real> spareOfCandidate, spareOfPair;  // m
+    std::vector<Watch> watches;         // of each candidate
+    std::vector<Real> spareOfPair;      // m, how far the two may come towards each other to cross
     /// How far each particle is, or with this tick's displacement will be, from where it was then,
     /// at most.
     std::vector<Real> outing;                                     // m
@@ -64,16 +70,19 @@ struct BroadPhase {
     /// The tick before which a query last found the grid valid.
     std::uint64_t queriedTick = ~std::uint64_t{0};
 
+    /// How near things are kept as contacts although nothing predicts that they will touch: what
+    /// happens to them within the sweeps may bring them together.
+    Real watchedGap(Real thickness) const { return std::min(baseSkin / 4, thickness / 2); }
+
     const Collider& collider(std::uint32_t i) const {
         return i < moving.size() ? moving[i] : fixed[i - moving.size()];
     }
 };
 
-/// Whether the two sides cannot have come near enough to each other.
-inline bool staysApart(const BroadPhase& broad, const Candidate& candidate, Real spare) {
-    const Collider& c = broad.collider(candidate.collider);
-    return broad.outing[candidate.particle] + std::max(broad.outing[c.a], broad.outing[c.b]) <
-           spare;
+/// Whether the two sides cannot have come near enough to each other. What moves by more than its
+/// thickness is stopped up to half of that before it touches: hence twice.
+inline bool staysApart(const std::vector<Real>& outing, const Watch& w) {
+    return 2 * (outing[w.particle] + std::max(outing[w.a], outing[w.b])) < w.spare;
 }
 
 /// A place in units of cells. Cells are numbered by 32 bits; what is beyond shares the outermost.

@@ -79,12 +79,6 @@ Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
     return d[t.particle] - (1 - t.meeting.along) * d[t.a] - t.meeting.along * d[t.b];
 }
 
-/// How near things are kept as contacts although nothing predicts that they will touch: what
-/// happens to them within the sweeps may bring them together.
-Real watchedGap(const State& state, Real thickness) {
-    return std::min(state.broad.baseSkin / 4, thickness / 2);
-}
-
 /// What rests may stand this much off the surface: as far as four times the earth's gravity moves
 /// it in a tick from rest, but no more than a share of the thickness. Within it a contact only
 /// stops what closes it, so that no sweep's remainder sets a stack rocking. What rebounds does so
@@ -116,7 +110,7 @@ void keepIfNear(State& state, const Touch& t) {
     const Vec2 moved = relativeDisplacement(state.particles, t);
     const Real closing = t.meeting.normal.dot(moved);
     const Real gap = t.meeting.distance - t.thickness;
-    if (gap + std::min<Real>(closing, 0) > watchedGap(state, t.thickness)) return;
+    if (gap + std::min<Real>(closing, 0) > state.broad.watchedGap(t.thickness)) return;
     Contact contact = makeContact(state, t);
     if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing);
     contact.approach = -closing / state.h;
@@ -237,7 +231,7 @@ void consider(State& state, const Candidate& candidate) {
     const Real thickness = thicknessOf(state, candidate);
     const Local local = localise(state.particles, candidate.particle, c);
     Real travel = 0;
-    if (farApart(local, thickness, watchedGap(state, thickness), travel)) return;
+    if (farApart(local, thickness, state.broad.watchedGap(thickness), travel)) return;
     Touch t{candidate.particle, c.a, c.b, &c, {}, thickness};
     t.meeting = travel > thickness ? meetOnTheWay(local, thickness) : meet(local);
     if (areEntwined(state, state.particles.body[candidate.particle], c.body)) return;
@@ -324,8 +318,8 @@ void findContacts(State& state) {
     findCrossings(state, crossings);
     const BroadPhase& broad = state.broad;
     for (std::size_t k = 0; k < broad.candidates.size(); ++k) {
+        if (staysApart(broad.outing, broad.watches[k])) continue;
         const Candidate& candidate = broad.candidates[k];
-        if (staysApart(broad, candidate, broad.spareOfCandidate[k])) continue;
         if (crossings.empty() || !isCrossing(crossings, candidate)) consider(state, candidate);
     }
     for (const Crossing& crossing : crossings) considerCrossing(state, crossing);
