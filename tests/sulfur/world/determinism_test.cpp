@@ -25,7 +25,7 @@ TEST(Determinism, SameScenesGiveSameHashes) {
     World a, b;
     build(a);
     build(b);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 300; ++i) {
         a.step();
         b.step();
         ASSERT_EQ(a.hash(), b.hash()) << i;
