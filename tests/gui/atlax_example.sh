@@ -19,6 +19,7 @@ manager=$!
 pid=
 trap 'kill $manager $pid 2> /dev/null || true' EXIT
 
+manager_answers() { xdotool get_num_desktops > /dev/null 2>&1; }
 window_opened() { xdotool search --onlyvisible --name 'Atlax example' > window 2> /dev/null; }
 said() { grep --quiet --line-regexp --fixed-strings -- "$1" "$backend/said"; }
 said_since() { tail -n "+$((mark + 1))" "$backend/said" | grep --quiet --line-regexp -- "$1"; }
@@ -43,12 +44,14 @@ press() { xdotool key --clearmodifiers "$@"; }
 put_on_clipboard() { printf '%s' "$1" | xclip -selection clipboard -in > /dev/null; }
 resize_to() { xdotool windowsize "$window" "$1" "$2"; }
 
+wait_until 30 manager_answers || fail "openbox does not manage the display: $(cat openbox.log)"
+
 start_example() {
     backend=$1
     mkdir "$backend"
     "$2" --still --pictures "$PWD/$backend" > "$backend/said" 2> "$backend/log" &
     pid=$!
-    wait_until 30 window_opened || fail "$backend: no window: $(cat "$backend/log")"
+    wait_until 60 window_opened || fail "$backend: no window: $(cat "$backend/log")"
     window=$(tail -1 window)
     wait_until 30 said "started 640 480 scale 100 %" ||
         fail "$backend: not started: $(cat "$backend/said")"
