@@ -336,7 +336,7 @@ void measureSpares(State& state) {
     broad.outing.assign(x.size(), 0);
 }
 
-/// Sleepers keep what they had when they fell asleep, which is no less.
+/// Sleepers have none: when a body falls asleep, everything is rasterised again.
 void noteOutings(State& state) {
     const Particles& p = state.particles;
     for (const Range range : state.work.awake)

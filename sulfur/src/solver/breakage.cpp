@@ -26,6 +26,8 @@ JointBroken describe(const State& state, std::uint32_t j) {
 void breakBraces(State& state, std::uint32_t particle, std::vector<bool>& broken) {
     if (state.particles.radius[particle] > 0 || isAttached(state, particle)) return;
     const Joints& joints = state.joints;
+    for (std::uint32_t j = 0; j < joints.size(); ++j)  // it hangs on another body
+        if (joints.body[j] == none && (joints.a[j] == particle || joints.b[j] == particle)) return;
     std::vector<std::uint32_t> braces;
     for (const JointId id : state.bodies[state.particles.body[particle]].joints) {
         const auto j = state.jointSlots.dense(id);

@@ -98,6 +98,27 @@ TEST(Breakage, WhatLosesTheLastOfItsSurfaceLosesItsBracesToo) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// But not a corner on which another body hangs.
+TEST(Breakage, WhatHoldsAnotherBodyKeepsItsBraces) {
+    World world;
+    Blueprint plan;
+    plan.particles = {{.position = {0, 0}, .mass = 1, .pinned = true},
+                      {.position = {1, 0}, .mass = 1, .pinned = true},
+                      {.position = {0, 1}, .mass = 1}};
+    plan.joints = {{.a = 0, .b = 2, .radius = Real(0.02), .strength = Real(0.01)},
+                   {.a = 1, .b = 2}};
+    const Body frame = world.add(plan);
+    const Body ball =
+        world.add(shapes::ball({.radius = Real(0.1), .mass = 1}), {.position = Point(0, -1)});
+    const ParticleId corner = frame[2];
+    world.connect(corner, ball[0]);
+    test::run(world, 0.1);
+    EXPECT_TRUE(world.contains(corner));
+    EXPECT_EQ(frame.size(), 2u);  // the other end of what broke is gone
+    EXPECT_EQ(frame.joints().size(), 1u);
+    EXPECT_EQ(world.validate(), "");
+}
+
 TEST(Breakage, SkinsAreCutWithTheirBodies) {
     World world;
     Blueprint plan = shapes::jelly({.size = {4, 1}, .columns = 5, .rows = 2, .stiffness = 2000});
