@@ -1,6 +1,7 @@
 // Which kernels this processor can run, found out once.
 #include "kernels/joint_sweep.hpp"
 
+#include "kernels/contact_sweep.hpp"
 #include "kernels/particle_motion.hpp"
 
 #include <atomic>
@@ -37,6 +38,13 @@ const MotionKernels& widestMotion() {
     return baselineMotion;
 }
 
+const ContactKernels& widestContacts() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (hasAvx2()) return avx2Contacts;
+#endif
+    return baselineContacts;
+}
+
 }  // namespace
 
 const SweepKernels& sweepKernels() {
@@ -47,6 +55,11 @@ const SweepKernels& sweepKernels() {
 const MotionKernels& motionKernels() {
     static const MotionKernels& best = widestMotion();
     return baselineOnly ? baselineMotion : best;
+}
+
+const ContactKernels& contactKernels() {
+    static const ContactKernels& best = widestContacts();
+    return baselineOnly ? baselineContacts : best;
 }
 
 void useBaselineKernels(bool only) {

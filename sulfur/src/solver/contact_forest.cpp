@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/bucket_sort.hpp"
 #include "rigid/grip.hpp"
 #include "solver/contact_motion.hpp"
 
@@ -13,10 +14,6 @@ namespace {
 /// Of the penalty, in effective masses of the contact: what is left of an error is about a part in
 /// so many, and rounding, in double, is far below.
 constexpr double stiffnessOfPenalty = 1e5;
-
-/// What sweeps may leave. It does not add up: gaps and drifts are those of the places, and the next
-/// tick takes back what this one has left.
-constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
 
 /// Of the active set, in a sweep.
 constexpr int mostSteps = 2;
@@ -79,9 +76,8 @@ void ContactForest::collectContacts(const State& state) {
         if (a > b) std::swap(a, b);
         if (a != none) keyed_.push_back({a << 32 | b, i});
     }
-    std::sort(keyed_.begin(), keyed_.end(), [](const Keyed& p, const Keyed& q) {
-        return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
-    });
+    bucketSort(keyed_, keyedScratch_, start_, nodes_.size(),
+               [](const Keyed& k) { return static_cast<std::uint32_t>(k.nodes >> 32); });
 }
 
 void ContactForest::collectEdges(const State& state) {
@@ -312,19 +308,7 @@ void ContactForest::forget(const State& state) {
     slipping_.reserve(2 * contacts);
 }
 
-bool ContactForest::isNeeded(const State& state) {
-    const Real mostError = mostErrorSpeed * state.h;
-    for (const Contact& c : state.contacts) {
-        const Real gap = gapLeft(state, c);
-        if (gap < -mostError || (c.normalLambda > 0 && gap > mostError)) return true;
-        if (c.normalLambda > 0 && c.rough && !c.sliding && std::abs(slipOf(state, c)) > mostError)
-            return true;
-    }
-    return false;
-}
-
 void ContactForest::solve(State& state) {
-    if (!isNeeded(state)) return;
     if (!grown_) grow(state);
     given_.assign(state.contacts.size(), 0);
     slipping_.assign(state.contacts.size(), 0);

@@ -20,13 +20,10 @@ namespace sulfur::detail {
 /// Holds scratch memory only.
 class ContactForest {
 public:
-    /// Whether a contact that pushes is left with an error, or one that should push does not.
-    static bool isNeeded(const State& state);
     /// A new tick: other contacts. Makes room for as many again, so that the first error does not
     /// allocate when it comes.
     void forget(const State& state);
     /// Changes multipliers and displacements so that the active constraints of each tree hold.
-    /// Does nothing where the sweeps have left no error.
     void solve(State& state);
 
 private:
@@ -66,6 +63,10 @@ private:
     struct Keyed {
         std::uint64_t nodes = 0;
         std::uint32_t contact = 0;
+
+        friend bool operator<(const Keyed& p, const Keyed& q) {
+            return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
+        }
     };
 
     void grow(const State& state);
@@ -89,7 +90,7 @@ private:
     std::vector<Edge> edges_;
     std::vector<Row> rows_;  // of the chosen edges: a contact's normal, then its tangent
     std::vector<ActiveRow> active_;
-    std::vector<Keyed> keyed_;
+    std::vector<Keyed> keyed_, keyedScratch_;
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
     std::vector<std::uint32_t> byLoad_, order_;
     std::vector<std::uint32_t> start_, neighbour_;
