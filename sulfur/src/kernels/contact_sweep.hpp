@@ -39,7 +39,6 @@ struct alignas(8 * sizeof(SweepReal)) ContactBlock {
     Lane normalMass, tangentMass;  // kg, effective; 0: nothing can be pushed that way
     Lane coupling;              // 1/kg, motion along the tangent by a push along the normal
     Lane friction;              // the coefficient that counts in this tick
-    Lane sticks;                // 1 where friction holds what does not slide, or 0
     Lane normalLambda, tangentLambda;  // kg m, accumulated in this tick
     // Of the correction that becomes no velocity.
     Lane wanted;          // m, by which the gap is to grow, or shrink; 0: neither
@@ -57,8 +56,7 @@ struct ContactKernels {
     Sweep warmTwo, warmThree;
     /// Where movers stand for the correction: sine and versine mean nothing, turns are small.
     Sweep recoverTwo, recoverThree, driftTwo, driftThree;
-    /// Whether a contact that pushes is left with an error of more than so many m, or one that
-    /// should push does not.
+    /// Whether one more sweep would push any of them by more than so many m.
     bool (*anyErrorTwo)(const Mover* movers, const ContactBlock* blocks, std::size_t count,
                         SweepReal most);
     bool (*anyErrorThree)(const Mover* movers, const ContactBlock* blocks, std::size_t count,

@@ -297,10 +297,16 @@ bool anyError(const Mover* movers, const ContactBlock* blocks, std::size_t count
         auto wrong = zero > zero;
         for (int lane = 0; lane < static_cast<int>(contactLanes); lane += width) {
             const Held<three> held(movers, *block, lane);
-            const auto pushes = load(block->normalLambda + lane) > zero;
-            const auto slips = larger(held.slip, -held.slip) > bound;
-            const auto sticks = load(block->sticks + lane) > zero;
-            wrong |= (held.gap < -bound) | (pushes & ((held.gap > bound) | (sticks & slips)));
+            const Lanes normal = load(block->normalLambda + lane);
+            const Lanes normalMass = load(block->normalMass + lane);
+            const Lanes along = larger(normal - held.gap * normalMass, zero) - normal;
+            const Lanes limit = load(block->friction + lane) * normal;
+            const Lanes tangent = load(block->tangentLambda + lane);
+            const Lanes tangentMass = load(block->tangentMass + lane);
+            const Lanes across =
+                smaller(larger(tangent - held.slip * tangentMass, -limit), limit) - tangent;
+            wrong |= (larger(along, -along) > bound * normalMass) |
+                     (larger(across, -across) > bound * tangentMass);
         }
         for (int i = 0; i < width; ++i)
             if (wrong[i] != 0) return true;

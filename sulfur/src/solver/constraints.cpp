@@ -42,11 +42,12 @@ void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
 }
 
 /// Where all contacts are in blocks and nothing else is swept, their motions stay there. The forest
-/// comes first, so that sweeps begin near the solution, and last, for what they have left.
+/// comes first, so that sweeps begin near the solution, and last, for what they have left. One sweep
+/// there is always: errors that are not worth more must not add up from tick to tick.
 void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) {
     bool anyError = rows.anyError(state);
     if (anyError) solveForest(state, rows, forest);
-    for (int sweep = 0; anyError && sweep < state.settings.sweeps; ++sweep) {
+    for (int sweep = 0; sweep == 0 || (anyError && sweep < state.settings.sweeps); ++sweep) {
         rows.sweep(sweep % 2 != 0);
         anyError = rows.anyError(state);
     }

@@ -13,10 +13,10 @@ namespace sulfur::detail {
 constexpr Real recoveryShare = Real(0.2);
 constexpr Real recoverySpeed = Real(0.5);  // m/s
 
-/// Whether it overlaps, or carries something over a gap that its slack has let open: then the sweeps
-/// would leave the gap as it is for ever, and towers would lean more and more.
-inline bool recovers(const Contact& c) {
-    return c.gap < 0 || (c.normalLambda > 0 && c.gap > 0 && c.gap <= c.slack);
+/// Whether it carries something over a gap that its slack has let open. The sweeps would leave the
+/// gap as it is for ever, and towers would lean more and more. (Chains hold themselves straight.)
+inline bool standsOpen(const Contact& c) {
+    return c.normalLambda > 0 && c.gap > 0 && c.gap <= c.slack;
 }
 
 /// m, by which the gap grows in this tick, or shrinks.

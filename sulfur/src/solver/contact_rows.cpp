@@ -56,10 +56,16 @@ Real couplingOf(const State& state, const Contact& c) {
     return sum;
 }
 
+/// Whether one more sweep would push by more than `most` m.
 bool leavesError(const State& state, const Contact& c, Real most) {
-    const Real gap = gapLeft(state, c);
-    if (gap < -most || (c.normalLambda > 0 && gap > most)) return true;
-    return c.normalLambda > 0 && c.rough && !c.sliding && std::abs(slipOf(state, c)) > most;
+    const Real w = c.inverseEffectiveMass, wt = c.tangentInverseMass;
+    const Real along = std::max<Real>(c.normalLambda - gapLeft(state, c) / w, 0) - c.normalLambda;
+    if (std::abs(along) * w > most) return true;
+    if (wt == 0 || !c.rough) return false;
+    const Real limit = frictionOf(c) * c.normalLambda;
+    const Real across =
+        std::clamp(c.tangentLambda - slipOf(state, c) / wt, -limit, limit) - c.tangentLambda;
+    return std::abs(across) * wt > most;
 }
 
 }  // namespace
@@ -149,9 +155,8 @@ void ContactRows::fill(const State& state, const Contact& c, ContactBlock& block
     set(block.conveyed, c.conveyed);
     set(block.normalMass, reciprocal(c.inverseEffectiveMass));
     set(block.normalLambda, c.normalLambda);
-    set(block.sticks, Real(c.rough && !c.sliding));
     set(block.tangentLambda, c.tangentLambda);
-    if (recovers(c)) {
+    if (c.gap < 0 || standsOpen(c)) {
         set(block.wanted, recoveryOf(state, c));
         block.recovers = 1;
     }
@@ -162,7 +167,7 @@ void ContactRows::fill(const State& state, const Contact& c, ContactBlock& block
     if (c.staticFriction <= 0) return;
     set(block.tangentMass, reciprocal(c.tangentInverseMass));
     set(block.coupling, couplingOf(state, c));
-    set(block.friction, c.sliding ? c.kineticFriction : c.staticFriction);
+    set(block.friction, frictionOf(c));
 }
 
 void ContactRows::placeContacts(const State& state) {

@@ -41,8 +41,8 @@ public:
     /// Leads apart what overlaps, and back what has crept from its place, by moving positions.
     void recover(State& state);
 
-    /// Whether a contact that pushes is left with an error that is worth a sweep, or one that
-    /// should push does not; by the motions that were fetched, for blocks, or those in the state.
+    /// Whether any contact is left with an error that is worth a sweep; by the motions that were
+    /// fetched, for blocks, or those in the state.
     bool anyError(const State& state) const;
 
 private:

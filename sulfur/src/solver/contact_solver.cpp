@@ -24,7 +24,7 @@ void solveNormal(State& state, Contact& c) {
 /// Coulomb: what sticks is held as long as static friction suffices, what slides is braked by
 /// kinetic friction.
 Real coulombLambda(const State& state, const Contact& c) {
-    const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
+    const Real most = frictionOf(c) * c.normalLambda;
     return std::clamp(c.tangentLambda - slipOf(state, c) / c.tangentInverseMass, -most, most);
 }
 
@@ -52,8 +52,7 @@ void solve(State& state, Contact& c) {
 void recoverGap(State& state, Contact& c) {
     const Real left = recoveryOf(state, c) - c.normal.dot(relativeShift(state, c));
     const Real before = c.recoveryLambda;
-    const Real unbound = before + left / c.inverseEffectiveMass;
-    c.recoveryLambda = c.gap < 0 ? std::max<Real>(0, unbound) : std::min<Real>(0, unbound);
+    c.recoveryLambda = std::max<Real>(0, before + left / c.inverseEffectiveMass);
     shift(state, c, (c.recoveryLambda - before) * c.normal);
 }
 
@@ -79,7 +78,7 @@ void warmStart(State& state, Contact& c, const ContactMemory& before) {
     if (touchesSoft(state, c)) return;
     c.normalLambda = before.sustained;
     if (c.rough) {
-        const Real most = c.staticFriction * c.normalLambda;
+        const Real most = frictionOf(c) * c.normalLambda;
         c.tangentLambda = std::clamp(before.tangentLambda, -most, most);
     }
 }
@@ -126,7 +125,7 @@ void recoverDrifts(State& state, const std::vector<std::uint32_t>& which) {
 
 void solveRecovery(State& state, const std::vector<std::uint32_t>& which) {
     for (const auto i : which)
-        if (recovers(state.contacts[i])) recoverGap(state, state.contacts[i]);
+        if (state.contacts[i].gap < 0) recoverGap(state, state.contacts[i]);
 }
 
 namespace {
@@ -163,7 +162,7 @@ constexpr Real slidingStarts = Real(0.25);
 
 void judgeSliding(const State& state, Contact& c) {
     const Real slip = slipOf(state, c);
-    const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
+    const Real most = frictionOf(c) * c.normalLambda;
     const bool slips = std::abs(slip) > slidingStarts * state.h * state.h;
     const bool givesAll = std::abs(c.tangentLambda) > Real(0.9) * most;
     c.sliding = (slips && givesAll) || std::abs(slip) > slipOfRest(state);
