@@ -48,8 +48,17 @@ struct Found {
     friend auto operator<=>(const Found&, const Found&) = default;
 };
 
+/// Round a collider with its skin and all that may make a contact with it.
+struct Circle {
+    Point centre{0, 0};  // m
+    double radius = 0;   // m
+    std::uint32_t body = 0;
+    bool meetsItself = false;  // its body
+};
+
 /// Scratch memory only.
 struct Finder {
+    std::vector<Circle> circles;
     std::vector<Found> found, foundScratch;
     std::vector<Watch> watchScratch;
     std::vector<std::uint32_t> start;
@@ -83,14 +92,41 @@ void collectCoarsePairs(const State& state, std::size_t level, Keep&& keep) {
     }
 }
 
-/// All that shares a cell, sorted, each pair once.
+/// A margin for the rounding of places that are 1e9 m away.
+constexpr double rounding = 1e-6;
+
+/// The thickest part of a collider: of its ends, where other capsules end too.
+Real reachOf(const State& state, const Collider& c) {
+    return std::max({c.radius, state.particles.reach[c.a], state.particles.reach[c.b]});
+}
+
+/// What is fast may be stopped up to half of its thickness before it touches.
+constexpr Real farthestTouch = Real(1.5);  // thicknesses
+
+void drawCircles(const State& state, std::vector<Circle>& circles) {
+    const BroadPhase& broad = state.broad;
+    const auto& x = broad.reference;
+    circles.clear();
+    const auto add = [&](const Collider& c) {
+        const double around =
+            static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(broad, c));
+        circles.push_back({(x[c.a] + x[c.b]) / 2, (x[c.b] - x[c.a]).norm() / 2 + around + rounding,
+                           c.body, state.bodies[c.body].selfCollision});
+    };
+    for (const Collider& c : broad.moving) add(c);
+    for (const Collider& c : broad.fixed) add(c);
+}
+
+/// All that shares a cell and is near, sorted, each pair once.
 void collectFound(const State& state, Finder& finder) {
     const BroadPhase& broad = state.broad;
     auto& found = finder.found;
     found.clear();
     const auto keep = [&](std::uint32_t i, std::uint32_t j) {
-        const auto a = broad.collider(i).body, b = broad.collider(j).body;
-        if (a == b && !state.bodies[a].selfCollision) return;
+        const Circle &a = finder.circles[i], &b = finder.circles[j];
+        if (a.body == b.body && !a.meetsItself) return;
+        const double most = a.radius + b.radius;
+        if ((a.centre - b.centre).squaredNorm() > most * most) return;
         found.push_back({std::min(i, j), std::max(i, j)});
     };
     broad.movingGrid.forEachPair(keep);
@@ -111,31 +147,31 @@ struct Distances {
     std::array<double, 2> ofA{}, ofB{};  // m
 };
 
-/// A margin for the rounding of places that are 1e9 m away.
-constexpr double rounding = 1e-6;
+/// A segment from the origin of its frame, ready to be measured from.
+struct Axis {
+    Axis(const Point& from, const Point& to)
+        : start(from), along(to - from), scale(along.squaredNorm()) {
+        scale = scale > 0 ? 1 / scale : 0;
+    }
+    double distance(const Point& p) const {
+        const Point offset = p - start;
+        return (std::clamp(offset.dot(along) * scale, 0.0, 1.0) * along - offset).norm();
+    }
+    Point start, along;  // m
+    double scale;        // 1/m^2
+};
 
-/// Whether circles round the axes are so far apart that the colliders cannot be within `reach`.
-bool circlesApart(const Point& a, const Point& halfOfA, const Point& b, const Point& halfOfB,
-                  double reach) {
-    const double most = reach + halfOfA.norm() + halfOfB.norm() + rounding;
-    return (b + halfOfB - a - halfOfA).squaredNorm() > most * most;
-}
-
-/// The distances of two colliders as they were rasterised, unless they are clearly further apart
-/// than `reach`.
-bool measure(const BroadPhase& broad, const Collider& a, const Collider& b, double reach,
-             Distances& d) {
+/// The distances of two colliders as they were rasterised.
+Distances measure(const BroadPhase& broad, const Collider& a, const Collider& b) {
     const auto& x = broad.reference;
     const Point origin = x[a.a];
     const Point a1(0, 0), a2 = x[a.b] - origin, b1 = x[b.a] - origin, b2 = x[b.b] - origin;
-    if (circlesApart(a1, a2 / 2, b1, (b2 - b1) / 2, reach)) return false;
-    const auto distance = [](const Point& p, const Point& from, const Point& to) {
-        return (from + nearestAlong<Point>(p, from, to) * (to - from) - p).norm();
-    };
-    d.ofA = {distance(a1, b1, b2), distance(a2, b1, b2)};
-    d.ofB = {distance(b1, a1, a2), distance(b2, a1, a2)};
+    const Axis axisA(a1, a2), axisB(b1, b2);
+    Distances d;
+    d.ofA = {axisB.distance(a1), axisB.distance(a2)};
+    d.ofB = {axisA.distance(b1), axisA.distance(b2)};
     d.least = segmentsCross(a1, a2, b1, b2) ? 0 : std::min({d.ofA[0], d.ofA[1], d.ofB[0], d.ofB[1]});
-    return true;
+    return d;
 }
 
 /// Adds the candidate of an end of one collider against another one, `distance` apart, if it can
@@ -144,8 +180,7 @@ void watchEnd(State& state, std::uint32_t particle, std::uint32_t collider, doub
     BroadPhase& broad = state.broad;
     const Collider& c = broad.collider(collider);
     const Real thickness = state.particles.reach[particle] + c.radius;
-    // What is fast may be stopped up to half of its thickness before it touches.
-    const Real reach = Real(1.5) * thickness + broad.skin[particle] + skinOf(broad, c);
+    const Real reach = farthestTouch * thickness + broad.skin[particle] + skinOf(broad, c);
     if (distance > static_cast<double>(reach) + rounding) return;
     if (areLinked(broad, particle, c.body) || belongsTogether(state, particle, c)) return;
     // A thousandth for rounding.
@@ -161,13 +196,7 @@ void watchPair(State& state, const Found& pair) {
     const Collider &a = broad.collider(pair.first), &b = broad.collider(pair.second);
     const Real radii = a.radius + b.radius;
     const Real skins = skinOf(broad, a) + skinOf(broad, b);
-    // Ends may be thicker than the capsule that ends there.
-    const auto reachOf = [&](const Collider& c) {
-        return std::max({c.radius, state.particles.reach[c.a], state.particles.reach[c.b]});
-    };
-    const Real most = Real(1.5) * (reachOf(a) + reachOf(b)) + skins;
-    Distances d;
-    if (!measure(broad, a, b, static_cast<double>(most), d)) return;
+    const Distances d = measure(broad, a, b);
     if (d.least <= static_cast<double>(radii + skins) + rounding)
         broad.pairs.push_back({pair.first, pair.second,
                                static_cast<Real>(d.least - static_cast<double>(radii))});
@@ -195,6 +224,7 @@ void collectRuns(const std::vector<Item>& items, std::vector<WatchRun>& runs, Ke
 void findPairs(State& state) {
     thread_local Finder finder;
     BroadPhase& broad = state.broad;
+    drawCircles(state, finder.circles);
     collectFound(state, finder);
     broad.pairs.clear();
     broad.watches.clear();
