@@ -20,6 +20,9 @@ namespace sulfur::detail {
 /// links then move by more than they are long, and each sweep is a step of Newton's method.
 constexpr int mostForTrees = 24;
 
+/// And of contacts alone, where sweeps leave something pressed into something else.
+constexpr int mostForDepth = 16;
+
 namespace {
 
 /// Whether anything but contacts is solved in sweeps. Without, they end as soon as contacts hold.
@@ -55,15 +58,14 @@ void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) 
     rows.giveMotions(state);
 }
 
-/// The same between what else is swept.
+/// Between what else is swept, the forest takes part in the last sweep and every other one before.
 void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
     const int last = state.settings.sweeps - 1;
-    if (rows.anyError(state)) solveForest(state, rows, forest);
     for (int sweep = 0; sweep <= last; ++sweep) {
         solveImplicitJoints(state);
         rows.sweep(state, sweep % 2 != 0);
         rows.takeMotions(state);
-        if (sweep == last && rows.anyError(state)) solveForest(state, rows, forest);
+        if ((last - sweep) % 2 == 0 && rows.anyError(state)) solveForest(state, rows, forest);
         solveAttachments(state);
         solveGrabs(state);
         solveRigidJoints(state);
@@ -74,6 +76,9 @@ void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
         solveAttachments(state);
         sweepTrees(state);
     }
+    rows.takeMotions(state);
+    for (int i = 0; i < mostForDepth && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
+    rows.giveMotions(state);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "rigid/grip.hpp"
@@ -17,6 +18,9 @@ namespace {
 /// What sweeps may leave. It does not add up: gaps and drifts are those of the places, and the next
 /// tick takes back what this one has left.
 constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
+
+/// As a share of the thinnest contact.
+constexpr Real deepError = Real(0.02);
 
 constexpr unsigned mostColours = 64;
 constexpr std::uint8_t noColourLeft = 0xff;
@@ -374,11 +378,21 @@ void ContactRows::sweep(State& state, bool backwards) {
     if (backwards) inBlocks();
 }
 
-bool ContactRows::anyError(const State& state) const {
-    const Real most = mostErrorSpeed * state.h;
+bool ContactRows::anyErrorBeyond(Real most) const {
     const ContactKernels& kernels = contactKernels();
     return kernels.anyErrorTwo(movers_.data(), two_.data(), two_.size(), most) ||
-           kernels.anyErrorThree(movers_.data(), three_.data(), three_.size(), most) ||
+           kernels.anyErrorThree(movers_.data(), three_.data(), three_.size(), most);
+}
+
+bool ContactRows::anyDeepError(const State& state) const {
+    Real thinnest = std::numeric_limits<Real>::max();
+    for (const Contact& c : state.contacts) thinnest = std::min(thinnest, c.thickness);
+    return anyErrorBeyond(deepError * thinnest);
+}
+
+bool ContactRows::anyError(const State& state) const {
+    const Real most = mostErrorSpeed * state.h;
+    return anyErrorBeyond(most) ||
            std::any_of(single_.begin(), single_.end(), [&](std::uint32_t i) {
                return leavesError(state, state.contacts[i], most);
            });

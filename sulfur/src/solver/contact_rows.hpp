@@ -44,6 +44,8 @@ public:
     /// Whether any contact is left with an error that is worth a sweep; by the motions that were
     /// fetched, for blocks, or those in the state.
     bool anyError(const State& state) const;
+    /// The same, of contacts in blocks with errors that show.
+    bool anyDeepError(const State& state) const;
 
 private:
     using Blocks = std::vector<ContactBlock>;
@@ -64,6 +66,7 @@ private:
         std::uint32_t cluster = none, particle = none;
     };
 
+    bool anyErrorBeyond(Real most) const;
     void takeShifts(const State& state);
     void giveShifts(State& state) const;
     void applyShifts(State& state) const;
