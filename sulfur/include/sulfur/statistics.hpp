@@ -45,6 +45,7 @@ struct Statistics {
     std::uint64_t broadPhases = 0;     ///< since the world was made
     std::uint64_t fixedRebuilds = 0;   ///< of fixed geometry in the grid, likewise
     std::uint32_t gridCells = 0;       ///< that moving colliders cover, each counting its own
+    std::uint32_t substeps = 0;        ///< into which the last tick was divided, 1 if it was not
     /// By Stage; zero unless profiling is on.
     std::array<double, static_cast<std::size_t>(Stage::count)> seconds{};
 };

@@ -18,6 +18,7 @@
 #include <sulfur/math.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/statistics.hpp>
+#include <sulfur/tasks.hpp>
 #include <utility>
 #include <vector>
 
@@ -383,6 +384,10 @@ public:
     const Statistics& statistics() const;
     /// Whether statistics() also measures the time of each stage. It does not affect results.
     void setProfiling(bool on);
+    /// Lends the world threads for its ticks; null, as at first: it uses the caller's alone. `tasks`
+    /// stays the host's and must live until others are lent or the world is gone. It does not
+    /// affect results.
+    void setTasks(Tasks* tasks);
 
     // --- queries ---------------------------------------------------------------------------
 

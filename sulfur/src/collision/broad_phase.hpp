@@ -101,19 +101,27 @@ struct BroadPhase {
     }
 };
 
-/// Calls f(const Watch&), in their order, for all candidates whose sides can have come near enough
-/// to each other. What moves by more than its thickness is stopped up to half of that before it
-/// touches: hence twice.
+/// Calls f(const Watch&), in their order, for all candidates of some runs whose sides can have come
+/// near enough to each other. What moves by more than its thickness is stopped up to half of that
+/// before it touches: hence twice.
 template <class Function>
-void forEachNear(const BroadPhase& broad, const Outings& outings, Function&& f) {
+void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t firstRun,
+                 std::size_t lastRun, Function&& f) {
     const auto& out = outings.ofParticle;
-    for (const WatchRun& run : broad.watchRuns) {
+    for (auto r = firstRun; r < lastRun; ++r) {
+        const WatchRun& run = broad.watchRuns[r];
         if (2 * (out[run.one] + outings.ofBody[run.other]) < run.spare) continue;
         for (auto k = run.first; k < run.last; ++k) {
             const Watch& w = broad.watches[k];
             if (2 * (out[w.candidate.particle] + std::max(out[w.a], out[w.b])) >= w.spare) f(w);
         }
     }
+}
+
+/// The same for all runs.
+template <class Function>
+void forEachNear(const BroadPhase& broad, const Outings& outings, Function&& f) {
+    forEachNear(broad, outings, 0, broad.watchRuns.size(), f);
 }
 
 /// Calls f(const WatchedPair&), in their order, for all pairs of colliders that can have come to

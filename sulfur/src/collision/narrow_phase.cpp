@@ -16,6 +16,7 @@
 #include "collision/materials.hpp"
 #include "collision/meeting.hpp"
 #include "collision/outlines.hpp"
+#include "core/pieces.hpp"
 #include "solver/contact_motion.hpp"
 #include "solver/restitution.hpp"
 #include "solver/stages.hpp"
@@ -98,27 +99,33 @@ bool isFast(const Contact& c, Real closing, const Vec2& moved) {
     return -closing > Real(0.05) * c.thickness || moved.norm() > Real(0.25) * c.thickness;
 }
 
+/// What a piece of the stage finds.
+struct Found {
+    std::vector<Contact>& contacts;
+    std::vector<std::uint32_t>& knocked;  // sleepers that something ran into
+};
+
 /// A kinematic body that runs into a sleeper can only wake it in this tick.
-void knock(State& state, const Contact& c, Real closing) {
+void knock(const State& state, const Contact& c, Real closing, Found& found) {
     if (c.gap + closing > 0) return;
     for (const auto body : {c.bodyA, c.bodyB})
-        if (state.bodies[body].asleep) state.knocked.push_back(body);
+        if (state.bodies[body].asleep) found.knocked.push_back(body);
 }
 
 /// Adds the contact if the predicted displacements could close its gap.
-void keepIfNear(State& state, const Touch& t) {
+void keepIfNear(const State& state, const Touch& t, Found& found) {
     const Vec2 moved = relativeDisplacement(state.particles, t);
     const Real closing = t.meeting.normal.dot(moved);
     const Real gap = t.meeting.distance - t.thickness;
     if (gap + std::min<Real>(closing, 0) > state.broad.watchedGap(t.thickness)) return;
     Contact contact = makeContact(state, t);
-    if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing);
+    if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing, found);
     contact.approach = -closing / state.h;
     contact.slack = slackOf(state, contact);
     contact.sliding = comesSliding(state, contact, moved);
     contact.fast = isFast(contact, closing, moved);
     if (mayRebound(contact)) planRebound(state, contact);
-    state.contacts.push_back(contact);
+    found.contacts.push_back(contact);
 }
 
 Real thicknessOf(const State& state, const Candidate& candidate) {
@@ -149,17 +156,17 @@ bool isNearestAt(const State& state, std::uint32_t corner, std::uint32_t other, 
 }
 
 /// Two corners that face each other come up as several candidates; the first of them counts.
-bool isNew(const State& state, std::uint32_t particle, std::uint32_t corner) {
-    for (auto c = state.contacts.rbegin(); c != state.contacts.rend(); ++c) {
+bool isNew(const Found& found, std::uint32_t particle, std::uint32_t corner) {
+    for (auto c = found.contacts.rbegin(); c != found.contacts.rend(); ++c) {
         if (c->particle != particle) return true;
         if (c->a == corner && c->b == corner) return false;
     }
     return true;
 }
 
-bool meetsCorner(const State& state, const Touch& t, std::uint32_t corner) {
+bool meetsCorner(const State& state, const Touch& t, std::uint32_t corner, const Found& found) {
     const Real fraction = t.meeting.fraction;
-    return t.particle < corner && isNew(state, t.particle, corner) &&
+    return t.particle < corner && isNew(found, t.particle, corner) &&
            isNearestAt(state, corner, t.particle, fraction) &&
            isNearestAt(state, t.particle, corner, fraction);
 }
@@ -225,7 +232,7 @@ bool moveAsOne(const State& state, std::uint32_t particle, const Collider& c) {
            cluster[particle] == cluster[c.b];
 }
 
-void consider(State& state, const Candidate& candidate) {
+void consider(const State& state, const Candidate& candidate, Found& found) {
     const Collider& c = state.broad.collider(candidate.collider);
     if (moveAsOne(state, candidate.particle, c)) return;
     const Real thickness = thicknessOf(state, candidate);
@@ -238,7 +245,7 @@ void consider(State& state, const Candidate& candidate) {
     if (!keepOutside(state, t)) return;
     if (t.meeting.atEnd) {
         const auto corner = t.meeting.along < Real(0.5) ? c.a : c.b;
-        if (!meetsCorner(state, t, corner)) return;
+        if (!meetsCorner(state, t, corner, found)) return;
         t.a = t.b = corner;
     }
     if (t.meeting.fraction > 0) {
@@ -249,7 +256,7 @@ void consider(State& state, const Candidate& candidate) {
         t.meeting.distance = t.meeting.normal.dot(offset);
     }
     if (t.meeting.distance > 0) keepSide(state, t);
-    keepIfNear(state, t);
+    keepIfNear(state, t, found);
 }
 
 /// For two capsules that cross, the end that is nearest to the other's axis is led back to the
@@ -265,7 +272,7 @@ void considerEnd(const State& state, std::uint32_t particle, std::uint32_t colli
     if (m.distance < best.meeting.distance) best = {{particle, collider}, m};
 }
 
-void findCrossings(State& state, std::vector<Crossing>& found) {
+void findCrossings(const State& state, std::vector<Crossing>& found) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
     forEachNearPair(broad, broad.outings, [&](const WatchedPair& pair) {
@@ -293,13 +300,57 @@ bool isCrossing(const std::vector<Crossing>& crossings, const Candidate& candida
     return at != crossings.end() && at->end == candidate;
 }
 
-void considerCrossing(State& state, const Crossing& crossing) {
+void considerCrossing(const State& state, const Crossing& crossing, Found& found) {
     const Collider& c = state.broad.collider(crossing.end.collider);
     Touch t{crossing.end.particle,           c.a, c.b, &c, crossing.meeting,
             thicknessOf(state, crossing.end)};
     t.meeting.normal = -t.meeting.normal;
     t.meeting.distance = -t.meeting.distance;
-    keepIfNear(state, t);
+    keepIfNear(state, t, found);
+}
+
+/// A piece of work for a thread has at least so many runs of candidates.
+constexpr std::size_t leastRuns = 1024;
+
+/// The first run from `i` on that is of another particle than the one before: contacts of one
+/// particle are found by one thread.
+std::size_t particleStart(const std::vector<WatchRun>& runs, std::size_t i) {
+    while (i > 0 && i < runs.size() && runs[i].one == runs[i - 1].one) ++i;
+    return i;
+}
+
+/// What the pieces but the first find, which writes to the state; scratch memory only.
+struct Piece {
+    std::vector<Contact> contacts;
+    std::vector<std::uint32_t> knocked;
+};
+
+/// Looks at all candidates but those that cross, and leaves what they find in their order.
+void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
+    thread_local std::vector<Piece> scratch;
+    std::vector<Piece>& others = scratch;
+    const BroadPhase& broad = state.broad;
+    const std::size_t count = broad.watchRuns.size();
+    const std::size_t pieces = piecesOf(state.tasks, count, leastRuns);
+    if (others.size() < pieces) others.resize(pieces);
+    runPieces(state.tasks, pieces, [&](std::size_t i) {
+        Found found = i == 0 ? Found{state.contacts, state.knocked}
+                             : Found{others[i].contacts, others[i].knocked};
+        if (i > 0) found.contacts.clear(), found.knocked.clear();
+        const auto start = [&](std::size_t piece) {
+            return particleStart(broad.watchRuns, pieceStart(piece, pieces, count));
+        };
+        forEachNear(broad, broad.outings, start(i), start(i + 1), [&](const Watch& watch) {
+            if (crossings.empty() || !isCrossing(crossings, watch.candidate))
+                consider(state, watch.candidate, found);
+        });
+    });
+    for (std::size_t i = 1; i < pieces; ++i) {
+        state.contacts.insert(state.contacts.end(), others[i].contacts.begin(),
+                              others[i].contacts.end());
+        state.knocked.insert(state.knocked.end(), others[i].knocked.begin(),
+                             others[i].knocked.end());
+    }
 }
 
 }  // namespace
@@ -312,12 +363,9 @@ void findContacts(State& state) {
     thread_local std::vector<Crossing> crossings;  // nearly always empty
     crossings.clear();
     findCrossings(state, crossings);
-    const BroadPhase& broad = state.broad;
-    forEachNear(broad, broad.outings, [&](const Watch& watch) {
-        if (crossings.empty() || !isCrossing(crossings, watch.candidate))
-            consider(state, watch.candidate);
-    });
-    for (const Crossing& crossing : crossings) considerCrossing(state, crossing);
+    considerCandidates(state, crossings);
+    Found found{state.contacts, state.knocked};
+    for (const Crossing& crossing : crossings) considerCrossing(state, crossing, found);
     state.statistics.contacts = static_cast<std::uint32_t>(state.contacts.size());
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/limits.hpp"
+#include "core/pieces.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/grip.hpp"
 
@@ -31,6 +32,15 @@ void adopt(const State& state, Cluster& cluster) {
     cluster.velocity = cluster.freeInverseMass * momentum;
     cluster.spin = cluster.freeInverseInertia * angular;
     cluster.stirred = 0;
+}
+
+/// Calls f for clusters of a list, in pieces: no two have a member in common.
+template <class Function>
+void forEachCluster(State& state, const std::vector<std::uint32_t>& list, Function&& f) {
+    constexpr std::size_t leastPiece = 256;
+    inPieces(state.tasks, list.size(), leastPiece, [&](std::size_t first, std::size_t last) {
+        for (auto k = first; k < last; ++k) f(state.clusters.list[list[k]]);
+    });
 }
 
 /// Air friction by the trapezoidal rule, as for particles.
@@ -78,30 +88,29 @@ void adoptStirredClusters(State& state) {
 
 void predictClusters(State& state) {
     const AirFriction air(state);
-    for (const auto i : state.work.clusters) predictCluster(state, state.clusters.list[i], air);
+    forEachCluster(state, state.work.clusters,
+                   [&](Cluster& c) { predictCluster(state, c, air); });
 }
 
 void spreadDisplacements(State& state) {
     Particles& p = state.particles;
-    for (const auto i : state.work.awakeClusters) {
-        const Cluster& c = state.clusters.list[i];
+    forEachCluster(state, state.work.awakeClusters, [&](const Cluster& c) {
         for (std::uint32_t k = c.first; k < c.last; ++k) {
             const auto m = state.clusters.members[k];
             const Vec2& arm = p.arm[m];
             p.displacement[m] = c.displacement + c.sine * Vec2(-arm[1], arm[0]) - c.versine * arm;
             p.force[m] = Point(0, 0);
         }
-    }
+    });
 }
 
 void updateClusterVelocities(State& state) {
     const double h = static_cast<double>(state.h);
-    for (const auto i : state.work.awakeClusters) {
-        Cluster& c = state.clusters.list[i];
+    forEachCluster(state, state.work.awakeClusters, [&](Cluster& c) {
         const Vec2 change = c.displacement - c.predicted;
         c.velocity = limited(c.velocity + change.cast<double>() / h);
         c.spin = limitedSpin(c, c.spin + (c.angle - c.predictedAngle) / h);
-    }
+    });
 }
 
 void placeMembers(State& state, std::uint32_t index) {
@@ -117,8 +126,7 @@ void placeMembers(State& state, std::uint32_t index) {
 
 void moveClusters(State& state) {
     Particles& p = state.particles;
-    for (const auto index : state.work.awakeClusters) {
-        Cluster& c = state.clusters.list[index];
+    forEachCluster(state, state.work.awakeClusters, [&](Cluster& c) {
         const double angle = c.angle + c.twist;
         if (angle != 0) c.heading = turned(unitVector(angle), c.heading).normalized();
         c.centre += c.displacement.cast<double>() + c.shift.cast<double>();
@@ -134,7 +142,7 @@ void moveClusters(State& state) {
             p.arm[i] = arm.cast<Real>();
             p.velocity[i] = limited(c.velocity + c.spin * perpendicular(arm));
         }
-    }
+    });
 }
 
 }  // namespace sulfur::detail

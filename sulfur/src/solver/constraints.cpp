@@ -12,6 +12,7 @@
 #include "solver/hold_back.hpp"
 #include "solver/impacts.hpp"
 #include "solver/stages.hpp"
+#include "solver/substeps.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
@@ -96,6 +97,8 @@ void solveConstraints(State& state) {
     const bool contactsAlone = rows.takesAll() && !sweepsOthers(state);
     (contactsAlone ? sweepContactsAlone : sweepAll)(state, rows, forest);
     rows.giveMultipliers(state);
+    // (Blocks have their motions still.)
+    noteStrain(state, rows.anyError(state));
     guardContacts(state);
     limitImpacts(state);
     holdBack(state);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/pieces.hpp"
 #include "rigid/grip.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_motion.hpp"
@@ -24,6 +25,9 @@ constexpr Real deepError = Real(0.02);
 
 constexpr unsigned mostColours = 64;
 constexpr std::uint8_t noColourLeft = 0xff;
+
+/// A piece of work for a thread has at least so many.
+constexpr std::size_t leastBlocks = 24;
 
 /// rad: after a larger turn the series of the kernels is replaced by the exact sine.
 constexpr Real exactBeyond = Real(0.05);
@@ -198,19 +202,29 @@ void ContactRows::placeContacts(const State& state) {
     }
     two_.assign(blocksOfTwo, ContactBlock{});
     three_.assign(blocksOfThree, ContactBlock{});
-    placesOfTwo_.clear();
-    placesOfThree_.clear();
+    contactsOfTwo_.assign(blocksOfTwo * contactLanes, none);
+    contactsOfThree_.assign(blocksOfThree * contactLanes, none);
     for (std::uint32_t i = 0; i < marks_.size(); ++i) {
         const Mark& mark = marks_[i];
         if (mark.colour == noColourLeft) continue;
-        const auto lane = next[mark.three][mark.colour]++;
-        (mark.three ? placesOfThree_ : placesOfTwo_).push_back({i, lane});
-        fill(state, state.contacts[i], (mark.three ? three_ : two_)[lane / contactLanes],
-             lane % contactLanes);
+        (mark.three ? contactsOfThree_ : contactsOfTwo_)[next[mark.three][mark.colour]++] = i;
     }
+    fillAll(state, contactsOfTwo_, two_);
+    fillAll(state, contactsOfThree_, three_);
+}
+
+void ContactRows::fillAll(const State& state, const std::vector<std::uint32_t>& contacts,
+                          Blocks& blocks) const {
+    inPieces(state.tasks, blocks.size(), leastBlocks, [&](std::size_t first, std::size_t last) {
+        for (auto lane = first * contactLanes; lane < last * contactLanes; ++lane)
+            if (contacts[lane] != none)
+                fill(state, state.contacts[contacts[lane]], blocks[lane / contactLanes],
+                     lane % contactLanes);
+    });
 }
 
 void ContactRows::collect(const State& state) {
+    tasks_ = state.tasks;
     movers_.assign(1, Mover{});
     owners_.assign(1, Owner{});
     taken_.assign(1, 0);
@@ -259,38 +273,48 @@ void ContactRows::giveMotions(State& state) {
     }
 }
 
+namespace {
+
+/// Calls f(contact, its block, its lane there) for all contacts in blocks of a kind.
+template <class Contacts, class Blocks, class Function>
+void forEachLane(Contacts& contacts, const std::vector<std::uint32_t>& places, Blocks& blocks,
+                 Function&& f) {
+    for (std::size_t lane = 0; lane < places.size(); ++lane)
+        if (places[lane] != none)
+            f(contacts[places[lane]], blocks[lane / contactLanes], lane % contactLanes);
+}
+
+}  // namespace
+
 void ContactRows::takeMultipliers(const State& state) {
-    const auto take = [&](const std::vector<Place>& places, Blocks& blocks) {
-        for (const Place& place : places) {
-            const Contact& c = state.contacts[place.contact];
-            ContactBlock& block = blocks[place.lane / contactLanes];
-            block.normalLambda[place.lane % contactLanes] = c.normalLambda;
-            block.tangentLambda[place.lane % contactLanes] = c.tangentLambda;
-        }
+    const auto take = [](const Contact& c, ContactBlock& block, std::size_t lane) {
+        block.normalLambda[lane] = c.normalLambda;
+        block.tangentLambda[lane] = c.tangentLambda;
     };
-    take(placesOfTwo_, two_);
-    take(placesOfThree_, three_);
+    forEachLane(state.contacts, contactsOfTwo_, two_, take);
+    forEachLane(state.contacts, contactsOfThree_, three_, take);
 }
 
 void ContactRows::giveMultipliers(State& state) const {
-    const auto give = [&](const std::vector<Place>& places, const Blocks& blocks) {
-        for (const Place& place : places) {
-            Contact& c = state.contacts[place.contact];
-            const ContactBlock& block = blocks[place.lane / contactLanes];
-            c.normalLambda = block.normalLambda[place.lane % contactLanes];
-            c.tangentLambda = block.tangentLambda[place.lane % contactLanes];
-        }
+    const auto give = [](Contact& c, const ContactBlock& block, std::size_t lane) {
+        c.normalLambda = block.normalLambda[lane];
+        c.tangentLambda = block.tangentLambda[lane];
     };
-    give(placesOfTwo_, two_);
-    give(placesOfThree_, three_);
+    forEachLane(state.contacts, contactsOfTwo_, two_, give);
+    forEachLane(state.contacts, contactsOfThree_, three_, give);
 }
 
 void ContactRows::sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three,
                               bool backwards) {
+    const auto run = [&](ContactKernels::Sweep kernel, Blocks& blocks, std::size_t from,
+                         std::size_t to) {
+        inPieces(tasks_, to - from, leastBlocks, [&](std::size_t first, std::size_t last) {
+            kernel(movers_.data(), blocks.data() + from + first, last - first);
+        });
+    };
     const auto solve = [&](const Colour& colour) {
-        two(movers_.data(), two_.data() + colour.firstTwo, colour.lastTwo - colour.firstTwo);
-        three(movers_.data(), three_.data() + colour.firstThree,
-              colour.lastThree - colour.firstThree);
+        run(two, two_, colour.firstTwo, colour.lastTwo);
+        run(three, three_, colour.firstThree, colour.lastThree);
     };
     if (backwards)
         std::for_each(colours_.rbegin(), colours_.rend(), solve);

@@ -53,10 +53,6 @@ private:
     struct Colour {
         std::uint32_t firstTwo = 0, lastTwo = 0, firstThree = 0, lastThree = 0;
     };
-    /// Where a contact is: the lanes of all blocks of its kind, counted through.
-    struct Place {
-        std::uint32_t contact = 0, lane = 0;
-    };
     struct Mark {
         std::uint8_t colour = 0;
         bool three = false;
@@ -75,16 +71,19 @@ private:
     bool isSingle(const State& state, const Contact& c) const;
     void colourContacts(const State& state);
     void placeContacts(const State& state);
+    void fillAll(const State& state, const std::vector<std::uint32_t>& contacts,
+                 Blocks& blocks) const;
     void fill(const State& state, const Contact& c, ContactBlock& block, std::size_t lane) const;
     std::uint32_t indexOf(const Grip& grip) const;
 
+    Tasks* tasks_ = nullptr;
     std::vector<Mover> movers_;  // the first one never moves
     std::vector<Owner> owners_;
     std::vector<std::uint64_t> taken_;  // colours, by mover
     std::vector<std::uint32_t> ofCluster_, ofParticle_;
     std::vector<Mark> marks_;
     Blocks two_, three_;
-    std::vector<Place> placesOfTwo_, placesOfThree_;
+    std::vector<std::uint32_t> contactsOfTwo_, contactsOfThree_;  // by lanes of all blocks; or none
     std::vector<Colour> colours_;
     std::vector<std::uint32_t> single_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "collision/contact_memory.hpp"
+#include "core/pieces.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_motion.hpp"
 #include "solver/contact_recovery.hpp"
@@ -10,6 +11,9 @@
 namespace sulfur::detail {
 
 namespace {
+
+/// A piece of work for a thread has at least so many.
+constexpr std::size_t leastContacts = 512;
 
 /// How deep the sweeps may leave a contact, as a share of its thickness.
 constexpr Real guardedDepth = Real(0.25);
@@ -83,13 +87,22 @@ void warmStart(State& state, Contact& c, const ContactMemory& before) {
     }
 }
 
+/// The first contact from `i` on that is of another particle than the one before.
+std::size_t particleStart(const State& state, std::size_t i) {
+    const auto& contacts = state.contacts;
+    while (i > 0 && i < contacts.size() && contacts[i].particle == contacts[i - 1].particle) ++i;
+    return i;
+}
+
 }  // namespace
 
 void warmStartContacts(State& state) {
-    thread_local std::vector<std::uint8_t> taken;  // of the memories, each has one heir
+    thread_local std::vector<std::uint8_t> scratch;
+    std::vector<std::uint8_t>& taken = scratch;  // of the memories, each has one heir
     taken.assign(state.contactMemory.size(), 0);
-    const auto inherit = [&](bool exactly) {
-        for (Contact& c : state.contacts) {
+    const auto inherit = [&](bool exactly, std::size_t first, std::size_t last) {
+        for (auto i = first; i < last; ++i) {
+            Contact& c = state.contacts[i];
             if (c.inherited) continue;
             const ContactMemory* before = recall(state, c.particle, c.a, c.b);
             if (!before || (before->a == c.a && before->b == c.b) != exactly) continue;
@@ -99,8 +112,19 @@ void warmStartContacts(State& state) {
             warmStart(state, c, *before);
         }
     };
-    inherit(true);
-    inherit(false);
+    // Only contacts of one particle may want the same memory.
+    const std::size_t count = state.contacts.size();
+    // (What crosses comes last in the list, out of the order of particles.)
+    const bool inOrder = std::is_sorted(
+        state.contacts.begin(), state.contacts.end(),
+        [](const Contact& a, const Contact& b) { return a.particle < b.particle; });
+    const std::size_t pieces = inOrder ? piecesOf(state.tasks, count, leastContacts) : 1;
+    runPieces(state.tasks, pieces, [&](std::size_t i) {
+        const auto start = [&](std::size_t piece) {
+            return particleStart(state, pieceStart(piece, pieces, count));
+        };
+        for (const bool exactly : {true, false}) inherit(exactly, start(i), start(i + 1));
+    });
 }
 
 void solveContacts(State& state, const std::vector<std::uint32_t>& which, bool backwards) {
@@ -173,8 +197,11 @@ void judgeSliding(const State& state, Contact& c) {
 }  // namespace
 
 void finishContacts(State& state) {
-    for (Contact& c : state.contacts)
-        if (c.rough) judgeSliding(state, c);
+    inPieces(state.tasks, state.contacts.size(), leastContacts,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto i = first; i < last; ++i)
+                     if (state.contacts[i].rough) judgeSliding(state, state.contacts[i]);
+             });
     rememberContacts(state);
 }
 

@@ -14,8 +14,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Displaces the particles of a kinematic body so that they arrive at its target.
-void driveTowardsTarget(State& state, const BodyRecord& body) {
+/// Displaces the particles of a kinematic body so that they arrive at its target after so many
+/// steps.
+void driveTowardsTarget(State& state, const BodyRecord& body, double stepsLeft) {
     Particles& particles = state.particles;
     const Point turn = unitVector(body.target.angle);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
@@ -23,7 +24,8 @@ void driveTowardsTarget(State& state, const BodyRecord& body) {
         const Point rest = particles.rest[i].cast<double>();
         const Point goal = body.target.position + Point(turn[0] * rest[0] - turn[1] * rest[1],
                                                         turn[1] * rest[0] + turn[0] * rest[1]);
-        particles.displacement[i] = (goal - particles.position[i]).cast<Real>();
+        // Of a divided tick's steps, each goes its share of the way that is left.
+        particles.displacement[i] = ((goal - particles.position[i]) / stepsLeft).cast<Real>();
         particles.velocity[i] =
             particles.displacement[i].cast<double>() / static_cast<double>(state.h);
     }
@@ -32,10 +34,11 @@ void driveTowardsTarget(State& state, const BodyRecord& body) {
 /// Kinematic bodies follow their target, stop after it, or move on as their velocities say.
 void driveKinematicBodies(State& state) {
     Particles& particles = state.particles;
+    const double stepsLeft = state.substeps.count - state.substeps.done;
     for (BodyRecord& body : state.bodies) {
         if (body.kind != BodyKind::kinematic) continue;
         if (body.moving) {
-            driveTowardsTarget(state, body);
+            driveTowardsTarget(state, body, stepsLeft);
         } else {
             for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
                 const auto i = body.firstParticle + k;
@@ -44,6 +47,7 @@ void driveKinematicBodies(State& state) {
                     (static_cast<double>(state.h) * particles.velocity[i]).cast<Real>();
             }
         }
+        if (stepsLeft > 1) continue;
         body.stopping = body.moving;
         body.moving = false;
     }

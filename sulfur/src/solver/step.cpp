@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "solver/stages.hpp"
+#include "solver/substeps.hpp"
 
 namespace sulfur::detail {
 
@@ -14,13 +15,11 @@ void timed(State& state, Stage stage, Function&& run) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     run(state);
-    state.statistics.seconds[static_cast<std::size_t>(stage)] =
+    state.statistics.seconds[static_cast<std::size_t>(stage)] +=
         std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-}  // namespace
-
-void step(State& state) {
+void runStages(State& state) {
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
     timed(state, Stage::fields, applyFields);
@@ -35,6 +34,38 @@ void step(State& state) {
     timed(state, Stage::sleep, updateSleep);
     timed(state, Stage::sensors, updateSensors);
     state.lastTick = static_cast<double>(state.h);
+}
+
+template <class Event>
+void append(std::vector<Event>& events, const std::vector<Event>& more) {
+    events.insert(events.end(), more.begin(), more.end());
+}
+
+/// What was told in earlier steps of the tick comes first; who goes on touching is told once.
+void append(Events& events, Events& more) {
+    append(events.contactsBegun, more.contactsBegun);
+    append(events.contactsEnded, more.contactsEnded);
+    append(events.jointsBroken, more.jointsBroken);
+    append(events.bodiesSplit, more.bodiesSplit);
+    append(events.particlesLost, more.particlesLost);
+    append(events.sensorsEntered, more.sensorsEntered);
+    append(events.sensorsLeft, more.sensorsLeft);
+    events.contactsPersisted = std::move(more.contactsPersisted);
+}
+
+}  // namespace
+
+void step(State& state) {
+    chooseSubsteps(state);
+    state.statistics.seconds = {};
+    state.statistics.substeps = state.substeps.count;
+    Events told;
+    state.substeps.done = 0;
+    for (; state.substeps.done < state.substeps.count; ++state.substeps.done) {
+        runStages(state);
+        if (state.substeps.count > 1) append(told, state.events);
+    }
+    if (state.substeps.count > 1) state.events = std::move(told);
     ++state.tick;
 }
 

@@ -5,6 +5,7 @@
 #include "core/limits.hpp"
 #include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
+#include "solver/substeps.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -82,9 +83,7 @@ void World::setTickRate(int tickRate) {
     state.rateTime = time();
     state.rateTick = state.tick;
     state.settings.tickRate = tickRate;
-    state.h = 1 / static_cast<Real>(tickRate);
-    state.structure.stale = true;
-    state.broad.pairsStale = true;
+    setStep(state, 1 / static_cast<Real>(tickRate));
 }
 
 void World::setDamper(Damper damper) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <sulfur/events.hpp>
 #include <sulfur/statistics.hpp>
+#include <sulfur/tasks.hpp>
 #include <sulfur/world.hpp>
 #include <utility>
 #include <vector>
@@ -76,10 +77,25 @@ struct WorkLists {
     bool stale = true;
 };
 
+/// How the present tick is divided.
+struct Substeps {
+    std::uint32_t count = 1, done = 0;
+    std::uint8_t strained = 0;  // something in the last tick asks for short steps
+    double left = 0;            // s, for which they go on
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(count);
+        a(strained);
+        a(left);
+    }
+};
+
 struct State {
     WorldSettings settings;
-    Real h = 0;           // s, the tick
-    double lastTick = 0;  // s, the tick before: the velocities stand in its middle
+    Real h = 0;           // s, the step: a tick, or one of its substeps
+    double lastTick = 0;  // s, the step before: the velocities stand in its middle
+    Substeps substeps;
     std::uint64_t tick = 0;
     // When the rate was set last: the clock counts from there.
     std::uint64_t rateTick = 0;
@@ -118,6 +134,7 @@ struct State {
     Events events;
     Statistics statistics;
     bool profiling = false;
+    Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
     bool anyPlaced = true;  // a body was made or moved by hand since the last tick
 
     bool movable(std::uint32_t body) const {

@@ -108,7 +108,7 @@ double World::time() const {
            static_cast<double>(state.tick - state.rateTick) / state.settings.tickRate;
 }
 Real World::tickDuration() const {
-    return impl_->state.h;
+    return 1 / static_cast<Real>(impl_->state.settings.tickRate);
 }
 const WorldSettings& World::settings() const {
     return impl_->state.settings;
@@ -121,6 +121,10 @@ const Statistics& World::statistics() const {
 }
 void World::setProfiling(bool on) {
     impl_->state.profiling = on;
+}
+
+void World::setTasks(Tasks* tasks) {
+    impl_->state.tasks = tasks;
 }
 
 // --- looking -------------------------------------------------------------------------------
@@ -292,7 +296,9 @@ Point World::position(ParticleId id) const {
 Point World::interpolated(ParticleId id, double alpha) const {
     const auto& p = impl_->state.particles;
     const auto i = indexOf(impl_->state, id);
-    return p.position[i] - (1 - alpha) * p.displacement[i].cast<double>();
+    // Of a divided tick the last step stands for all.
+    const double steps = impl_->state.substeps.count;
+    return p.position[i] - (1 - alpha) * steps * p.displacement[i].cast<double>();
 }
 
 Vec2 World::velocity(ParticleId id) const {
@@ -307,8 +313,10 @@ std::vector<ContactInfo> World::contacts() const {
         if (c.normalLambda <= 0) continue;
         const Point point =
             p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
+        // Of a divided tick the last step stands for all.
+        const Real perTick = static_cast<Real>(state.substeps.count) / state.h;
         found.push_back({state.bodies[p.body[c.particle]].id, state.bodies[p.body[c.a]].id, point,
-                         c.normal, c.normalLambda / state.h, c.tangentLambda / state.h});
+                         c.normal, c.normalLambda * perTick, c.tangentLambda * perTick});
     }
     return found;
 }

@@ -1,0 +1,21 @@
+// Into how many steps a tick is divided.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Worlds of fewer ticks a second than the library is tuned for stay accurate because their ticks
+/// are divided when something asks for it: what is so fast that it would run deep into something
+/// within the tick, contacts that slide or that the solver has left with an error, bodies that were
+/// put into each other. A while after the last of it, each tick is one step again. Decided before
+/// each tick, from the state alone; sets h, and what the solver remembers follows.
+void chooseSubsteps(State& state);
+
+/// After the contacts of a step are solved: notes what asks for short steps.
+void noteStrain(State& state, bool leftError);
+
+/// Changes the duration of steps. Multipliers, which are forces times its square, follow.
+void setStep(State& state, Real h);
+
+}  // namespace sulfur::detail

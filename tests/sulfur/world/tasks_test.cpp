@@ -1,0 +1,85 @@
+// Threads that a host lends change nothing but the time that a tick takes.
+#include <sulfur/tasks.hpp>
+#include <thread>
+#include <vector>
+
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+/// Pieces in the wrong order, by the caller.
+class Backwards final : public Tasks {
+public:
+    explicit Backwards(std::size_t threads) : threads_(threads) {}
+    std::size_t threads() const override { return threads_; }
+    void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
+        ++runs;
+        for (std::size_t i = count; i-- > 0;) task(context, i);
+    }
+    int runs = 0;
+
+private:
+    std::size_t threads_;
+};
+
+/// A thread for each piece.
+class Threads final : public Tasks {
+public:
+    std::size_t threads() const override { return 4; }
+    void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
+        std::vector<std::thread> threads;
+        for (std::size_t i = 0; i < count; ++i) threads.emplace_back(task, context, i);
+        for (std::thread& thread : threads) thread.join();
+    }
+};
+
+/// Enough of everything that all stages divide their work.
+void build(World& world) {
+    world.add(shapes::ground({.points = {{-40, 30}, {-40, 0}, {40, 0}, {40, 30}}}));
+    constexpr int base = 34;
+    for (int row = 0; row < base; ++row)
+        for (int column = 0; column < base - row; ++column)
+            world.add(shapes::box(),
+                      {.position = {(column - (base - row) / 2.0) * 1.05, 0.5 + row}});
+    for (int i = 0; i < 20; ++i)
+        world.add(shapes::jelly({.size = {1, 1}, .columns = 3, .rows = 3}),
+                  {.position = {-30 + 1.2 * (i % 5), 1 + 1.2 * (i / 5)}});
+    world.add(shapes::rope({.from = {22, 10}, .to = {30, 10}, .pinFirst = true}));
+}
+
+std::uint64_t play(Tasks* tasks, int ticks) {
+    World world;
+    build(world);
+    world.setTasks(tasks);
+    for (int i = 0; i < ticks; ++i) world.step();
+    return world.hash();
+}
+
+TEST(Tasks, ThreadsDoNotMatter) {
+    constexpr int ticks = 12;
+    const auto alone = play(nullptr, ticks);
+    for (const std::size_t threads : {1u, 2u, 3u, 7u}) {
+        Backwards tasks(threads);
+        EXPECT_EQ(play(&tasks, ticks), alone) << threads;
+        EXPECT_EQ(tasks.runs > 10 * ticks, threads > 1) << "the work is divided: " << threads;
+    }
+    Threads threads;
+    EXPECT_EQ(play(&threads, ticks), alone);
+}
+
+TEST(Tasks, CanBeTakenAway) {
+    World world;
+    build(world);
+    {
+        Backwards tasks(2);
+        world.setTasks(&tasks);
+        world.step();
+        world.setTasks(nullptr);
+    }
+    world.step();
+    EXPECT_EQ(world.hash(), play(nullptr, 2));
+}
+
+}  // namespace
+}  // namespace sulfur
