@@ -28,6 +28,11 @@ void check(const atlax::Image& image) {
 
 }  // namespace
 
+// What fontconfig has read of the machine's fonts, for texts in drawings, it keeps to the end.
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT: the sanitizer's name
+    return "leak:libfontconfig";
+}
+
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
