@@ -10,6 +10,7 @@
 #include "lost_driver.hpp"
 #include "scripted_app.hpp"
 #include "temporary_folder.hpp"
+#include "virtual_pad.hpp"
 
 namespace {
 
@@ -201,6 +202,10 @@ public:
     }
     int restored = 0;
 };
+
+TEST(SdlApp, aPadComesAndGoes) {
+    expectAPadToComeAndGo([](Application& app) { return run(app, small()); });
+}
 
 TEST(SdlApp, aLostContextIsMadeAgain) {
     const TemporaryFolder folder;

@@ -45,6 +45,13 @@ TEST(Preferences, areKeptAndSurviveRubbish) {
     EXPECT_EQ(fresh.all.bindings(fresh.fire).size(), 2u) << "as at first";
 }
 
+TEST(Preferences, thatCannotBeWrittenStopNothing) {
+    Preferences preferences("/proc/no/such/place/settings.json");
+    preferences.setVolume(50);
+    preferences.save();
+    EXPECT_EQ(preferences.volume(), 50);
+}
+
 TEST(Texts, changeTheirLanguageAndFillTheirGaps) {
     Texts texts;
     EXPECT_EQ(texts("Options"), "Options");

@@ -11,6 +11,7 @@
 
 #include "../atlax/lost_driver.hpp"
 #include "../atlax/scripted_app.hpp"
+#include "../atlax/virtual_pad.hpp"
 
 namespace {
 
@@ -137,6 +138,10 @@ public:
     }
     int restored = 0;
 };
+
+TEST(WxBackend, APadComesAndGoes) {
+    expectAPadToComeAndGo([](Application& app) { return run(app, small()); });
+}
 
 TEST(WxBackend, ALostContextIsMadeAgain) {
     const auto file = std::filesystem::path(testing::TempDir()) / "atlax_wx_restored.png";
