@@ -96,10 +96,14 @@ private:
 }  // namespace
 
 void paintDebug(atlax::Canvas& canvas, const sulfur::World& world, double alpha) {
-    atlax::drawDebug(canvas, [&](atlax::DebugPen& pen) {
+    atlax::DebugStyle style;
+    // Impulses are those of one tick: a force of a newton is a centimetre long at any rate.
+    style.metresPerNewtonSecond = 0.01f * static_cast<float>(world.settings().tickRate);
+    const auto tell = [&](atlax::DebugPen& pen) {
         Adaptor adaptor(pen, world);
         world.draw(adaptor, {.alpha = alpha});
-    });
+    };
+    atlax::drawDebug(canvas, tell, style);
 }
 
 }  // namespace sulfurchamber
