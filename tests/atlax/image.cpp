@@ -163,6 +163,19 @@ href="file://)" +
     EXPECT_EQ(image.pixel(2, 2)[3], 0);
 }
 
+TEST(Image, aRefusedSvgSaysSoInOneSentenceOnly) {
+    testing::internal::CaptureStderr();
+    try {
+        decodeSvg(bytesOf("<?xml version=\"1.0\" encoding=\"EUC-JP\"?>"
+                          "<svg xmlns=\"http://www.w3.org/2000/svg\">\x8f\xff\xff</svg>"),
+                  {4, 4}, "odd.svg");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("odd.svg: ", 0), 0u);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(Image, brokenSvgIsRefused) {
     EXPECT_THROW(decodeSvg(bytesOf(drawing.substr(0, 90)), {10, 10}, "cut off"), Error);
     EXPECT_THROW(decodeSvg({}, {10, 10}, "empty"), Error);

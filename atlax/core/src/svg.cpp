@@ -1,4 +1,5 @@
 #include <librsvg/rsvg.h>
+#include <libxml/xmlerror.h>
 
 #include <algorithm>
 #include <atlax/error.hpp>
@@ -34,9 +35,28 @@ using Problem = std::unique_ptr<GError, Release<g_error_free>>;
     refuse(name, what + (problem ? std::string(": ") + problem->message : std::string()));
 }
 
+void ignoreMessage(void*, const char*, ...) {}
+
+/// The XML reader below librsvg writes some complaints to standard error by itself, although the
+/// reason of the refusal says as much. Of this thread, and only while it lives.
+class QuietXml {
+public:
+    QuietXml() {
+        xmlSetGenericErrorFunc(nullptr, ignoreMessage);
+    }
+    ~QuietXml() { xmlSetGenericErrorFunc(context_, before_); }
+    QuietXml(const QuietXml&) = delete;
+    QuietXml& operator=(const QuietXml&) = delete;
+
+private:
+    xmlGenericErrorFunc before_ = xmlGenericError;
+    void* context_ = xmlGenericErrorContext;
+};
+
 /// Nothing that the drawing refers to is loaded: it was given no place of its own, from which other
 /// files could be reached.
 Drawing read(std::span<const std::byte> bytes, const std::string& name) {
+    const QuietXml quiet;
     GError* error = nullptr;
     Drawing drawing(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(bytes.data()),
                                               bytes.size(), &error));
