@@ -41,13 +41,23 @@ void Example::say(const std::string& line) {
 void Example::start(Platform& platform) {
     platform_ = &platform;
     font_ = Font::standard();
-    checker_ = platform.canvas().createTexture(checkerboard());
-    if (options_.effects) post_.emplace(platform.canvas());
+    makePictures();
     if (options_.load) load_.emplace();
     const Vec2 size = platform.size().toVec();
     say("started " + std::to_string(std::lround(size.x)) + " " +
         std::to_string(std::lround(size.y)) + " scale " +
         std::to_string(std::lround(platform.scaleFactor() * 100)) + " %");
+}
+
+void Example::makePictures() {
+    checker_ = platform_->canvas().createTexture(checkerboard());
+    if (options_.effects) post_.emplace(platform_->canvas());
+}
+
+bool Example::restoreGraphics() {
+    makePictures();
+    say("graphics restored");
+    return true;
 }
 
 void Example::stop() {

@@ -34,6 +34,7 @@ public:
     void event(const atlax::Event& event) override;
     void tick() override;
     void draw(atlax::Canvas& canvas, double alpha) override;
+    bool restoreGraphics() override;
     bool mayClose() override { return !textInput_; }
     void stop() override;
 
@@ -42,6 +43,7 @@ private:
     void commandWindow(atlax::Key key);
     void takePicture();
     void chooseFile();
+    void makePictures();
     void say(const std::string& line);
     void drawScene(atlax::Canvas& canvas, double alpha);
     void drawState(atlax::Canvas& canvas);

@@ -67,6 +67,8 @@ void takePicture(const PictureOptions& options) {
     Session session(level);
     atlax::OffscreenCanvas offscreen(options.size);
     Art art(offscreen.canvas());
+    Texts texts;
+    texts.setLanguage(options.language);
     GameView view(art, session);
     Playback playback(recording);
     const auto ticks = static_cast<std::uint64_t>(std::llround(options.at * Session::tickRate));
@@ -75,8 +77,8 @@ void takePicture(const PictureOptions& options) {
         view.tick();
     }
     atlax::Canvas& canvas = offscreen.begin();
-    view.draw(canvas, 1, {});
-    drawStatus(canvas, art, session, options.replay.has_value());
+    view.draw(canvas, 1, {.texts = &texts});
+    drawStatus({canvas, art, texts}, session, options.replay.has_value());
     offscreen.finish();
     atlax::savePng(offscreen.image(), options.file);
 }

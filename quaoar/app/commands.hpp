@@ -4,6 +4,7 @@
 #include <atlax/vec.hpp>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace quaoar {
@@ -18,6 +19,7 @@ struct PictureOptions {
     double at = 0;  ///< seconds after the start
     std::optional<std::filesystem::path> replay = std::nullopt;
     atlax::PixelSize size{1280, 720};
+    std::string language = "en";  ///< of what is written in it
 };
 
 /// Draws a moment of a level offscreen. Needs no display. Throws with one sentence.

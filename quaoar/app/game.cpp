@@ -1,6 +1,7 @@
 #include "game.hpp"
 
 #include <algorithm>
+#include <atlax/crash_report.hpp>
 #include <atlax/error.hpp>
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
@@ -10,23 +11,28 @@
 
 namespace quaoar {
 
-using atlax::Key;
-
 namespace {
 /// Between reaching the gate and the screen that says so: one second to see it happen.
 constexpr int finishDelay = Session::tickRate;
+/// Ten times a second a crash report's state is brought up to date.
+constexpr std::uint64_t ticksPerState = Session::tickRate / 10;
 }  // namespace
 
-Game::Game(GameOptions options)
+Game::Game(GameOptions options, Preferences& preferences)
     : options_(std::move(options)),
+      preferences_(preferences),
       session_(std::make_unique<Session>(options_.level)),
-      recording_(*options_.level) {}
+      recording_(*options_.level),
+      best_(preferences.best(options_.level->id)) {
+    preferences_.readBindings(actions_);
+    chooseLanguage(options_.language.value_or(preferences_.language()));
+}
 
 void Game::start(atlax::Platform& platform) {
     platform_ = &platform;
-    art_ = std::make_unique<Art>(platform.canvas());
-    view_ = std::make_unique<GameView>(*art_, *session_);
+    makePictures();
     sounds_ = std::make_unique<Sounds>(platform.audio());
+    applyVolume();
     if (options_.replay) {
         watch(options_.replay);
     } else if (options_.skipTitle) {
@@ -36,25 +42,15 @@ void Game::start(atlax::Platform& platform) {
     }
 }
 
-void Game::show(Screen screen) {
-    screen_ = screen;
-    switch (screen) {
-        case Screen::title:
-            menu_ = Menu({"Play", "Quit"});
-            break;
-        case Screen::paused:
-            menu_ = Menu({"Go on", "Try again", "Title screen", "Quit"});
-            break;
-        case Screen::finished:
-            menu_ = Menu({"Play again", "Watch replay", "Title screen", "Quit"});
-            break;
-        case Screen::playing:
-            menu_ = Menu();
-            break;
-    }
-    if (screen != Screen::playing) sounds_->hush();
-    platform_->setCursorVisible(screen != Screen::playing);
-    if (screen == Screen::playing) controls_.requireFreshFire();
+void Game::makePictures() {
+    view_.reset();
+    art_ = std::make_unique<Art>(platform_->canvas());
+    view_ = std::make_unique<GameView>(*art_, *session_);
+}
+
+bool Game::restoreGraphics() {
+    makePictures();
+    return true;
 }
 
 void Game::play() {
@@ -64,6 +60,7 @@ void Game::play() {
     recording_.clear();
     saved_ = false;
     afterFinish_ = 0;
+    atlax::log(atlax::LogLevel::Info, "level " + session_->level().id + " begins");
     show(Screen::playing);
 }
 
@@ -72,69 +69,73 @@ void Game::watch(std::shared_ptr<const Recording> recording) {
     playback_ = std::make_unique<Playback>(std::move(recording));
 }
 
+void Game::toTitle() {
+    playback_.reset();
+    session_->restart();
+    show(Screen::title);
+}
+
 void Game::event(const atlax::Event& event) {
-    if (const auto* focus = std::get_if<atlax::FocusChanged>(&event)) {
-        if (!focus->focused && screen_ == Screen::playing) show(Screen::paused);
-    }
-    if (const auto* pad = std::get_if<atlax::PadButtonEvent>(&event); pad && pad->down) {
-        if (pad->button == atlax::PadButton::Start) {
-            keyPressed(Key::Escape);
-            return;
-        }
-    }
-    if (const auto* key = std::get_if<atlax::KeyEvent>(&event); key && key->down && !key->repeat) {
-        keyPressed(key->key);
-    }
-    if (screen_ == Screen::playing) return;
-    if (const auto item = menu_.event(event)) {
-        sounds_->click();
-        choose(*item);
+    const auto* focus = std::get_if<atlax::FocusChanged>(&event);
+    if (focus != nullptr && !focus->focused && screen_ == Screen::playing) show(Screen::paused);
+    if (screen_ == Screen::capture) capture(event);
+}
+
+void Game::leaveWithPause() {
+    switch (screen_) {
+        case Screen::playing:
+            return show(Screen::paused);
+        case Screen::paused:
+            return show(Screen::playing);
+        case Screen::finished:
+            return toTitle();
+        case Screen::options:
+            return show(below_);
+        case Screen::bindings:
+            return show(Screen::options);
+        case Screen::title:
+        case Screen::capture:
+            break;
     }
 }
 
-void Game::keyPressed(Key key) {
-    if (key == Key::F11) platform_->setFullscreen(!platform_->fullscreen());
-    if (key == Key::F12) takePicture();
-    if (key == Key::R && (screen_ == Screen::finished || screen_ == Screen::paused)) play();
-    if (key != Key::Escape) return;
-    if (screen_ == Screen::playing) {
-        show(Screen::paused);
-    } else if (screen_ == Screen::paused) {
-        show(Screen::playing);
-    } else if (screen_ == Screen::finished) {
-        show(Screen::title);
-    }
-}
-
-void Game::choose(std::size_t item) {
-    if (screen_ == Screen::title) {
-        item == 0 ? play() : platform_->quit();
+void Game::act(const atlax::ActionState& state) {
+    if (state.wasPressed(actions_.fullscreen)) toggleFullscreen();
+    if (state.wasPressed(actions_.picture)) takePicture();
+    if (state.wasPressed(actions_.pause)) {
+        leaveWithPause();
         return;
     }
-    if (item == 0) {
-        screen_ == Screen::paused ? show(Screen::playing) : play();
-    } else if (item == 1) {
-        screen_ == Screen::paused ? play() : watch(watching() ? options_.replay : lastRun_);
-    } else if (item == 2) {
-        playback_.reset();
-        session_->restart();
-        show(Screen::title);
-    } else {
-        platform_->quit();
+    if (screen_ == Screen::playing || screen_ == Screen::capture) return;
+    const bool again = screen_ == Screen::finished || screen_ == Screen::paused;
+    if (again && state.wasPressed(actions_.restart)) {
+        play();
+        return;
+    }
+    if (const auto chosen = menu_.tick(state, actions_)) {
+        sounds_->click();
+        chosen();
     }
 }
 
 void Game::tick() {
     ++time_;
-    if (screen_ == Screen::paused) return;
-    if (screen_ == Screen::playing) {
-        tickSession();
-        return;
-    }
-    // Behind title and finish the world goes on by itself.
+    const atlax::ActionState& state = actions_.all.sample(platform_->input());
+    const bool played = screen_ == Screen::playing;
+    act(state);
+    if (scene() == Screen::paused) return;
+    // The tick that ends a menu is not yet one of the level, nor the other way round.
+    if (played && screen_ == Screen::playing)
+        tickSession(state);
+    else if (screen_ != Screen::playing)
+        tickScene();
+}
+
+/// Behind title and finish the world goes on by itself.
+void Game::tickScene() {
     session_->tick(TickInput{});
     view_->tick();
-    if (screen_ != Screen::title) return;
+    if (scene() != Screen::title) return;
     const Level& level = session_->level();
     const double sweep = 0.5 - 0.5 * std::cos(static_cast<double>(time_) * 0.00021);
     const double low = level.boundsMin.x() + 4, high = level.boundsMax.x() - 4;
@@ -142,12 +143,14 @@ void Game::tick() {
                    static_cast<float>((level.spawn.y() + level.exit.position.y()) * 0.5 + 0.6)});
 }
 
-void Game::tickSession() {
-    const TickInput input = nextInput();
+void Game::tickSession(const atlax::ActionState& state) {
+    const TickInput input = nextInput(state);
     session_->tick(input);
     view_->tick();
     sounds_->tick(*session_);
     remember(input);
+    if (session_->ticks() % ticksPerState == 0)
+        atlax::setCrashState(session_->ticks(), session_->hash());
     if (session_->events().finished) finish();
     const bool over = watching() && playback_->done();
     if (session_->phase() == Session::Phase::finished || over) {
@@ -155,9 +158,9 @@ void Game::tickSession() {
     }
 }
 
-TickInput Game::nextInput() {
+TickInput Game::nextInput(const atlax::ActionState& state) {
     if (watching()) return playback_->next();
-    return controls_.read(platform_->input(), view_->camera(platform_->size()), platform_->size(),
+    return controls_.read(state, view_->camera(platform_->size()), platform_->size(),
                           atlax::Vec2(session_->heroPosition()));
 }
 
@@ -173,7 +176,13 @@ void Game::remember(const TickInput& input) {
 
 void Game::finish() {
     if (watching()) return;
-    if (best_ <= 0 || session_->seconds() < best_) best_ = session_->seconds();
+    atlax::log(atlax::LogLevel::Info,
+               "level " + session_->level().id + " finished in " + clockText(session_->seconds()));
+    if (best_ <= 0 || session_->seconds() < best_) {
+        best_ = session_->seconds();
+        preferences_.setBest(session_->level().id, best_);
+        savePreferences();
+    }
     recording_.finalHash = session_->hash();
     lastRun_ = std::make_shared<const Recording>(recording_);
     saveRecording();
@@ -200,28 +209,23 @@ void Game::takePicture() {
 void Game::draw(atlax::Canvas& canvas, double alpha) {
     const bool playing = screen_ == Screen::playing;
     ViewOptions options;
+    options.texts = &texts_;
     options.aim = playing && !watching();
-    options.hints = screen_ != Screen::title;
+    options.hints = scene() != Screen::title;
     if (options.aim && controls_.mouseAims()) options.crosshair = platform_->input().mouse;
-    view_->draw(canvas, screen_ == Screen::paused ? 1 : alpha, options);
-    const double seconds = static_cast<double>(time_) / Session::tickRate;
-    if (screen_ == Screen::title) {
-        menu_.draw(canvas, art_->bold(), drawTitle(canvas, *art_, seconds));
-        return;
-    }
-    drawStatus(canvas, *art_, *session_, watching());
+    view_->draw(canvas, scene() == Screen::paused ? 1 : alpha, options);
+    const OverlayTools tools{canvas, *art_, texts_};
+    if (scene() != Screen::title) drawStatus(tools, *session_, watching());
     if (playing && session_->restarts() <= 1) {
-        drawLevelName(canvas, *art_, session_->level(),
+        drawLevelName(tools, session_->level(),
                       static_cast<double>(session_->ticks()) / Session::tickRate);
     }
-    if (screen_ == Screen::paused) menu_.draw(canvas, art_->bold(), drawPause(canvas, *art_));
-    if (screen_ == Screen::finished) {
-        menu_.draw(canvas, art_->bold(), drawFinish(canvas, *art_, *session_, best_, watching()));
-    }
+    drawScreen(canvas);
 }
 
 /// An attempt that never reached the exit is kept too: it may show where somebody got stuck.
 void Game::stop() {
+    savePreferences();
     if (!saved_ && !watching()) {
         recording_.finalHash = session_->hash();
         saveRecording();

@@ -10,8 +10,10 @@
 #include <quaoar/view/controls.hpp>
 #include <quaoar/view/game_view.hpp>
 #include <quaoar/view/sounds.hpp>
+#include <quaoar/view/texts.hpp>
 
 #include "menu.hpp"
+#include "preferences.hpp"
 
 namespace quaoar {
 
@@ -23,44 +25,73 @@ struct GameOptions {
     std::optional<std::filesystem::path> record = std::nullopt;
     /// Watch this instead of playing.
     std::shared_ptr<const Recording> replay = nullptr;
+    /// Instead of the player's own; not kept.
+    std::optional<std::string> language = std::nullopt;
 };
 
 class Game : public atlax::Application {
 public:
-    explicit Game(GameOptions options);
+    /// `preferences` must outlive the game, which changes and saves them.
+    Game(GameOptions options, Preferences& preferences);
 
     void start(atlax::Platform& platform) override;
     void event(const atlax::Event& event) override;
     void tick() override;
     void draw(atlax::Canvas& canvas, double alpha) override;
+    bool restoreGraphics() override;
     void stop() override;
 
 private:
-    enum class Screen { title, playing, paused, finished };
+    enum class Screen { title, playing, paused, finished, options, bindings, capture };
 
-    void show(Screen screen);
+    // game.cpp
     void play();
     void watch(std::shared_ptr<const Recording> recording);
-    void choose(std::size_t item);
-    void keyPressed(atlax::Key key);
-    void tickSession();
-    TickInput nextInput();
+    void toTitle();
+    void leaveWithPause();
+    void act(const atlax::ActionState& state);
+    void tickScene();
+    void tickSession(const atlax::ActionState& state);
+    TickInput nextInput(const atlax::ActionState& state);
     void remember(const TickInput& input);
     void finish();
     void saveRecording();
     void takePicture();
+    void makePictures();
     bool watching() const { return playback_ != nullptr; }
+    /// The screen below options and what belongs to them.
+    Screen scene() const { return screen_ >= Screen::options ? below_ : screen_; }
+
+    // game_menus.cpp
+    void show(Screen screen, std::size_t selected = 0);
+    void drawScreen(atlax::Canvas& canvas);
+    std::vector<MenuItem> itemsOf(Screen screen);
+    std::vector<MenuItem> optionItems();
+    std::vector<MenuItem> bindingItems();
+    void chooseLanguage(const std::string& language);
+    void nextLanguage();
+    void nextVolume();
+    void applyVolume();
+    void toggleFullscreen();
+    void capture(const atlax::Event& event);
+    void bind(atlax::Action action, const atlax::Binding& binding);
+    void savePreferences();
 
     GameOptions options_;
+    Preferences& preferences_;
+    Texts texts_;
+    PlayerActions actions_;
+    Controls controls_{actions_};
     atlax::Platform* platform_ = nullptr;
     std::unique_ptr<Session> session_;
     std::unique_ptr<Art> art_;
     std::unique_ptr<GameView> view_;
     std::unique_ptr<Sounds> sounds_;
     std::unique_ptr<Playback> playback_;
-    Controls controls_;
     Menu menu_;
     Screen screen_ = Screen::title;
+    Screen below_ = Screen::title;
+    atlax::Action captured_ = 0;  ///< the action that waits for a key
     Recording recording_;
     std::shared_ptr<const Recording> lastRun_;  ///< the last attempt that reached the exit
     bool saved_ = false;

@@ -1,6 +1,7 @@
 // quaoar: plays Escape from Quaoar, verifies its levels, takes pictures of them.
 #include <CLI/CLI.hpp>
 #include <atlax/backend.hpp>
+#include <atlax/records.hpp>
 #include <cstdio>
 #include <quaoar/view/art.hpp>
 #include <sulfur/version.hpp>
@@ -17,7 +18,8 @@ struct Arguments {
     std::string screenshot;
     double at = 0;
     std::string replay;
-    std::string size = "1280x720";
+    std::string size;
+    std::string language;
     std::string record;
     std::string play;
     bool fullscreen = false;
@@ -43,15 +45,19 @@ void describe(CLI::App& app, Arguments& arguments) {
     app.add_option("--replay", arguments.replay, "Recording that is played up to the picture")
         ->type_name("FILE")
         ->needs(screenshot);
-    app.add_option("--size", arguments.size, "Size of the picture or the window in pixels")
+    app.add_option("--size", arguments.size,
+                   "Size of the picture or the window in pixels; the last window's, or 1280x720")
         ->type_name("WIDTHxHEIGHT");
+    app.add_option("--language", arguments.language, "\"en\", \"de\"; else as set in the game")
+        ->type_name("CODE");
     app.add_option("--record", arguments.record, "Write the inputs of the last attempt")
         ->type_name("FILE");
     app.add_option("--play", arguments.play, "Watch a recording")->type_name("FILE");
     app.add_flag("--fullscreen", arguments.fullscreen, "Fill the screen");
     app.footer(
         "Mouse: aim, hold left to fire.  W S: reel.  A D: swing.  R: again.  Esc: pause.\n"
-        "Levels are searched in $QUAOAR_LEVELS, the installed and the source folder.");
+        "Levels are searched in $QUAOAR_LEVELS, the installed and the source folder.\n"
+        "Settings: $XDG_CONFIG_HOME/quaoar; log and crash reports: $XDG_STATE_HOME/quaoar.");
 }
 
 atlax::PixelSize readSize(const std::string& text) {
@@ -81,11 +87,15 @@ int playGame(const Arguments& arguments) {
             std::make_shared<const quaoar::Recording>(quaoar::Recording::read(arguments.play));
         quaoar::requireMatch(*options.level, *options.replay);
     }
-    quaoar::Game game(std::move(options));
+    if (!arguments.language.empty()) options.language = arguments.language;
     atlax::WindowOptions window;
     window.title = "Escape from Quaoar";
-    window.size = readSize(arguments.size);
-    window.fullscreen = arguments.fullscreen;
+    if (!arguments.size.empty()) window.size = readSize(arguments.size);
+    atlax::keepRecords("quaoar", sulfur::version());
+    quaoar::Preferences preferences(quaoar::Preferences::settingsFile());
+    quaoar::Game game(std::move(options), preferences);
+    if (arguments.size.empty()) window.size = preferences.windowSize();
+    window.fullscreen = arguments.fullscreen || preferences.fullscreen();
     window.tickRateHz = quaoar::Session::tickRate;
     return atlax::run(game, window);
 }
@@ -100,7 +110,8 @@ int runProgram(const Arguments& arguments) {
         picture.level = levelFile(arguments);
         picture.at = arguments.at;
         if (!arguments.replay.empty()) picture.replay = arguments.replay;
-        picture.size = readSize(arguments.size);
+        if (!arguments.size.empty()) picture.size = readSize(arguments.size);
+        if (!arguments.language.empty()) picture.language = arguments.language;
         quaoar::takePicture(picture);
         return 0;
     }

@@ -1,10 +1,9 @@
 #include "menu.hpp"
 
+#include <algorithm>
 #include <quaoar/view/art.hpp>
 
 namespace quaoar {
-
-using atlax::Key;
 
 void Menu::move(int step) {
     const auto count = static_cast<int>(items_.size());
@@ -12,57 +11,64 @@ void Menu::move(int step) {
     selected_ = static_cast<std::size_t>((static_cast<int>(selected_) + step + count) % count);
 }
 
-std::optional<std::size_t> Menu::under(atlax::Vec2 pixels) const {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        if (places_[i].contains(pixels)) return i;
-    }
-    return std::nullopt;
+std::size_t Menu::under(atlax::Vec2 pixels) const {
+    const auto found = std::find_if(places_.begin(), places_.end(),
+                                    [&](const atlax::Rect& r) { return r.contains(pixels); });
+    return found == places_.end() ? items_.size()
+                                  : static_cast<std::size_t>(found - places_.begin());
 }
 
-std::optional<std::size_t> Menu::event(const atlax::Event& event) {
-    if (const auto* key = std::get_if<atlax::KeyEvent>(&event); key && key->down) {
-        if (key->key == Key::Up || key->key == Key::W) move(-1);
-        if (key->key == Key::Down || key->key == Key::S) move(1);
-        const bool chosen =
-            key->key == Key::Enter || key->key == Key::PadEnter || key->key == Key::Space;
-        if (chosen && !key->repeat) return selected_;
+std::function<void()> Menu::tick(const atlax::ActionState& state, const PlayerActions& actions) {
+    const atlax::Vec2 pointer{static_cast<float>(state.pointerX),
+                              static_cast<float>(state.pointerY)};
+    const std::size_t here = under(pointer);
+    // A mouse that lies still leaves the choice to the keys.
+    if (pointerSeen_ && !(pointer == pointer_) && here < items_.size()) selected_ = here;
+    pointer_ = pointer;
+    pointerSeen_ = true;
+    move(state.pressCount(actions.menuDown) - state.pressCount(actions.menuUp));
+    if (state.wasPressed(actions.click) && here < items_.size()) {
+        selected_ = here;
+        return items_[here].run;
     }
-    if (const auto* moved = std::get_if<atlax::MouseMoved>(&event)) {
-        if (const auto item = under(moved->position)) selected_ = *item;
+    if (state.wasPressed(actions.choose) && selected_ < items_.size()) return items_[selected_].run;
+    return {};
+}
+
+void Menu::drawItem(atlax::Canvas& canvas, const atlax::Font& font, std::size_t item, float size) {
+    const atlax::Rect box = places_[item];
+    const float unit = size / 23;
+    const bool here = item == selected_;
+    canvas.roundedRect(box, 14 * unit, here ? palette::amber : palette::deep.withAlpha(0.8f));
+    canvas.roundedRectOutline(box, 14 * unit, (here ? 3.0f : 1.5f) * unit,
+                              here ? palette::glow : palette::ice.withAlpha(0.6f));
+    const float edge = box.min.x + 20 * unit;
+    const float middle = box.min.y + box.size.y * 0.5f;
+    if (here) {
+        canvas.triangle({edge, middle - 7 * unit}, {edge + 11 * unit, middle},
+                        {edge, middle + 7 * unit}, palette::night);
     }
-    if (const auto* click = std::get_if<atlax::MouseButtonEvent>(&event)) {
-        if (click->down && click->button == atlax::MouseButton::Left) {
-            return under(click->position);
-        }
-    }
-    if (const auto* pad = std::get_if<atlax::PadButtonEvent>(&event); pad && pad->down) {
-        if (pad->button == atlax::PadButton::DpadUp) move(-1);
-        if (pad->button == atlax::PadButton::DpadDown) move(1);
-        if (pad->button == atlax::PadButton::South) return selected_;
-    }
-    return std::nullopt;
+    canvas.text(font, items_[item].label, {box.min.x + box.size.x * 0.5f, middle},
+                {size, here ? palette::night : palette::frost, atlax::AlignX::Centre,
+                 atlax::AlignY::Middle});
 }
 
 void Menu::draw(atlax::Canvas& canvas, const atlax::Font& font, float top) {
+    canvas.setScreenSpace();
     const atlax::Vec2 screen = canvas.size().toVec();
-    const float unit = screen.y / 720;
+    const auto count = static_cast<float>(items_.size());
+    // Long lists are set closer.
+    const float unit =
+        std::min(screen.y / 720, (screen.y - top - 0.02f * screen.y) / std::max(60 * count, 60.0f));
+    const float size = 23 * unit;
+    float width = 300 * unit;
+    for (const MenuItem& item : items_)
+        width = std::max(width, canvas.measure(font, item.label, size).width + 90 * unit);
     places_.clear();
     for (std::size_t i = 0; i < items_.size(); ++i) {
         const atlax::Vec2 middle{screen.x * 0.5f, top + (30 + 60 * static_cast<float>(i)) * unit};
-        const atlax::Rect box = atlax::Rect::around(middle, atlax::Vec2{300, 50} * unit);
-        places_.push_back(box);
-        const bool here = i == selected_;
-        canvas.roundedRect(box, 14 * unit, here ? palette::amber : palette::deep.withAlpha(0.8f));
-        canvas.roundedRectOutline(box, 14 * unit, (here ? 3.0f : 1.5f) * unit,
-                                  here ? palette::glow : palette::ice.withAlpha(0.6f));
-        const float edge = box.min.x + 20 * unit;
-        if (here) {
-            canvas.triangle({edge, middle.y - 7 * unit}, {edge + 11 * unit, middle.y},
-                            {edge, middle.y + 7 * unit}, palette::night);
-        }
-        canvas.text(font, items_[i], middle,
-                    {23 * unit, here ? palette::night : palette::frost, atlax::AlignX::Centre,
-                     atlax::AlignY::Middle});
+        places_.push_back(atlax::Rect::around(middle, {width, 50 * unit}));
+        drawItem(canvas, font, i, size);
     }
 }
 

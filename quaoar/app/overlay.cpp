@@ -64,6 +64,21 @@ void drawMedal(atlax::Canvas& canvas, Vec2 at, float unit, Medal medal) {
     }
 }
 
+/// The medal, and what the next one takes.
+std::string medalText(const Texts& texts, const MedalTimes& times, Medal medal) {
+    switch (medal) {
+        case Medal::gold:
+            return texts("gold");
+        case Medal::none:
+            return texts("bronze below {}", {clockText(times.bronze)});
+        case Medal::silver:
+            return texts("silver, gold below {}", {clockText(times.gold)});
+        case Medal::bronze:
+            break;
+    }
+    return texts("bronze, gold below {}", {clockText(times.gold)});
+}
+
 }  // namespace
 
 std::string clockText(double seconds) {
@@ -74,99 +89,100 @@ std::string clockText(double seconds) {
     return text;
 }
 
-void drawStatus(atlax::Canvas& canvas, Art& art, const Session& session, bool replay) {
-    canvas.setScreenSpace();
-    const Vec2 screen = canvas.size().toVec();
+void drawStatus(const OverlayTools& tools, const Session& session, bool replay) {
+    tools.canvas.setScreenSpace();
+    const Vec2 screen = tools.canvas.size().toVec();
     const float unit = screen.y / 720;
-    const std::string name = std::to_string(session.level().number) + "   " + session.level().name;
-    shadowText(canvas, art.regular(), name, {24 * unit, 38 * unit},
+    const std::string name =
+        std::to_string(session.level().number) + "   " + tools.texts(session.level().name);
+    shadowText(tools.canvas, tools.art.regular(), name, {24 * unit, 38 * unit},
                {20 * unit, palette::frost.withAlpha(0.85f)}, 2 * unit);
-    shadowText(canvas, art.bold(), clockText(session.seconds()), {screen.x - 24 * unit, 40 * unit},
-               {26 * unit, palette::frost, AlignX::Right}, 2 * unit);
+    shadowText(tools.canvas, tools.art.bold(), clockText(session.seconds()),
+               {screen.x - 24 * unit, 40 * unit}, {26 * unit, palette::frost, AlignX::Right},
+               2 * unit);
     if (!replay) return;
-    shadowText(canvas, art.bold(), "REPLAY", {screen.x * 0.5f, 38 * unit},
+    shadowText(tools.canvas, tools.art.bold(), tools.texts("REPLAY"), {screen.x * 0.5f, 38 * unit},
                {20 * unit, palette::amber, AlignX::Centre}, 2 * unit);
 }
 
-void drawLevelName(atlax::Canvas& canvas, Art& art, const Level& level, double seconds) {
+void drawLevelName(const OverlayTools& tools, const Level& level, double seconds) {
     const auto fade =
         static_cast<float>(std::clamp(std::min(seconds * 3, 3.2 - seconds), 0.0, 1.0));
     if (fade <= 0) return;
-    canvas.setScreenSpace();
-    const Vec2 screen = canvas.size().toVec();
+    tools.canvas.setScreenSpace();
+    const Vec2 screen = tools.canvas.size().toVec();
     const float unit = screen.y / 720;
     const float y = screen.y * 0.17f;
-    shadowText(canvas, art.regular(), "LEVEL " + std::to_string(level.number),
+    shadowText(tools.canvas, tools.art.regular(),
+               tools.texts("LEVEL {}", {std::to_string(level.number)}),
                {screen.x * 0.5f, y - 44 * unit},
                {19 * unit, palette::amber.withAlpha(fade), AlignX::Centre}, 2 * unit);
-    shadowText(canvas, art.bold(), level.name, {screen.x * 0.5f, y},
+    shadowText(tools.canvas, tools.art.bold(), tools.texts(level.name), {screen.x * 0.5f, y},
                {46 * unit, palette::frost.withAlpha(fade), AlignX::Centre}, 3 * unit);
-    canvas.line({screen.x * 0.5f - 90 * unit, y + 16 * unit},
-                {screen.x * 0.5f + 90 * unit, y + 16 * unit}, 2 * unit,
-                palette::amber.withAlpha(0.8f * fade));
+    tools.canvas.line({screen.x * 0.5f - 90 * unit, y + 16 * unit},
+                      {screen.x * 0.5f + 90 * unit, y + 16 * unit}, 2 * unit,
+                      palette::amber.withAlpha(0.8f * fade));
 }
 
-float drawTitle(atlax::Canvas& canvas, Art& art, double seconds) {
-    dim(canvas, 0.35f);
-    const Vec2 screen = canvas.size().toVec();
+float drawTitle(const OverlayTools& tools, double seconds) {
+    dim(tools.canvas, 0.35f);
+    const Vec2 screen = tools.canvas.size().toVec();
     const float unit = screen.y / 720;
     const Vec2 middle{screen.x * 0.5f, screen.y * 0.36f};
-    canvas.setBlend(atlax::Blend::Additive);
+    tools.canvas.setBlend(atlax::Blend::Additive);
     const float breath = 0.30f + 0.06f * static_cast<float>(std::sin(seconds * 1.3));
-    canvas.sprite(art.light(), middle - Vec2{0, 34 * unit}, Vec2{1000, 330} * unit,
-                  {.tint = palette::ice.withAlpha(breath)});
-    canvas.setBlend(atlax::Blend::Alpha);
-    shadowText(canvas, art.regular(), "ESCAPE FROM", middle - Vec2{0, 92 * unit},
-               {34 * unit, palette::frost, AlignX::Centre}, 3 * unit);
-    shadowText(canvas, art.bold(), "QUAOAR", middle + Vec2{0, 20 * unit},
+    tools.canvas.sprite(tools.art.light(), middle - Vec2{0, 34 * unit}, Vec2{1000, 330} * unit,
+                        {.tint = palette::ice.withAlpha(breath)});
+    tools.canvas.setBlend(atlax::Blend::Alpha);
+    shadowText(tools.canvas, tools.art.regular(), tools.texts("ESCAPE FROM"),
+               middle - Vec2{0, 92 * unit}, {34 * unit, palette::frost, AlignX::Centre}, 3 * unit);
+    shadowText(tools.canvas, tools.art.bold(), "QUAOAR", middle + Vec2{0, 20 * unit},
                {124 * unit, palette::amber, AlignX::Centre}, 6 * unit);
-    shadowText(canvas, art.regular(), "a rope, some ice, a way home", middle + Vec2{0, 66 * unit},
+    shadowText(tools.canvas, tools.art.regular(), tools.texts("a rope, some ice, a way home"),
+               middle + Vec2{0, 66 * unit},
                {21 * unit, palette::frost.withAlpha(0.9f), AlignX::Centre}, 2 * unit);
-    canvas.roundedRect(
+    tools.canvas.roundedRect(
         atlax::Rect::around({screen.x * 0.5f, screen.y - 40 * unit}, Vec2{720, 36} * unit),
         18 * unit, palette::night.withAlpha(0.7f));
-    canvas.text(art.regular(),
-                "Mouse: aim and fire     W S: reel     A D: swing     R: again     Esc: pause",
-                {screen.x * 0.5f, screen.y - 34 * unit},
-                {17 * unit, palette::frost.withAlpha(0.8f), AlignX::Centre});
-    canvas.text(art.regular(), std::string("sulfur ") + sulfur::version(),
-                {screen.x - 18 * unit, screen.y - 12 * unit},
-                {12 * unit, palette::frost.withAlpha(0.5f), AlignX::Right});
+    tools.canvas.text(
+        tools.art.regular(),
+        tools.texts("Mouse: aim and fire     W S: reel     A D: swing     R: again     Esc: pause"),
+        {screen.x * 0.5f, screen.y - 34 * unit},
+        {17 * unit, palette::frost.withAlpha(0.8f), AlignX::Centre});
+    tools.canvas.text(tools.art.regular(), std::string("sulfur ") + sulfur::version(),
+                      {screen.x - 18 * unit, screen.y - 12 * unit},
+                      {12 * unit, palette::frost.withAlpha(0.5f), AlignX::Right});
     return screen.y * 0.53f;
 }
 
-float drawPause(atlax::Canvas& canvas, Art& art) {
-    dim(canvas, 0.6f);
-    const Vec2 screen = canvas.size().toVec();
+float drawHeadline(const OverlayTools& tools, const std::string& text) {
+    dim(tools.canvas, 0.6f);
+    const Vec2 screen = tools.canvas.size().toVec();
     const float unit = screen.y / 720;
-    shadowText(canvas, art.bold(), "Paused", {screen.x * 0.5f, screen.y * 0.30f},
+    shadowText(tools.canvas, tools.art.bold(), text, {screen.x * 0.5f, screen.y * 0.30f},
                {60 * unit, palette::frost, AlignX::Centre}, 4 * unit);
-    return screen.y * 0.38f;
+    return screen.y * 0.37f;
 }
 
-float drawFinish(atlax::Canvas& canvas, Art& art, const Session& session, double best,
-                 bool replay) {
-    dim(canvas, 0.5f);
-    const Vec2 screen = canvas.size().toVec();
+float drawFinish(const OverlayTools& tools, const Session& session, double best, bool replay) {
+    dim(tools.canvas, 0.5f);
+    const Vec2 screen = tools.canvas.size().toVec();
     const float unit = screen.y / 720;
     const float x = screen.x * 0.5f;
     const bool finished = session.phase() == Session::Phase::finished;
-    const std::string headline = !finished ? "The replay ends here"
-                                 : replay  ? "Replay finished"
-                                           : "You found the way";
-    shadowText(canvas, art.bold(), headline, {x, 150 * unit},
+    const char* headline = !finished ? "The replay ends here"
+                           : replay  ? "Replay finished"
+                                     : "You found the way";
+    shadowText(tools.canvas, tools.art.bold(), tools.texts(headline), {x, 150 * unit},
                {50 * unit, palette::frost, AlignX::Centre}, 4 * unit);
     const Medal medal = session.medal();
-    if (medal != Medal::none) drawMedal(canvas, {x - 150 * unit, 262 * unit}, unit, medal);
-    shadowText(canvas, art.bold(), clockText(session.seconds()), {x, 268 * unit},
+    if (medal != Medal::none) drawMedal(tools.canvas, {x - 150 * unit, 262 * unit}, unit, medal);
+    shadowText(tools.canvas, tools.art.bold(), clockText(session.seconds()), {x, 268 * unit},
                {62 * unit, palette::amber, AlignX::Centre}, 4 * unit);
-    const MedalTimes& times = session.level().medals;
-    std::string line = medal == Medal::gold ? "gold"
-                       : medal == Medal::none
-                           ? "bronze below " + clockText(times.bronze)
-                           : std::string(name(medal)) + ", gold below " + clockText(times.gold);
-    if (best > 0) line += "     best " + clockText(best);
-    canvas.text(art.regular(), line, {x, 318 * unit}, {21 * unit, palette::frost, AlignX::Centre});
+    std::string line = medalText(tools.texts, session.level().medals, medal);
+    if (best > 0) line += "     " + tools.texts("best {}", {clockText(best)});
+    tools.canvas.text(tools.art.regular(), line, {x, 318 * unit},
+                      {21 * unit, palette::frost, AlignX::Centre});
     return 360 * unit;
 }
 

@@ -4,6 +4,7 @@
 #include <atlax/canvas.hpp>
 #include <quaoar/session.hpp>
 #include <quaoar/view/art.hpp>
+#include <quaoar/view/texts.hpp>
 #include <string>
 
 namespace quaoar {
@@ -11,14 +12,22 @@ namespace quaoar {
 /// "0:07.34"
 std::string clockText(double seconds);
 
+/// What the drawings below need of the program. Refers to all of it.
+struct OverlayTools {
+    atlax::Canvas& canvas;
+    Art& art;
+    const Texts& texts;
+};
+
 /// Level, time and, for a replay, a mark that says so.
-void drawStatus(atlax::Canvas& canvas, Art& art, const Session& session, bool replay);
+void drawStatus(const OverlayTools& tools, const Session& session, bool replay);
 /// The name of the level for the first seconds of an attempt.
-void drawLevelName(atlax::Canvas& canvas, Art& art, const Level& level, double seconds);
+void drawLevelName(const OverlayTools& tools, const Level& level, double seconds);
 /// The game's name and how to begin. Returns where a menu may begin, pixels from the top.
-float drawTitle(atlax::Canvas& canvas, Art& art, double seconds);
-float drawPause(atlax::Canvas& canvas, Art& art);
+float drawTitle(const OverlayTools& tools, double seconds);
+/// A headline over the dimmed picture. Returns the same.
+float drawHeadline(const OverlayTools& tools, const std::string& text);
 /// Time, medal and the best time so far.
-float drawFinish(atlax::Canvas& canvas, Art& art, const Session& session, double best, bool replay);
+float drawFinish(const OverlayTools& tools, const Session& session, double best, bool replay);
 
 }  // namespace quaoar

@@ -1,6 +1,4 @@
 // Everything that one can do, in one table.
-#include <wx/clipbrd.h>
-
 #include "main_frame.hpp"
 
 namespace sulfurchamber {
@@ -51,11 +49,7 @@ void MainFrame::addEditActions() {
              bench_.documentChanged();
          },
          [this] { return bench_.document().canRedo(); }});
-    const auto copy = [this] {
-        const wxClipboardLocker locked(wxTheClipboard);
-        if (!locked) return;
-        wxTheClipboard->SetData(new wxTextDataObject(wxString::FromUTF8(bench_.copy())));
-    };
+    const auto copy = [this] { canvas_->platform().setClipboard(bench_.copy()); };
     add({"cut", m, "Cu&t\tCtrl+X", 0, "Put the selection into the clipboard and remove it", "",
          [this, copy] {
              copy();
@@ -66,12 +60,8 @@ void MainFrame::addEditActions() {
     add({"copy", m, "&Copy\tCtrl+C", 0, "Put the selection into the clipboard", "", copy, any});
     add({"paste", m, "&Paste\tCtrl+V", 0, "Add what is in the clipboard, also from another window",
          "", [this] {
-             wxTextDataObject text;
-             {
-                 const wxClipboardLocker locked(wxTheClipboard);
-                 if (!locked || !wxTheClipboard->GetData(text)) return;
-             }
-             bench_.paste(text.GetText().utf8_string(), {sulfur::Real(0.5), sulfur::Real(0.5)});
+             const std::string text = canvas_->platform().clipboard();
+             if (!text.empty()) bench_.paste(text, {sulfur::Real(0.5), sulfur::Real(0.5)});
          }});
     add({"duplicate", m, "&Duplicate\tCtrl+D", 0, "Add a copy of the selection beside it", "",
          [this] { bench_.duplicate(); }, any});
@@ -159,6 +149,9 @@ void MainFrame::addViewActions() {
     toggle("contacts", "&Contacts", 'C', "Where bodies touch, and in which direction", "",
            o.contacts);
     toggle("joints", "Inner &joints", 'I', "Joints inside of bodies", "", o.joints);
+    toggle("skeleton", "S&keleton", 'K',
+           "What the physics sees: particles, joints under load, surfaces, contacts, fields", "",
+           o.skeleton);
     add({"fullscreen",
          m,
          "F&ullscreen\tF11",

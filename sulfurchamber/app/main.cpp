@@ -1,5 +1,5 @@
 // SulfurChamber's start: what can be refused is refused before a window opens.
-#include <atlax/log.hpp>
+#include <atlax/records.hpp>
 #include <atlax/wx/view.hpp>
 #include <cstdlib>
 #include <iostream>
@@ -15,6 +15,7 @@ using sulfurchamber::Options;
 using sulfurchamber::Workbench;
 
 int runWindow(Workbench& bench, const Options& options, char* program) {
+    if (!options.unattended()) atlax::keepRecords("sulfurchamber", SULFURCHAMBER_VERSION);
     atlax::wx::prepareDisplay();
     if (options.theme != "system")
         setenv("GTK_THEME", options.theme == "dark" ? "Adwaita:dark" : "Adwaita", 0);

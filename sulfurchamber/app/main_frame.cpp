@@ -2,7 +2,6 @@
 
 #include <wx/aboutdlg.h>
 #include <wx/app.h>
-#include <wx/config.h>
 #include <wx/image.h>
 #include <wx/menu.h>
 #include <wx/msgdlg.h>
@@ -35,7 +34,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     makeBars();
     makePanels();
     makeStatusBar();
-    loadSettings();
+    loadPreferences();
     view_.onFile = [this](const std::filesystem::path& file) {
         if (mayDiscard()) openFile(file);
     };
@@ -48,7 +47,11 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     Bind(wxEVT_CLOSE_WINDOW, &MainFrame::onClose, this);
     Bind(wxEVT_CHAR_HOOK, &MainFrame::onKey, this);
     SetMinSize(FromDIP(wxSize(640, 480)));
-    SetSize(options.width, options.height);
+    const bool remembered = preferences_ && !options.sizeGiven;
+    const atlax::PixelSize size =
+        remembered ? preferences_->windowSize() : atlax::PixelSize{options.width, options.height};
+    SetSize(size.width, size.height);
+    if (remembered && preferences_->maximised()) Maximize();
     refresh();
 }
 
@@ -59,6 +62,7 @@ MainFrame::~MainFrame() {
 void MainFrame::finish(int exitCode) {
     if (exitCode != 0) chamberApp().setExitCode(exitCode);
     setOnFrame({});
+    savePreferences();
     manager_.UnInit();
     Destroy();
 }

@@ -11,14 +11,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "../view/scene_view.hpp"
 #include "constants_panel.hpp"
 #include "options.hpp"
-
-class wxConfigBase;
+#include "preferences.hpp"
 
 namespace sulfurchamber {
 
@@ -90,7 +90,8 @@ private:
     void openRecent(int index);
     void showGallery();
     void adoptDocument();
-    void loadSettings();
+    void loadPreferences();
+    void savePreferences();
     void noteRecent(const std::filesystem::path& file);
 
     // main_frame.cpp
@@ -118,7 +119,7 @@ private:
     wxAuiToolBar* palette_ = nullptr;
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
-    std::unique_ptr<wxConfigBase> settings_;
+    std::optional<Preferences> preferences_;  ///< none while unattended
     std::function<void()> onFrame_;
     std::string lastProblem_;
     std::int64_t nextRefreshNs_ = 0;

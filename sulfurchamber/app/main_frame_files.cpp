@@ -1,10 +1,5 @@
 // Files: new, open, save, recent ones, examples, settings.
-#include <wx/config.h>
-#include <wx/fileconf.h>
-#include <wx/filedlg.h>
 #include <wx/msgdlg.h>
-
-#include <atlax/files.hpp>
 
 #include "gallery.hpp"
 #include "main_frame.hpp"
@@ -12,7 +7,7 @@
 namespace sulfurchamber {
 namespace {
 
-constexpr const char* filter = "Scenes and levels (*.json)|*.json|All files|*";
+const std::vector<atlax::FileKind> fileKinds{{"Scenes and levels", {"json"}}, {"All files", {}}};
 
 }  // namespace
 
@@ -74,9 +69,9 @@ void MainFrame::newFile() {
 
 void MainFrame::openDialog() {
     if (!mayDiscard()) return;
-    wxFileDialog dialog(this, "Open a scene or a level", "", "", filter,
-                        wxFD_OPEN | wxFD_FILE_MUST_EXIST);
-    if (dialog.ShowModal() == wxID_OK) openFile(dialog.GetPath().utf8_string());
+    const auto file =
+        canvas_->platform().chooseFile({.title = "Open a scene or a level", .kinds = fileKinds});
+    if (file) openFile(*file);
 }
 
 bool MainFrame::save() {
@@ -86,17 +81,21 @@ bool MainFrame::save() {
 
 bool MainFrame::saveDialog() {
     const auto& file = bench_.document().file();
-    wxFileDialog dialog(
-        this, "Save the scene", wxString::FromUTF8(file.parent_path().string()),
-        file.empty() ? wxString("scene.json") : wxString::FromUTF8(file.filename().string()),
-        filter, wxFD_SAVE | wxFD_OVERWRITE_PROMPT);
-    return dialog.ShowModal() == wxID_OK && saveFile(dialog.GetPath().utf8_string());
+    const auto chosen = canvas_->platform().chooseFile(
+        {.title = "Save the scene",
+         .save = true,
+         .folder = file.parent_path(),
+         .name = file.empty() ? "scene.json" : file.filename().string(),
+         .kinds = fileKinds});
+    return chosen && saveFile(*chosen);
 }
 
 void MainFrame::openRecent(int index) {
-    const wxString file = recent_.GetHistoryFile(static_cast<std::size_t>(index));
-    if (mayDiscard() && !openFile(file.utf8_string()))
-        recent_.RemoveFileFromHistory(static_cast<std::size_t>(index));
+    const auto at = static_cast<std::size_t>(index);
+    const std::filesystem::path file = recent_.GetHistoryFile(at).utf8_string();
+    if (!mayDiscard() || openFile(file)) return;
+    recent_.RemoveFileFromHistory(at);
+    if (preferences_) preferences_->forgetFile(file);
 }
 
 void MainFrame::showGallery() {
@@ -114,26 +113,37 @@ void MainFrame::showGallery() {
     adoptDocument();
 }
 
-void MainFrame::loadSettings() {
+void MainFrame::loadPreferences() {
     if (options_.unattended()) return;
-    const auto folder = atlax::configFolder("sulfurchamber");
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return;  // a home that cannot be written to: nothing is remembered
-    settings_ = std::make_unique<wxFileConfig>(
-        "sulfurchamber", "", wxString::FromUTF8((folder / "settings.ini").string()), "",
-        wxCONFIG_USE_LOCAL_FILE);
-    recent_.Load(*settings_);
+    preferences_.emplace(Preferences::settingsFile());
+    view_.options() = preferences_->viewOptions();
+    view_.setSnapping(preferences_->snapping());
+    const auto files = preferences_->recentFiles();
+    for (auto file = files.rbegin(); file != files.rend(); ++file)
+        recent_.AddFileToHistory(wxString::FromUTF8(file->string()));
     if (!bench_.document().file().empty()) noteRecent(bench_.document().file());
 }
 
+void MainFrame::savePreferences() {
+    if (!preferences_) return;
+    if (!IsFullScreen() && !IsIconized()) {
+        preferences_->setMaximised(IsMaximized());
+        const wxSize size = GetSize();
+        if (!IsMaximized()) preferences_->setWindowSize({size.GetWidth(), size.GetHeight()});
+    }
+    preferences_->setViewOptions(view_.options());
+    preferences_->setSnapping(view_.snapping());
+    preferences_->save();
+}
+
 void MainFrame::noteRecent(const std::filesystem::path& file) {
-    if (!settings_) return;
+    if (!preferences_) return;
     std::error_code error;
-    const auto whole = std::filesystem::absolute(file, error);
-    recent_.AddFileToHistory(wxString::FromUTF8((error ? file : whole).string()));
-    recent_.Save(*settings_);
-    settings_->Flush();
+    const auto absolute = std::filesystem::absolute(file, error);
+    const std::filesystem::path whole = error ? file : absolute;
+    recent_.AddFileToHistory(wxString::FromUTF8(whole.string()));
+    preferences_->noteFile(whole);
+    preferences_->save();
 }
 
 }  // namespace sulfurchamber

@@ -26,10 +26,14 @@ Parsed parseCommandLine(int argc, char** argv) {
     app.add_option("--theme", options.theme,
                    "Panels: dark (default), light, or as the system has them")
         ->check(CLI::IsMember({"dark", "light", "system"}));
-    app.add_option("--width", options.width, "Width of the window in pixels")
-        ->check(CLI::Range(320, 8192));
-    app.add_option("--height", options.height, "Height of the window in pixels")
-        ->check(CLI::Range(240, 8192));
+    const auto* width = app.add_option("--width", options.width, "Width of the window in pixels")
+                            ->check(CLI::Range(320, 8192));
+    const auto* height =
+        app.add_option("--height", options.height, "Height of the window in pixels")
+            ->check(CLI::Range(240, 8192));
+    app.footer(
+        "Settings: $XDG_CONFIG_HOME/sulfurchamber; log and crash reports: "
+        "$XDG_STATE_HOME/sulfurchamber.");
     bool scriptHelp = false;
     app.add_flag("--script-help", scriptHelp, "List the commands of scripts");
     try {
@@ -37,6 +41,7 @@ Parsed parseCommandLine(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         parsed.exitCode = app.exit(error);
     }
+    options.sizeGiven = width->count() + height->count() > 0;
     if (scriptHelp && !parsed.exitCode) parsed.exitCode = -1;
     return parsed;
 }

@@ -19,6 +19,7 @@ struct Options {
     std::string theme = "dark";  ///< dark, light or system
     int width = 1280;
     int height = 800;
+    bool sizeGiven = false;  ///< else the last window's size counts
 
     /// Driven by a script or for a picture: no questions, no settings read or written.
     bool unattended() const { return !screenshot.empty() || !script.empty(); }

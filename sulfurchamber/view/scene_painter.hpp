@@ -18,6 +18,7 @@ struct ViewOptions {
     bool velocities = false;
     bool strain = false;  ///< joints coloured by how far they are stretched
     bool contacts = false;
+    bool skeleton = false;  ///< over all, what the physics library sees (paintDebug)
 };
 
 /// Keeps what it finds out about bodies between frames.

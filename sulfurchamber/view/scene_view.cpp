@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atlax/crash_report.hpp>
 #include <atlax/log.hpp>
 #include <cmath>
 #include <cstdio>
 
 #include "../model/geometry.hpp"
+#include "debug_painter.hpp"
 #include "grid_painter.hpp"
 #include "palette.hpp"
 
@@ -188,6 +190,9 @@ void SceneView::tick() {
     if (!document.playing() && singles_ == 0) return;
     singles_ = std::max(0, singles_ - 1);
     guarded([&] { bench_.tick(); });
+    const sulfur::World& world = document.world();
+    if (world.ticks() % static_cast<std::uint64_t>(world.settings().tickRate) == 0)
+        atlax::setCrashState(world.ticks(), world.hash());
 }
 
 void SceneView::draw(atlax::Canvas& canvas, double alpha) {
@@ -199,6 +204,10 @@ void SceneView::draw(atlax::Canvas& canvas, double alpha) {
     if (options_.grid) paintGrid(canvas, camera_);
     // Paused, the state itself is shown: a single tick is seen at once.
     painter_.paint(canvas, bench_, options_, bench_.document().playing() ? alpha : 1.0);
+    if (options_.skeleton) {
+        canvas.setCamera(camera_);
+        paintDebug(canvas, bench_.document().world(), bench_.document().playing() ? alpha : 1.0);
+    }
     if (options_.rulers) paintRulers(canvas, camera_, *font_);
     paintClock(canvas);
     if (onFrame) onFrame();

@@ -22,6 +22,8 @@ public:
     void event(const atlax::Event& event) override;
     void tick() override;
     void draw(atlax::Canvas& canvas, double alpha) override;
+    /// Nothing here is kept on the graphics card.
+    bool restoreGraphics() override { return true; }
     void stop() override { platform_ = nullptr; }
 
     // -- looking --

@@ -83,13 +83,15 @@ std::vector<std::byte> oggTone(double seconds, float hertz, int channels = 2, in
     return out;
 }
 
-/// Each test decides which drivers OpenAL Soft may use; it reads them when a device is opened.
-/// "null" is a device that plays into nothing; an unknown name leaves no device at all.
+/// OpenAL Soft reads once in a process which drivers it may use, when anybody first opens a device:
+/// that may be a test of another file.
+[[maybe_unused]] const bool driverIsChosen = ::setenv("ALSOFT_DRIVERS", "null", 1) == 0;
+
+/// "null" is a device that plays into nothing; with "none" there is no device at all.
 class AudioTest : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override {
         const bool none = std::strcmp(GetParam(), "none") == 0;
-        ::setenv("ALSOFT_DRIVERS", "null", 1);
         if (none) detail::audioDriver().open = [](const char*) -> ALCdevice* { return nullptr; };
     }
     void TearDown() override { detail::audioDriver() = before_; }

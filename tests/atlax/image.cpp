@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <turbojpeg.h>
 
 #include <atlax/error.hpp>
 #include <atlax/files.hpp>
@@ -61,6 +62,43 @@ TEST(Image, rubbishIsRefusedWithItsName) {
     EXPECT_THROW(decodeImage(bytesOf(zeros), "zeros"), Error);
 }
 
+// 8 x 8 pixels of one red.
+std::vector<std::byte> smallJpeg() {
+    const std::unique_ptr<void, decltype([](void* encoder) { tjDestroy(encoder); })> encoder(
+        tjInitCompress());
+    std::vector<unsigned char> pixels(8 * 8 * 3);
+    for (std::size_t i = 0; i < pixels.size(); i += 3) pixels[i] = 200;
+    unsigned char* file = nullptr;
+    unsigned long size = 0;
+    EXPECT_EQ(tjCompress2(encoder.get(), pixels.data(), 8, 0, 8, TJPF_RGB, &file, &size, TJSAMP_444,
+                          90, 0),
+              0);
+    const auto bytes = std::as_bytes(std::span(file, size));
+    std::vector<std::byte> out(bytes.begin(), bytes.end());
+    tjFree(file);
+    return out;
+}
+
+TEST(Image, jpegIsReadAndRefusedWhenCutOff) {
+    const auto jpeg = smallJpeg();
+    const Image image = decodeImage(jpeg, "red.jpg");
+    ASSERT_EQ(image.size(), (PixelSize{8, 8}));
+    EXPECT_NEAR(image.pixel(4, 4)[0], 200, 4);
+    EXPECT_NEAR(image.pixel(4, 4)[1], 0, 4);
+    EXPECT_EQ(image.pixel(4, 4)[3], 255);
+    for (std::size_t size = 0; size + 4 < jpeg.size(); size += 5)
+        EXPECT_THROW(decodeImage(std::span(jpeg).first(size), "cut"), Error) << size;
+}
+
+// Found by fuzzing: a reader that takes what follows the end for more chunks never ends.
+TEST(Image, aPngThatEndsWithinAChunkIsRefusedAtOnce) {
+    auto png = encodePng(pattern());
+    png[33 + 3] = std::byte{0xFF};  // the length of the chunk after the header
+    EXPECT_THROW(decodeImage(png, "long chunk"), Error);
+    png.resize(40);
+    EXPECT_THROW(decodeImage(png, "cut"), Error);
+}
+
 TEST(Image, sizesAreChecked) {
     EXPECT_THROW(Image({0, 5}), Error);
     EXPECT_THROW(Image({5, -1}), Error);
@@ -93,7 +131,54 @@ TEST(Image, svgKeepsItsAspect) {
     EXPECT_NEAR(image.width(), image.height(), 1);
 }
 
+TEST(Image, svgWithoutASizeHasTheAspectOfItsViewBox) {
+    const Image image = decodeSvg(
+        bytesOf(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 40 10"/>)"), {80, 80}, "a");
+    EXPECT_EQ(image.size(), (PixelSize{80, 20}));
+}
+
+TEST(Image, svgHasStraightAlpha) {
+    const Image image =
+        decodeSvg(bytesOf(R"(<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4">
+<rect width="4" height="4" fill="#ff8000" fill-opacity="0.5"/></svg>)"),
+                  {4, 4}, "half");
+    const auto pixel = image.pixel(1, 1);
+    EXPECT_NEAR(pixel[0], 255, 1);
+    EXPECT_NEAR(pixel[1], 128, 2);
+    EXPECT_EQ(pixel[2], 0);
+    EXPECT_NEAR(pixel[3], 128, 1);
+}
+
+TEST(Image, svgReachesNoOtherFile) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "atlax-other.png";
+    Image red({2, 2});
+    for (int i = 0; i < 4; ++i) red.setPixel(i % 2, i / 2, {255, 0, 0, 255});
+    savePng(red, file);
+    const std::string text =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" width="4" height="4"><image width="4" height="4"
+href="file://)" +
+        file.string() + R"("/></svg>)";
+    const Image image = decodeSvg(bytesOf(text), {4, 4}, "reaching out");
+    std::filesystem::remove(file);
+    EXPECT_EQ(image.pixel(2, 2)[3], 0);
+}
+
+TEST(Image, aRefusedSvgSaysSoInOneSentenceOnly) {
+    testing::internal::CaptureStderr();
+    try {
+        decodeSvg(bytesOf("<?xml version=\"1.0\" encoding=\"EUC-JP\"?>"
+                          "<svg xmlns=\"http://www.w3.org/2000/svg\">\x8f\xff\xff</svg>"),
+                  {4, 4}, "odd.svg");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("odd.svg: ", 0), 0u);
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(Image, brokenSvgIsRefused) {
+    EXPECT_THROW(decodeSvg(bytesOf(drawing.substr(0, 90)), {10, 10}, "cut off"), Error);
+    EXPECT_THROW(decodeSvg({}, {10, 10}, "empty"), Error);
     EXPECT_THROW(decodeSvg(bytesOf("no drawing"), {10, 10}, "text"), Error);
     EXPECT_THROW(decodeSvg(bytesOf(drawing), {0, 10}, "no size"), Error);
     EXPECT_THROW(decodeSvg(bytesOf(drawing), {10, 100'000}, "too large"), Error);

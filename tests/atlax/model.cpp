@@ -121,6 +121,16 @@ TEST(Model, whatIsNoModelIsRefusedWithAReason) {
     EXPECT_THROW(loadModel("/no/such/model.obj"), Error);
 }
 
+TEST(Model, gltfThatWouldHarmTheReaderIsRefusedBeforeIt) {
+    std::string wrongLetter = triangleGltf;
+    wrongLetter[wrongLetter.find(";base64,") + 12] = '-';
+    EXPECT_NE(refusal(wrongLetter, "test.gltf").find("base64"), std::string::npos);
+    const std::string deep = R"({"asset":{"version":"2.0"},"extras":)" + std::string(200'000, '[');
+    EXPECT_NE(refusal(deep, "test.gltf").find("nested"), std::string::npos);
+    const std::string lying("glTF\2\0\0\0\x40\0\0\0\xff\xff\xff\x7fJSON{}", 22);
+    EXPECT_NE(refusal(lying, "test.glb").find("cut off"), std::string::npos);
+}
+
 TEST(Model, everyCutOffFileIsRefusedOrReadWhole) {
     for (std::size_t n = 0; n < triangleGltf.size(); n += 7) {
         SCOPED_TRACE(n);

@@ -7,6 +7,7 @@
 
 #include "scripted_app.hpp"
 #include "temporary_folder.hpp"
+#include "virtual_pad.hpp"
 
 namespace {
 
@@ -132,6 +133,10 @@ TEST(OffscreenApp, pressesInAPauseDoNotReachLaterTicks) {
     EXPECT_TRUE(seenInPause);
     EXPECT_FALSE(seenByTick);
     EXPECT_TRUE(app.platform != nullptr);
+}
+
+TEST(OffscreenApp, aPadComesAndGoes) {
+    expectAPadToComeAndGo([](Application& app) { return runOffscreen(app, small()); });
 }
 
 TEST(OffscreenApp, errorsBecomeOneSentenceAndAnExitCode) {

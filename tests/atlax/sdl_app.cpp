@@ -7,8 +7,10 @@
 #include <chrono>
 #include <thread>
 
+#include "lost_driver.hpp"
 #include "scripted_app.hpp"
 #include "temporary_folder.hpp"
+#include "virtual_pad.hpp"
 
 namespace {
 
@@ -189,6 +191,35 @@ TEST(SdlApp, resizingToTheSmallestAndBackDoesNoHarm) {
     };
     EXPECT_EQ(run(app, small()), 0);
     EXPECT_EQ(app.ticks, 200);
+}
+
+/// Makes its pictures again: it has none.
+class RestorableApp : public ScriptedApp {
+public:
+    bool restoreGraphics() override {
+        ++restored;
+        return true;
+    }
+    int restored = 0;
+};
+
+TEST(SdlApp, aPadComesAndGoes) {
+    expectAPadToComeAndGo([](Application& app) { return run(app, small()); });
+}
+
+TEST(SdlApp, aLostContextIsMadeAgain) {
+    const TemporaryFolder folder;
+    const LostDriver driver;
+    RestorableApp app;
+    app.onDraw = [&](Canvas&) {
+        if (app.draws == 5) LostDriver::lose();
+        if (app.draws == 10) app.platform->requestScreenshot(folder / "after.png");
+        if (app.draws == 12) app.platform->quit();
+    };
+    EXPECT_EQ(run(app, small()), 0);
+    EXPECT_EQ(app.restored, 1);
+    EXPECT_EQ(loadImage(folder / "after.png").pixel(160, 120),
+              (std::array<std::uint8_t, 4>{0xFF, 0xB3, 0x47, 255}));
 }
 
 // Run apart, with a display that does not exist.

@@ -4,8 +4,14 @@
 #include <atlax/image.hpp>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 namespace {
+
+constexpr std::string_view drawing =
+    R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><defs><linearGradient id="a">
+<stop offset="0" stop-color="red"/></linearGradient></defs><path d="M1 1L8 2Q3 4 5 8z" fill="url(#a)"
+transform="rotate(9)"/><circle cx="4" cy="4" r="2" stroke="#00f" opacity=".5"/><text>x</text></svg>)svg";
 
 // A PNG of 3 x 2 pixels, which mutations begin with; a checksum guards little of it.
 std::vector<std::byte> sample() {
@@ -22,6 +28,11 @@ void check(const atlax::Image& image) {
 
 }  // namespace
 
+// What fontconfig has read of the machine's fonts, for texts in drawings, it keeps to the end.
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT: the sanitizer's name
+    return "leak:libfontconfig";
+}
+
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
@@ -30,6 +41,9 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     if (size < 8 && seed % 2 == 0 && png.size() <= most) {
         std::memcpy(data, png.data(), png.size());
         size = png.size();
+    } else if (size < 8 && drawing.size() <= most) {
+        std::memcpy(data, drawing.data(), drawing.size());
+        size = drawing.size();
     }
     return LLVMFuzzerMutate(data, size, most);
 }

@@ -10,6 +10,7 @@ enter_work_folder() {
     mkdir -p "$1"
     cd "$1" || exit
     export XDG_CONFIG_HOME=$PWD/config XDG_DATA_HOME=$PWD/data XDG_CACHE_HOME=$PWD/cache
+    export XDG_STATE_HOME=$PWD/state
     export ALSOFT_DRIVERS=null SDL_VIDEODRIVER=x11 GDK_BACKEND=x11 NO_AT_BRIDGE=1
     export GSETTINGS_BACKEND=memory
 }

@@ -7,6 +7,7 @@ set(ENV{NO_AT_BRIDGE} 1)
 set(ENV{ASAN_OPTIONS} detect_leaks=0)
 set(ENV{GSETTINGS_BACKEND} memory)
 set(ENV{XDG_CONFIG_HOME} ${WORK}/config)
+set(ENV{XDG_STATE_HOME} ${WORK}/state)
 
 # run(<expected exit code> <command>...): sets `out` and `err`.
 macro(run expected)

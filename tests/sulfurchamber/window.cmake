@@ -58,6 +58,12 @@ do play
 expect playing = 0
 do select-all
 expect selected = 2
+do copy
+do paste                    # from the X server's clipboard
+expect bodies = 4
+do undo
+expect bodies = 2
+do select-all
 key Escape
 expect selected = 0
 wheel 0 1 3

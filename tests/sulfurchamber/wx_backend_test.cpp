@@ -9,7 +9,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "../atlax/lost_driver.hpp"
 #include "../atlax/scripted_app.hpp"
+#include "../atlax/virtual_pad.hpp"
 
 namespace {
 
@@ -125,6 +127,37 @@ TEST(WxBackend, AnErrorEndsTheProgramWithItsText) {
     EXPECT_NE(testing::internal::GetCapturedStderr().find("the tick failed on purpose"),
               std::string::npos);
     EXPECT_EQ(app.stops, 1);
+}
+
+/// Makes its pictures again: it has none.
+class RestorableApp : public ScriptedApp {
+public:
+    bool restoreGraphics() override {
+        ++restored;
+        return true;
+    }
+    int restored = 0;
+};
+
+TEST(WxBackend, APadComesAndGoes) {
+    expectAPadToComeAndGo([](Application& app) { return run(app, small()); });
+}
+
+TEST(WxBackend, ALostContextIsMadeAgain) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "atlax_wx_restored.png";
+    std::filesystem::remove(file);
+    const LostDriver driver;
+    RestorableApp app;
+    app.onDraw = [&](Canvas&) {
+        if (app.draws == 5) LostDriver::lose();
+        if (app.draws == 10) app.platform->requestScreenshot(file);
+        if (app.draws == 12) app.platform->quit();
+    };
+    EXPECT_EQ(run(app, small()), 0);
+    EXPECT_EQ(app.restored, 1);
+    EXPECT_EQ(loadImage(file).pixel(160, 120),
+              (std::array<std::uint8_t, 4>{0xFF, 0xB3, 0x47, 255}));
+    std::filesystem::remove(file);
 }
 
 TEST(WxBackend, OldOpenGlIsRefusedWithARemedy) {

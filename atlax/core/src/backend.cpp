@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <utility>
 
 namespace atlax {
@@ -17,6 +18,8 @@ namespace {
 /// second or more; what remains is given up, so that time slows down instead.
 constexpr std::int64_t tickBudgetNs = 40'000'000;
 constexpr std::int64_t statisticsWindowNs = 500'000'000;
+/// So many contexts that are lost before they have drawn a frame are enough.
+constexpr int mostLossesInARow = 5;
 
 }  // namespace
 
@@ -111,11 +114,34 @@ void BackendPlatform::runTicks() {
     if (clock_.paused() && statistics_.ticksLastFrame == 0) input_.sample();
 }
 
+void BackendPlatform::remakeContext() {
+    throw Error("the graphics context was lost, and this backend cannot make another");
+}
+
+// What the application still holds belongs to the canvas that goes first; nothing of it is used.
+void BackendPlatform::restoreGraphics() {
+    log(LogLevel::Warning, "the graphics driver was reset: all pictures are made again");
+    if (++lossesInARow_ > mostLossesInARow)
+        throw Error("the graphics driver is reset again and again; drawing is not possible");
+    canvas_.reset();
+    remakeContext();
+    canvas_ = std::make_unique<Canvas>();
+    if (!application_.restoreGraphics())
+        throw Error(
+            "the graphics driver was reset, and this program cannot make its pictures again; "
+            "please start it once more");
+}
+
 void BackendPlatform::beginCanvasFrame(Canvas& canvas) {
     canvas.beginFrame(size_, scaleFactor_);
 }
 
 void BackendPlatform::drawFrame() {
+    if (canvas_->contextLost()) {
+        restoreGraphics();
+    } else {
+        lossesInARow_ = 0;
+    }
     beginCanvasFrame(*canvas_);
     application_.draw(*canvas_, clock_.alpha());
     if (screenshot_) takeScreenshot();
@@ -156,11 +182,11 @@ class OffscreenPlatform : public BackendPlatform {
 public:
     OffscreenPlatform(Application& application, const WindowOptions& options)
         : BackendPlatform(application, options, [this] { return clockNs(); }),
-          screen_(options.size) {}
+          screen_(std::in_place, options.size) {}
     ~OffscreenPlatform() override { end(); }
 
     int loop() {
-        handle(WindowResized{screen_.size(), 1});
+        handle(WindowResized{screen_->size(), 1});
         begin();
         while (!finished()) {
             ++frames_;
@@ -174,7 +200,7 @@ public:
     void setFullscreen(bool fullscreen) override { fullscreen_ = fullscreen; }
     bool fullscreen() const override { return fullscreen_; }
     void setWindowSize(PixelSize size) override {
-        screen_.resize(size);
+        screen_->resize(size);
         handle(WindowResized{size, 1});
     }
     void setMinimised(bool minimised) override { minimised_ = minimised; }
@@ -186,13 +212,18 @@ public:
     void setClipboard(const std::string& utf8) override { clipboard_ = utf8; }
 
 protected:
-    void beginCanvasFrame(Canvas& canvas) override { canvas.beginFrame(screen_.target(), 1); }
+    void beginCanvasFrame(Canvas& canvas) override { canvas.beginFrame(screen_->target(), 1); }
+    void remakeContext() override {
+        const PixelSize before = screen_->size();
+        screen_.reset();
+        screen_.emplace(before);
+    }
 
 private:
     // Multiplied before it is divided, so that frames do not drift against seconds.
     std::int64_t clockNs() const { return frames_ * 1'000'000'000 / 60; }
 
-    OffscreenCanvas screen_;
+    std::optional<OffscreenCanvas> screen_;
     std::int64_t frames_ = 0;
     bool fullscreen_ = false;
     bool minimised_ = false;

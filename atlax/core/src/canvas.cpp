@@ -28,6 +28,10 @@ Rect intersection(Rect a, Rect b) {
 Canvas::Canvas() {
     requireOpenGl();
     implementation_ = std::make_unique<Implementation>();
+    constexpr int knows = 45;
+    implementation_->tellsOfLoss = epoxy_gl_version() >= knows ||
+                                   epoxy_has_gl_extension("GL_KHR_robustness") ||
+                                   epoxy_has_gl_extension("GL_ARB_robustness");
 }
 
 Canvas::~Canvas() {
@@ -69,12 +73,27 @@ void Canvas::endFrame() {
     self.saved.clear();
 }
 
+bool Canvas::contextLost() const {
+    return implementation_->lost();
+}
+
+void Canvas::Implementation::requireContext() const {
+    if (lost()) throw Error("the graphics context was lost, and with it the picture to be read");
+}
+
+const detail::TargetObject& Canvas::Implementation::requireOwn(const RenderTarget& target) const {
+    if (!target.valid()) throw Error("an empty render target cannot be drawn into or read");
+    if (target.object_->texture->graveyard != graveyard)
+        throw Error("this render target belongs to another canvas or to a lost graphics context");
+    return *target.object_;
+}
+
 void Canvas::pushTarget(const RenderTarget& target) {
-    if (!target.valid()) throw Error("an empty render target cannot be drawn into");
     auto& self = *implementation_;
+    const GLuint framebuffer = self.requireOwn(target).framebuffer;
     self.saved.push_back(self.frame);
     self.frame = {};
-    self.frame.framebuffer = target.object_->framebuffer;
+    self.frame.framebuffer = framebuffer;
     self.frame.size = target.size();
     self.frame.rowZeroIsTop = true;
     self.frame.target = target.object_;

@@ -53,6 +53,7 @@ public:
     Frame frame;
     std::vector<Frame> saved;
     float scaleFactor = 1;
+    bool tellsOfLoss = false;  ///< whether the driver knows glGetGraphicsResetStatus
     Blend blend = Blend::Alpha;
     float opacity = 1;
 
@@ -61,6 +62,13 @@ public:
 
     /// Chooses a texture for what follows and says which mode draws it: plain when there is none.
     std::array<float, 4> useTexture(const std::shared_ptr<detail::TextureObject>& texture);
+
+    /// Throws Error for an empty target and for one of another canvas, whose name would be some
+    /// other target's here.
+    const detail::TargetObject& requireOwn(const RenderTarget& target) const;
+    /// Throws Error when the context is lost: what was read then is no picture.
+    void requireContext() const;
+    bool lost() const { return tellsOfLoss && glGetGraphicsResetStatus() != GL_NO_ERROR; }
 
     /// Puts the frame's framebuffer and clip into force.
     void bindFrame();

@@ -142,14 +142,15 @@ Shader Canvas::createShader(std::string_view source) {
 }
 
 Image Canvas::read(const RenderTarget& target) {
-    if (!target.valid()) throw Error("an empty render target cannot be read");
+    const GLuint framebuffer = implementation_->requireOwn(target).framebuffer;
     implementation_->batch.flush();
     const FramebufferGuard guard;
-    glBindFramebuffer(GL_FRAMEBUFFER, target.object_->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     Image image(target.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE,
                  image.bytes().data());
+    implementation_->requireContext();
     unpremultiply(image);
     return image;
 }
@@ -161,6 +162,7 @@ Image Canvas::readFrame() {
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, image.width(), image.height(), GL_RGBA, GL_UNSIGNED_BYTE,
                  image.bytes().data());
+    implementation_->requireContext();
     if (!frame.rowZeroIsTop) flipRows(image);
     for (std::size_t i = 3; i < image.bytes().size(); i += 4) image.bytes()[i] = 255;
     return image;

@@ -216,6 +216,7 @@ void Canvas::sprite(const Texture& texture, Vec2 centre, Vec2 size, const Sprite
 
 void Canvas::drawTarget(const RenderTarget& target) {
     if (!target.valid()) return;
+    implementation_->requireOwn(target);
     auto& frame = implementation_->frame;
     const Space space = std::exchange(frame.space, Space{});
     const std::vector<Rect> clips = std::exchange(frame.clips, {});

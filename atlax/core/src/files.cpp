@@ -180,6 +180,10 @@ fs::path cacheFolder(std::string_view application) {
     return xdgFolder("XDG_CACHE_HOME", ".cache", application);
 }
 
+fs::path stateFolder(std::string_view application) {
+    return xdgFolder("XDG_STATE_HOME", ".local/state", application);
+}
+
 fs::path programFolder() {
     std::error_code failed;
     const fs::path program = fs::read_symlink("/proc/self/exe", failed);

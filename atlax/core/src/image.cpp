@@ -1,4 +1,5 @@
-#include <SDL_image.h>
+#include <png.h>
+#include <turbojpeg.h>
 
 #include <algorithm>
 #include <atlax/error.hpp>
@@ -14,12 +15,6 @@ namespace atlax {
 namespace {
 
 constexpr std::size_t mostImageBytes = 64u << 20;
-constexpr std::size_t mostSvgBytes = 4u << 20;
-
-struct FreeSurface {
-    void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
-};
-using Surface = std::unique_ptr<SDL_Surface, FreeSurface>;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
     throw Error(name + ": " + reason);
@@ -65,50 +60,41 @@ bool accepted(unsigned width, unsigned height) {
     return width >= 1 && height >= 1 && width <= most && height <= most;
 }
 
-Image fromSurface(Surface surface, const std::string& name) {
-    if (surface == nullptr) refuse(name, std::string("cannot be decoded: ") + SDL_GetError());
-    if (surface->w < 1 || surface->h < 1 || surface->w > Image::maxSide ||
-        surface->h > Image::maxSide)
-        refuse(name, "its sides must be 1 to " + std::to_string(Image::maxSide) + " pixels");
-    if (surface->format->format != SDL_PIXELFORMAT_RGBA32) {
-        surface.reset(SDL_ConvertSurfaceFormat(surface.get(), SDL_PIXELFORMAT_RGBA32, 0));
-        if (surface == nullptr) refuse(name, std::string("cannot be converted: ") + SDL_GetError());
-    }
-    Image image({surface->w, surface->h});
-    const auto stride = static_cast<std::size_t>(surface->w) * 4;
-    const auto* pixels = static_cast<const std::uint8_t*>(surface->pixels);
-    for (int y = 0; y < surface->h; ++y)
-        std::copy_n(pixels + static_cast<std::ptrdiff_t>(y) * surface->pitch, stride,
-                    image.bytes().data() + static_cast<std::size_t>(y) * stride);
+Image decodePng(std::span<const std::byte> bytes, const std::string& name) {
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    const auto problem = [&] { return std::string("cannot be decoded: ") + png.message; };
+    if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
+        refuse(name, problem());
+    png.format = PNG_FORMAT_RGBA;
+    Image image({static_cast<int>(png.width), static_cast<int>(png.height)});
+    if (png_image_finish_read(&png, nullptr, image.bytes().data(), 0, nullptr) == 0)
+        refuse(name, problem());
     return image;
 }
 
-SDL_RWops* reader(std::span<const std::byte> bytes, const std::string& name) {
-    auto* source = SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
-    if (source == nullptr) refuse(name, "is empty");
-    return source;
+/// What is cut off is refused, and so is a file that makes the decoder go over the picture hundreds
+/// of times.
+Image decodeJpeg(std::span<const std::byte> bytes, Announced size, const std::string& name) {
+    const std::unique_ptr<void, decltype([](void* decoder) { tjDestroy(decoder); })> decoder(
+        tjInitDecompress());
+    if (decoder == nullptr) refuse(name, "cannot be decoded: out of memory");
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    const auto length = static_cast<unsigned long>(bytes.size());
+    const auto problem = [&] {
+        return std::string("cannot be decoded: ") + tjGetErrorStr2(decoder.get());
+    };
+    int width = 0, height = 0, sampling = 0, colors = 0;
+    if (tjDecompressHeader3(decoder.get(), data, length, &width, &height, &sampling, &colors) != 0)
+        refuse(name, problem());
+    if (width != static_cast<int>(size.width) || height != static_cast<int>(size.height))
+        refuse(name, "names two sizes");
+    Image image({width, height});
+    if (tjDecompress2(decoder.get(), data, length, image.bytes().data(), width, 0, height,
+                      TJPF_RGBA, TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT) != 0)
+        refuse(name, problem());
+    return image;
 }
-
-/// A stream of SDL that writes into a vector; PNG is written from front to end.
-struct VectorWriter {
-    std::vector<std::byte> bytes;
-
-    static std::size_t SDLCALL write(SDL_RWops* stream, const void* data, std::size_t size,
-                                     std::size_t count) {
-        auto* self = static_cast<VectorWriter*>(stream->hidden.unknown.data1);
-        const auto* start = static_cast<const std::byte*>(data);
-        self->bytes.insert(self->bytes.end(), start, start + size * count);
-        return count;
-    }
-    static Sint64 SDLCALL seek(SDL_RWops* stream, Sint64, int) {
-        auto* self = static_cast<VectorWriter*>(stream->hidden.unknown.data1);
-        return static_cast<Sint64>(self->bytes.size());
-    }
-    static int SDLCALL close(SDL_RWops* stream) {
-        SDL_FreeRW(stream);
-        return 0;
-    }
-};
 
 }  // namespace
 
@@ -151,51 +137,23 @@ Image decodeImage(std::span<const std::byte> bytes, const std::string& name) {
     if (!size) refuse(name, "is neither PNG nor JPEG, or is cut off");
     if (!accepted(size->width, size->height))
         refuse(name, "its sides must be 1 to " + std::to_string(Image::maxSide) + " pixels");
-    auto* source = reader(bytes, name);
-    Surface surface(png ? IMG_LoadPNG_RW(source) : IMG_LoadJPG_RW(source));
-    SDL_RWclose(source);
-    return fromSurface(std::move(surface), name);
-}
-
-Image loadSvg(const std::filesystem::path& file, PixelSize size) {
-    return decodeSvg(readBytes(file, mostSvgBytes), size, file.string());
-}
-
-Image decodeSvg(std::span<const std::byte> bytes, PixelSize size, const std::string& name) {
-    if (bytes.size() > mostSvgBytes) refuse(name, "is larger than 4 MiB");
-    if (size.width < 1 || size.height < 1 || size.width > Image::maxSide ||
-        size.height > Image::maxSide)
-        refuse(name, "was asked for at a size outside of 1 to " + std::to_string(Image::maxSide));
-    auto* source = reader(bytes, name);
-    if (IMG_isSVG(source) == 0) {
-        SDL_RWclose(source);
-        refuse(name, "is not an SVG drawing");
-    }
-    Surface surface(IMG_LoadSizedSVG_RW(source, size.width, size.height));
-    SDL_RWclose(source);
-    return fromSurface(std::move(surface), name);
+    return png ? decodePng(bytes, name) : decodeJpeg(bytes, *size, name);
 }
 
 std::vector<std::byte> encodePng(const Image& image) {
     if (image.empty()) throw Error("an empty picture cannot be written as PNG");
-    // SDL does not write through this pointer; it only has no const.
-    auto* pixels = const_cast<std::uint8_t*>(image.bytes().data());  // NOLINT
-    const Surface surface(SDL_CreateRGBSurfaceWithFormatFrom(
-        pixels, image.width(), image.height(), 32, image.width() * 4, SDL_PIXELFORMAT_RGBA32));
-    auto* stream = SDL_AllocRW();
-    if (surface == nullptr || stream == nullptr) throw Error("out of memory while writing a PNG");
-    VectorWriter writer;
-    stream->type = SDL_RWOPS_UNKNOWN;
-    stream->hidden.unknown.data1 = &writer;
-    stream->size = nullptr;
-    stream->read = nullptr;
-    stream->seek = VectorWriter::seek;
-    stream->write = VectorWriter::write;
-    stream->close = VectorWriter::close;
-    const int result = IMG_SavePNG_RW(surface.get(), stream, 1);
-    if (result != 0 || writer.bytes.empty())
-        throw Error(std::string("a picture cannot be encoded as PNG: ") + SDL_GetError());
-    return std::move(writer.bytes);
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    png.width = static_cast<png_uint_32>(image.width());
+    png.height = static_cast<png_uint_32>(image.height());
+    png.format = PNG_FORMAT_RGBA;
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+    std::vector<std::byte> bytes(size);
+    if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.bytes().data(), 0, nullptr) ==
+        0)
+        throw Error(std::string("a picture cannot be encoded as PNG: ") + png.message);
+    bytes.resize(size);
+    return bytes;
 }
 
 void savePng(const Image& image, const std::filesystem::path& file) {

@@ -17,6 +17,8 @@
 #include <map>
 #include <optional>
 
+#include "gltf_check.hpp"
+
 namespace atlax {
 
 namespace {
@@ -235,6 +237,7 @@ Model import(std::span<const std::byte> bytes, const fs::path& folder, const std
     const std::string self = "model" + kindOf(name);
     if (bytes.empty()) refuse(name, "is empty");
     if (bytes.size() > Model::mostBytes) refuse(name, "is larger than 64 MiB");
+    if (!self.ends_with(".obj")) detail::checkGltf(bytes, name);
     Files files(folder, self, bytes);
     Assimp::Importer importer;
     keepOurReaders(importer);

@@ -4,6 +4,7 @@
 
 #include <atlax/error.hpp>
 #include <atlax/offscreen.hpp>
+#include <vector>
 
 namespace atlax {
 
@@ -34,21 +35,33 @@ EGLDisplay openDisplay() {
     return display;
 }
 
+/// One that says when the driver is reset, where the driver can.
+EGLContext createContext(EGLDisplay display) {
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                   3,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   3,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_NONE};
+    std::vector<EGLint> robust(attributes.begin(), attributes.end() - 1);
+    robust.insert(robust.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                 EGL_LOSE_CONTEXT_ON_RESET, EGL_NONE});
+    for (const auto& wanted : {robust, attributes}) {
+        const EGLContext made =
+            eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
+        if (made != EGL_NO_CONTEXT) return made;
+    }
+    return EGL_NO_CONTEXT;
+}
+
 }  // namespace
 
 OffscreenContext::OffscreenContext() : handles_(std::make_unique<Handles>()) {
     if (!epoxy_has_egl()) fail("there is no libEGL");
     handles_->display = openDisplay();
     if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) fail("EGL offers no desktop OpenGL");
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
-    handles_->context =
-        eglCreateContext(handles_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    handles_->context = createContext(handles_->display);
     if (handles_->context == EGL_NO_CONTEXT) fail("the driver has no OpenGL 3.3 core");
     makeCurrent();
 }

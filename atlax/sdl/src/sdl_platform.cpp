@@ -5,6 +5,7 @@
 #include <atlax/log.hpp>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "sdl_events.hpp"
 
@@ -42,10 +43,12 @@ Video::~Video() {
 }
 
 SdlPlatform::SdlPlatform(Application& application, const WindowOptions& options)
-    : BackendPlatform(application, options), maxFramesPerSecond_(options.maxFramesPerSecond) {
+    : BackendPlatform(application, options),
+      maxFramesPerSecond_(options.maxFramesPerSecond),
+      vsync_(options.vsync) {
     try {
         openWindow(options);
-        openContext(options.vsync);
+        openContext();
     } catch (...) {
         close();
         throw;
@@ -65,6 +68,9 @@ void SdlPlatform::openWindow(const WindowOptions& options) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
     SDL_GL_SetAttribute(SDL_GL_DOUBLEBUFFER, 1);
     SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+    // So that the driver says when it was reset, where it can.
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION, SDL_GL_CONTEXT_RESET_LOSE_CONTEXT);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_FLAGS, SDL_GL_CONTEXT_ROBUST_ACCESS_FLAG);
     Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_ALLOW_HIGHDPI;
     if (options.resizable) flags |= SDL_WINDOW_RESIZABLE;
     if (options.fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
@@ -74,13 +80,24 @@ void SdlPlatform::openWindow(const WindowOptions& options) {
     if (window_ == nullptr) fail("no window can be opened");
 }
 
-void SdlPlatform::openContext(bool vsync) {
+void SdlPlatform::openContext() {
     context_ = SDL_GL_CreateContext(window_);
+    if (context_ == nullptr) {
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_RESET_NOTIFICATION,
+                            SDL_GL_CONTEXT_RESET_NO_NOTIFICATION);
+        SDL_GL_SetAttribute(SDL_GL_CONTEXT_FLAGS, 0);
+        context_ = SDL_GL_CreateContext(window_);
+    }
     if (context_ == nullptr) fail("OpenGL 3.3 is needed, but this display does not offer it");
-    if (!vsync)
+    if (!vsync_)
         SDL_GL_SetSwapInterval(0);
     else if (SDL_GL_SetSwapInterval(-1) != 0)  // late frames are shown at once where possible
         SDL_GL_SetSwapInterval(1);
+}
+
+void SdlPlatform::remakeContext() {
+    SDL_GL_DeleteContext(std::exchange(context_, nullptr));
+    openContext();
 }
 
 void SdlPlatform::close() {

@@ -46,9 +46,12 @@ public:
     std::string clipboard() override;
     void setClipboard(const std::string& utf8) override;
 
+protected:
+    void remakeContext() override;
+
 private:
     void openWindow(const WindowOptions& options);
-    void openContext(bool vsync);
+    void openContext();
     void close();
     void pumpEvents();
     void updateSize();
@@ -62,6 +65,7 @@ private:
     /// Made when first asked for; null where SDL has none.
     std::array<SDL_Cursor*, cursorCount> cursors_{};
     int maxFramesPerSecond_;
+    bool vsync_;
 };
 
 }  // namespace atlax::sdl

@@ -39,10 +39,21 @@ const wxGLAttributes& checkedAttributes() {
     return attributes;
 }
 
-wxGLContextAttrs contextAttributes() {
-    wxGLContextAttrs attributes;
-    attributes.PlatformDefaults().CoreProfile().OGLVersion(3, 3).EndList();
-    return attributes;
+/// A context of OpenGL 3.3 core, current in the view: one that says when the driver is reset, where
+/// the driver can. Throws Error.
+std::unique_ptr<wxGLContext> makeContext(wxGLCanvas& view) {
+    const wxLogNull quiet;  // what is wrong is said below
+    for (const bool robust : {true, false}) {
+        wxGLContextAttrs attributes;
+        attributes.PlatformDefaults().CoreProfile().OGLVersion(3, 3);
+        if (robust) attributes.Robust().LoseOnReset();
+        attributes.EndList();
+        auto context = std::make_unique<wxGLContext>(&view, nullptr, &attributes);
+        if (context->IsOK() && view.SetCurrent(*context)) return context;
+    }
+    throw Error(
+        "OpenGL 3.3 core is not available on this display; update the graphics driver or "
+        "install Mesa's software renderer (libgl1-mesa-dri)");
 }
 
 MouseButton buttonOf(int wxButton) {
@@ -212,19 +223,18 @@ void View::finishIfEnded() {
     }
 }
 
+// In place of the one before, if there was one.
+void View::openContext() {
+    handlers_->context.reset();
+    handlers_->context = makeContext(*this);
+    setSwapInterval(handlers_->vsync);
+}
+
 // Makes the context and starts the application; false while the window cannot be drawn into.
 bool View::start() {
     const wxSize client = GetClientSize();
     if (!IsShownOnScreen() || client.GetWidth() <= 1 || client.GetHeight() <= 1) return false;
-    const wxLogNull quiet;  // what is wrong is said below
-    const wxGLContextAttrs attributes = contextAttributes();
-    auto context = std::make_unique<wxGLContext>(this, nullptr, &attributes);
-    if (!context->IsOK() || !SetCurrent(*context))
-        throw Error(
-            "OpenGL 3.3 core is not available on this display; update the graphics driver or "
-            "install Mesa's software renderer (libgl1-mesa-dri)");
-    handlers_->context = std::move(context);
-    setSwapInterval(handlers_->vsync);
+    openContext();
     tellSize();
     platform_->handle(FocusChanged{HasFocus()});
     handlers_->running = true;

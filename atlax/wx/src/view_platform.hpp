@@ -34,6 +34,9 @@ public:
     bool hasFileDialogs() const override { return true; }
     std::optional<std::filesystem::path> chooseFile(const FileDialog& dialog) override;
 
+protected:
+    void remakeContext() override { view_.openContext(); }
+
 private:
     void showCursor();
 

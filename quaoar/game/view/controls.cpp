@@ -10,32 +10,36 @@ namespace {
 constexpr int ticksPerAim = 8;
 /// One notch of the wheel reels 12 cm.
 constexpr int ticksPerNotch = 40;
-
-constexpr float triggerPoint = 0.35f;
+/// A stick that is hardly moved has no direction to speak of.
+constexpr float leastStick = 0.2f;
 
 }  // namespace
 
-void Controls::aim(const atlax::InputState& input, const atlax::Camera& camera,
+void Controls::aim(const atlax::ActionState& state, const atlax::Camera& camera,
                    atlax::PixelSize size, atlax::Vec2 hero) {
-    for (const atlax::PadState& pad : input.pads) {
-        const atlax::Vec2 stick = pad.connected ? pad.rightStick() : atlax::Vec2{};
-        if (atlax::length(stick) < 0.35f) continue;
-        padAims_ = true;
+    const atlax::Vec2 stick =
+        state.stick(actions_.aimLeft, actions_.aimRight, actions_.aimDown, actions_.aimUp);
+    const atlax::Vec2 pointer{static_cast<float>(state.pointerX),
+                              static_cast<float>(state.pointerY)};
+    const bool moved = !(pointer == pointer_);
+    pointer_ = pointer;
+    if (atlax::length(stick) > leastStick) {
+        stickAims_ = true;
         setAim(last_, static_cast<double>(stick.x), static_cast<double>(stick.y));
         return;
     }
-    const bool moved = atlax::length(input.mouseDelta) > 0;
-    const bool clicked = input.wasPressed(atlax::MouseButton::Left);
-    if (moved || clicked) padAims_ = false;
-    if (padAims_) return;
+    const bool clicked = state.wasPressed(actions_.point);
+    if (moved || clicked) stickAims_ = false;
+    if (stickAims_) return;
     if (++sinceAim_ < ticksPerAim && !clicked) return;
     sinceAim_ = 0;
-    const atlax::Vec2 way = camera.toWorld(input.mouse, size) - hero;
+    const atlax::Vec2 way = camera.toWorld(pointer, size) - hero;
     setAim(last_, static_cast<double>(way.x), static_cast<double>(way.y));
 }
 
-void Controls::wheel(const atlax::InputState& input) {
-    const int asked = static_cast<int>(std::lround(-input.wheel.y * ticksPerNotch));
+void Controls::wheel(const atlax::ActionState& state) {
+    const int notches = state.pressCount(actions_.notchOut) - state.pressCount(actions_.notchIn);
+    const int asked = notches * ticksPerNotch;
     if (asked != 0 && (asked < 0) != (wheelTicks_ < 0)) wheelTicks_ = 0;
     wheelTicks_ = std::clamp(wheelTicks_ + asked, -6 * ticksPerNotch, 6 * ticksPerNotch);
     if (wheelTicks_ < 0) {
@@ -47,32 +51,17 @@ void Controls::wheel(const atlax::InputState& input) {
     }
 }
 
-TickInput Controls::read(const atlax::InputState& input, const atlax::Camera& camera,
+TickInput Controls::read(const atlax::ActionState& state, const atlax::Camera& camera,
                          atlax::PixelSize size, atlax::Vec2 hero) {
-    using atlax::Key;
-    aim(input, camera, size, hero);
-    bool fire = input.isDown(atlax::MouseButton::Left);
-    last_.reelIn = input.isDown(Key::W) || input.isDown(Key::Up);
-    last_.reelOut = input.isDown(Key::S) || input.isDown(Key::Down);
-    last_.boost = input.isDown(Key::LeftShift) || input.isDown(Key::RightShift);
-    last_.restart = input.wasPressed(Key::R);
-    float push = 0;
-    if (input.isDown(Key::A) || input.isDown(Key::Left)) push -= 1;
-    if (input.isDown(Key::D) || input.isDown(Key::Right)) push += 1;
-    for (const atlax::PadState& pad : input.pads) {
-        if (!pad.connected) continue;
-        fire = fire || pad.axis(atlax::PadAxis::RightTrigger) > triggerPoint;
-        last_.reelIn = last_.reelIn || pad.axis(atlax::PadAxis::LeftTrigger) > triggerPoint;
-        last_.reelOut = last_.reelOut || pad.isDown(atlax::PadButton::LeftShoulder);
-        last_.boost = last_.boost || pad.isDown(atlax::PadButton::RightShoulder);
-        last_.restart = last_.restart || pad.wasPressed(atlax::PadButton::North);
-        push += pad.leftStick().x;
-    }
-    wheel(input);
-    if (fireBlocked_ && !fire) fireBlocked_ = false;
-    last_.fire = fire && !fireBlocked_;
+    aim(state, camera, size, hero);
+    last_.fire = state.isDown(actions_.fire);
+    last_.reelIn = state.isDown(actions_.reelIn);
+    last_.reelOut = state.isDown(actions_.reelOut);
+    last_.boost = state.isDown(actions_.boost);
+    last_.restart = state.wasPressed(actions_.restart);
+    wheel(state);
     // Sixteen steps a side are finer than a thumb and keep recordings short.
-    const float step = std::round(std::clamp(push, -1.0f, 1.0f) * 16) / 16;
+    const float step = std::round(state.axis(actions_.left, actions_.right) * 16) / 16;
     last_.push = static_cast<std::int8_t>(std::lround(step * 127));
     return last_;
 }

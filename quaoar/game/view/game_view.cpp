@@ -80,7 +80,7 @@ void GameView::draw(atlax::Canvas& canvas, double alpha, const ViewOptions& opti
     drawGate(canvas, false);
     for (const auto& ice : ice_) ice->draw(canvas);
     drawBodies(canvas, alpha);
-    if (options.hints) drawHints(canvas);
+    if (options.hints) drawHints(canvas, options.texts);
     const bool playing = session_.phase() == Session::Phase::playing;
     if (options.aim && playing && session_.rope().state() == Rope::State::idle) drawRange(canvas);
     drawScarf(canvas);

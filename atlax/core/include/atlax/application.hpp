@@ -40,6 +40,11 @@ public:
     virtual void draw(Canvas& canvas, double alpha) = 0;
     /// Whether the window may close now; called for every CloseRequested.
     virtual bool mayClose() { return true; }
+    /// The graphics context was lost (its driver was reset) and a new one made, and
+    /// Platform::canvas is another canvas: textures, targets, shaders and models of the old one are
+    /// refused. Makes its own again and returns true; with false, as here, the program ends and
+    /// says why.
+    virtual bool restoreGraphics() { return false; }
     /// Once, after everything else, while canvas and sound are still there; also after an error
     /// in another call, but not when start itself failed.
     virtual void stop() {}

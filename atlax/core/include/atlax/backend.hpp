@@ -63,6 +63,10 @@ protected:
     /// `visible` is false. The caller swaps buffers.
     void frame(bool visible = true);
 
+    /// Ends the context, which is lost, and makes another one current; the canvas has gone before,
+    /// and comes after. Throws Error when there is none to be had. This one always does.
+    virtual void remakeContext();
+
     /// Starts the canvas's frame; a backend that does not draw into framebuffer 0 overrides it.
     virtual void beginCanvasFrame(Canvas& canvas);
 
@@ -72,6 +76,7 @@ protected:
 private:
     void runTicks();
     void drawFrame();
+    void restoreGraphics();
     void takeScreenshot();
     void measure(std::int64_t frameStart, std::int64_t ticksEnd, std::int64_t drawEnd);
 
@@ -90,6 +95,7 @@ private:
     float scaleFactor_ = 1;
     bool focused_ = true;
     bool started_ = false;
+    int lossesInARow_ = 0;
     std::int64_t lastFrame_ = 0;
 
     struct Window {

@@ -103,6 +103,10 @@ public:
     void beginFrame(const RenderTarget& target, float scaleFactor = 1);
     /// Called by backends. Draws what is still batched.
     void endFrame();
+    /// Whether the driver was reset and the context is lost with all that is in it: drawing does
+    /// nothing any more, and reading throws. Backends ask before each frame and make all anew (see
+    /// Application::restoreGraphics). Always false where the driver cannot tell.
+    bool contextLost() const;
 
     // -- resources (any time while the context is current) --
 
@@ -111,11 +115,13 @@ public:
     /// A transparent picture to draw into. Throws Error when the card refuses the size.
     RenderTarget createTarget(PixelSize size);
     /// Until popTarget, everything goes to this target, in screen space; the frame's space and clip
-    /// come back afterwards. Pushes nest. No frame is needed for drawing into a target.
+    /// come back afterwards. Pushes nest. No frame is needed for drawing into a target. Throws
+    /// Error for an empty target and for one of another canvas, as read() does.
     void pushTarget(const RenderTarget& target);
     void popTarget();
     /// Draws a target pixel by pixel over all of what is drawn into, which should have its size;
     /// with the present blend mode, opacity and shader, whatever the space and without the clip.
+    /// An empty one draws nothing; throws Error for one of another canvas.
     void drawTarget(const RenderTarget& target);
     /// Makes a shader from the GLSL 3.30 of a function
     ///
@@ -127,9 +133,10 @@ public:
     Shader createShader(std::string_view source);
     /// Copies a model to the graphics card. Throws Error as createTexture does.
     ModelMesh createModel(const Model& model);
-    /// Reads a target back with straight alpha.
+    /// Reads a target back with straight alpha. Throws Error when the context is lost.
     Image read(const RenderTarget& target);
-    /// Reads what the current frame has drawn so far (for screenshots), opaque.
+    /// Reads what the current frame has drawn so far (for screenshots), opaque. Throws Error when
+    /// the context is lost.
     Image readFrame();
 
     // -- space --

@@ -109,7 +109,7 @@ struct FileDropped {
 };
 
 /// Everything that a backend may tell an application. Plain values that own what they hold, free to
-/// copy and store in any thread.
+/// copy and store in any thread; nothing here throws.
 using Event = std::variant<WindowResized, FocusChanged, CloseRequested, KeyEvent, TextEvent,
                            MouseMoved, MouseButtonEvent, WheelEvent, PadConnected, PadDisconnected,
                            PadButtonEvent, PadAxisEvent, FileDropped>;

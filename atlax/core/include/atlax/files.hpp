@@ -29,10 +29,13 @@ void writeFileAtomic(const std::filesystem::path& file, std::string_view text,
                      Backup backup = Backup::None);
 
 /// The user's folders for this application after the XDG base directory rules
-/// (XDG_CONFIG_HOME, XDG_DATA_HOME, XDG_CACHE_HOME, else below HOME). Not created here.
+/// (XDG_CONFIG_HOME, XDG_DATA_HOME, XDG_CACHE_HOME, XDG_STATE_HOME, else below HOME). Not created
+/// here.
 std::filesystem::path configFolder(std::string_view application);
 std::filesystem::path dataFolder(std::string_view application);
 std::filesystem::path cacheFolder(std::string_view application);
+/// For what is worth keeping but not for ever: logs, reports.
+std::filesystem::path stateFolder(std::string_view application);
 
 /// Folder of the running program's file; empty when it cannot be found out.
 std::filesystem::path programFolder();

@@ -52,7 +52,8 @@ Image loadImage(const std::filesystem::path& file);
 Image decodeImage(std::span<const std::byte> bytes, const std::string& name);
 
 /// Rasterises an SVG drawing so that it fits into `size` pixels with its aspect ratio kept
-/// (the picture may be narrower or lower). At most 4 MiB of text. Throws Error.
+/// (the picture may be narrower or lower). At most 4 MiB of text, compressed or not; other files
+/// that it refers to are not looked at. Throws Error.
 Image loadSvg(const std::filesystem::path& file, PixelSize size);
 Image decodeSvg(std::span<const std::byte> bytes, PixelSize size, const std::string& name);
 

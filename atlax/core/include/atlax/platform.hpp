@@ -54,7 +54,9 @@ struct FileDialog {
 };
 
 /// What a backend offers to the application that it runs. The same for every backend. Main thread
-/// only; valid from Application::start until Application::stop has returned.
+/// only; valid from Application::start until Application::stop has returned. The backend owns it
+/// and all that it hands out. Only what says so throws: what a desktop refuses (fullscreen, a
+/// clipboard that somebody holds) is said in the log or left undone.
 class Platform {
 public:
     virtual ~Platform() = default;

@@ -21,7 +21,8 @@ struct ShaderValue {
 
 /// A caller's own way to colour sprites and meshes, made by Canvas::createShader. A cheap handle:
 /// copies share the shader, which lives as long as a handle or an unfinished frame needs it. It may
-/// outlive the canvas; to another canvas it is no shader. Thread of its canvas only.
+/// outlive the canvas; to another canvas it is no shader. Thread of its canvas only; nothing here
+/// throws, only Canvas::createShader.
 class Shader {
 public:
     /// No shader: the canvas's own drawing.

@@ -24,7 +24,8 @@ struct TextureOptions {
 
 /// A picture on the graphics card, made by Canvas::createTexture. A cheap handle: copies share the
 /// picture, which lives as long as a handle or an unfinished frame needs it. It may outlive the
-/// canvas; to another canvas it is no picture. Thread of its canvas only.
+/// canvas; to another canvas, also to the one that follows a lost graphics context, it is no
+/// picture. Thread of its canvas only; nothing here throws, only Canvas::createTexture.
 class Texture {
 public:
     /// No picture: what is drawn with it is plain white times the tint.

@@ -70,6 +70,7 @@ private:
     void onMouseWheel(wxMouseEvent& event);
     void onFocus(wxFocusEvent& event);
     void releaseKeys();
+    void openContext();
     bool start();
     bool runFrame();
     void tellSize();

@@ -15,12 +15,14 @@ namespace quaoar {
 
 class IceView;
 class Backdrop;
+class Texts;
 
 /// What is drawn beside the world itself.
 struct ViewOptions {
     bool aim = true;                                      ///< the range line and the crosshair
     bool hints = true;                                    ///< the level's sentences
     std::optional<atlax::Vec2> crosshair = std::nullopt;  ///< pixels; the mouse
+    const Texts* texts = nullptr;                         ///< null: sentences as the level has them
 };
 
 /// The picture of one session: camera, backdrop, ice, bodies, hero, rope, sparks.
@@ -75,7 +77,7 @@ private:
     std::vector<atlax::Vec2> dressedPlaces(sulfur::BodyId id, const SkinPlan& plan,
                                            double alpha) const;
     void drawGate(atlax::Canvas& canvas, bool front);
-    void drawHints(atlax::Canvas& canvas);
+    void drawHints(atlax::Canvas& canvas, const Texts* texts);
     void drawHero(atlax::Canvas& canvas, double alpha);
     void drawFace(atlax::Canvas& canvas, atlax::Vec2 middle, atlax::Vec2 squash);
     void drawAntenna(atlax::Canvas& canvas, atlax::Vec2 crown);

@@ -1,0 +1,80 @@
+#include "preferences.hpp"
+
+#include <algorithm>
+#include <atlax/error.hpp>
+#include <atlax/files.hpp>
+#include <atlax/log.hpp>
+
+namespace sulfurchamber {
+namespace {
+
+constexpr std::size_t mostFiles = 9;  // as many as wxFileHistory lists
+constexpr const char* recentKey = "recent.files";
+
+/// The switches of the view by their names in settings.
+struct Switch {
+    const char* key;
+    bool ViewOptions::*flag;
+};
+constexpr Switch switches[] = {
+    {"view.grid", &ViewOptions::grid},         {"view.rulers", &ViewOptions::rulers},
+    {"view.joints", &ViewOptions::joints},     {"view.velocities", &ViewOptions::velocities},
+    {"view.strain", &ViewOptions::strain},     {"view.contacts", &ViewOptions::contacts},
+    {"view.skeleton", &ViewOptions::skeleton},
+};
+
+}  // namespace
+
+Preferences::Preferences(const std::filesystem::path& file) : settings_({.file = file}) {
+    settings_.load();
+}
+
+std::filesystem::path Preferences::settingsFile() {
+    return atlax::configFolder("sulfurchamber") / "settings.json";
+}
+
+atlax::PixelSize Preferences::windowSize() const {
+    return {settings_.get("window.width", 1280, 320, 8192),
+            settings_.get("window.height", 800, 240, 8192)};
+}
+
+void Preferences::setWindowSize(atlax::PixelSize size) {
+    settings_.set("window.width", size.width);
+    settings_.set("window.height", size.height);
+}
+
+ViewOptions Preferences::viewOptions() const {
+    ViewOptions options;
+    for (const Switch& one : switches)
+        options.*one.flag = settings_.get(one.key, options.*one.flag);
+    return options;
+}
+
+void Preferences::setViewOptions(const ViewOptions& options) {
+    for (const Switch& one : switches) settings_.set(one.key, options.*one.flag);
+}
+
+std::vector<std::filesystem::path> Preferences::recentFiles() const {
+    const auto texts = settings_.get(recentKey, std::vector<std::string>{});
+    return {texts.begin(),
+            texts.begin() + static_cast<std::ptrdiff_t>(std::min(texts.size(), mostFiles))};
+}
+
+void Preferences::noteFile(const std::filesystem::path& file) {
+    std::vector<std::string> texts{file.string()};
+    for (const std::string& text : settings_.get(recentKey, std::vector<std::string>{}))
+        if (text != texts.front() && texts.size() < mostFiles) texts.push_back(text);
+    try {
+        settings_.set(recentKey, texts);
+    } catch (const atlax::Error& error) {  // a name that is no UTF-8
+        atlax::log(atlax::LogLevel::Warning, error.what());
+    }
+}
+
+void Preferences::forgetFile(const std::filesystem::path& file) {
+    auto texts = settings_.get(recentKey, std::vector<std::string>{});
+    std::erase(texts, file.string());
+    settings_.set(recentKey, texts);
+}
+
+}  // namespace sulfurchamber

@@ -1,0 +1,44 @@
+// What the user has set and opened, kept between runs.
+#pragma once
+
+#include <atlax/settings.hpp>
+#include <atlax/vec.hpp>
+#include <filesystem>
+#include <vector>
+
+#include "../view/scene_painter.hpp"
+
+namespace sulfurchamber {
+
+/// Reads and writes the settings of the sandbox by their names. Owns the values; main thread.
+/// Nothing throws: what cannot be read has its default, what cannot be written is said in the log.
+class Preferences {
+public:
+    /// Reads the file, usually settingsFile().
+    explicit Preferences(const std::filesystem::path& file);
+    /// "settings.json" in the user's configuration folder (XDG_CONFIG_HOME).
+    static std::filesystem::path settingsFile();
+
+    /// Logical units.
+    atlax::PixelSize windowSize() const;
+    void setWindowSize(atlax::PixelSize size);
+    bool maximised() const { return settings_.get("window.maximised", false); }
+    void setMaximised(bool on) { settings_.set("window.maximised", on); }
+
+    ViewOptions viewOptions() const;
+    void setViewOptions(const ViewOptions& options);
+    bool snapping() const { return settings_.get("view.snapping", false); }
+    void setSnapping(bool on) { settings_.set("view.snapping", on); }
+
+    /// The latest first, nine at most.
+    std::vector<std::filesystem::path> recentFiles() const;
+    void noteFile(const std::filesystem::path& file);
+    void forgetFile(const std::filesystem::path& file);
+
+    void save() { settings_.trySave(); }
+
+private:
+    atlax::Settings settings_;
+};
+
+}  // namespace sulfurchamber
