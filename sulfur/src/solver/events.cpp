@@ -30,12 +30,14 @@ Point placeOf(const State& state, const Contact& c) {
 }
 
 /// Contacts that push, by pairs of bodies, sorted.
-void collectTouching(const State& state, std::vector<Touching>& found) {
+void collectTouching(State& state, std::vector<Touching>& found) {
     found.clear();
-    for (std::uint32_t i = 0; i < state.contacts.size(); ++i)
-        if (state.contacts[i].normalLambda > 0)
-            found.push_back(
-                {pairOf(state, state.contacts[i]), i, impulseOf(state, state.contacts[i])});
+    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
+        const Contact& c = state.contacts[i];
+        if (c.normalLambda <= 0) continue;
+        found.push_back({pairOf(state, c), i, impulseOf(state, c)});
+        if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
+    }
     std::sort(found.begin(), found.end(), [](const Touching& p, const Touching& q) {
         return p.pair != q.pair ? p.pair < q.pair : p.strongest < q.strongest;
     });
@@ -85,6 +87,7 @@ void collectEvents(State& state) {
     thread_local std::vector<Touching> found;
     thread_local std::vector<BodyPair> now;
     collectTouching(state, found);
+    if (found.empty() && state.touchingFrozen && !state.structure.stale) return;
     now.clear();
     for (const Touching& t : found) {
         now.push_back(t.pair);
@@ -103,6 +106,7 @@ void collectEvents(State& state) {
     }
     std::sort(now.begin(), now.end());
     std::swap(state.touching, now);
+    state.touchingFrozen = awake == 0;
 }
 
 }  // namespace sulfur::detail

@@ -153,6 +153,7 @@ void holdBack(State& state) {
     if (state.broad.candidates.empty() || !anyFast(state)) return;
     Brakes brakes(state);
     for (int round = 0; round < rounds; ++round) {
+        state.statistics.heldBack += static_cast<std::uint32_t>(state.broad.candidates.size());
         for (const Candidate& candidate : state.broad.candidates) {
             if (areEntwined(state, state.particles.body[candidate.particle],
                             state.broad.collider(candidate.collider).body))

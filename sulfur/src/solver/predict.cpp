@@ -32,8 +32,8 @@ void driveTowardsTarget(State& state, const BodyRecord& body) {
 /// Kinematic bodies follow their target, stop after it, or move on as their velocities say.
 void driveKinematicBodies(State& state) {
     Particles& particles = state.particles;
-    for (BodyRecord& body : state.bodies) {
-        if (body.kind != BodyKind::kinematic) continue;
+    for (const auto index : state.work.kinematic) {
+        BodyRecord& body = state.bodies[index];
         if (body.moving) {
             driveTowardsTarget(state, body);
         } else {
@@ -70,13 +70,18 @@ void startFreshParticles(State& state) {
 void predictParticles(State& state) {
     const MotionView view = motionOf(state.particles);
     const Kick kick = kickOf(state);
-    for (const Range range : state.work.free)
+    for (const Range range : state.work.free) {
+        state.looked(Stage::predict, range.last - range.first);
         motionKernels().predict(view, kick, range.first, range.last);
+    }
+    for (const auto i : state.work.heldNodes) state.particles.displacement[i] = Vec2(0, 0);
 }
 
 }  // namespace
 
 void predict(State& state) {
+    state.looked(Stage::predict, state.work.kinematic.size() + state.work.awakeClusters.size() +
+                                     state.work.lonelyTrees.size());
     startFreshParticles(state);
     adoptStirredClusters(state);
     predictParticles(state);
