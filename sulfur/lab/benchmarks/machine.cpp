@@ -39,13 +39,18 @@ void independent(benchmark::State& state, Function&& function) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(in.size()));
 }
 
-const auto root = [](auto x) { return std::sqrt(x); };
-const auto inverse = [](auto x) { return 1 / x; };
-
-BENCHMARK_CAPTURE(independent<float>, squareRoot, root);
-BENCHMARK_CAPTURE(independent<double>, squareRoot, root);
-BENCHMARK_CAPTURE(independent<float>, division, inverse);
-BENCHMARK_CAPTURE(independent<double>, division, inverse);
+template <class Scalar>
+void squareRoot(benchmark::State& state) {
+    independent<Scalar>(state, [](Scalar x) { return std::sqrt(x); });
+}
+template <class Scalar>
+void division(benchmark::State& state) {
+    independent<Scalar>(state, [](Scalar x) { return 1 / x; });
+}
+BENCHMARK_TEMPLATE(squareRoot, float);
+BENCHMARK_TEMPLATE(squareRoot, double);
+BENCHMARK_TEMPLATE(division, float);
+BENCHMARK_TEMPLATE(division, double);
 
 }  // namespace
 

@@ -17,7 +17,7 @@ void sleepers(benchmark::State& state) {
     const Blueprint plan = crate();
     for (int i = 0; i < count; ++i)
         world.add(plan, {.position = Point(1.5 * (i - count / 2), 0.5)});
-    run(world, 1.2);
+    run(world, 0.7);
     const Body ball =
         world.add(shapes::ball({.radius = Real(0.2)}), {.position = Point(0, 10), .angle = 0});
     if (state.range(1) != 0)
