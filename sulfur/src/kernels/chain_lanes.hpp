@@ -52,6 +52,7 @@ struct ChainBatch {
     const double *rest, *share;      // m and 1/m, of each link: its length, see shareOf()
     const std::uint32_t* firsts;     // of each lane: its first node among those of all trees
     double lastStep[chainLanes];     // s
+    bool heldRoot;                   // node 0 of every lane stays where it is
     std::uint32_t steps;             // of every lane
     std::uint32_t lanes;             // bit k: lane k takes part
 };

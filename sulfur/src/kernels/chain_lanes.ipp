@@ -200,8 +200,9 @@ struct Item {
 };
 static_assert(sizeof(Item) <= chainScratch && alignof(Item) <= chainAlignment);
 
-/// `fixed`: the number of nodes, where it is known when this is compiled, otherwise 0.
-template <std::size_t fixed>
+/// `fixed`: the number of nodes, where it is known when this is compiled, otherwise 0. With
+/// `heldRoot` nothing is computed for node 0.
+template <std::size_t fixed, bool heldRoot>
 class Chains {
 public:
     Chains(const ChainView& view, const ChainRules& rules, const ChainBatch& batch,
@@ -240,8 +241,19 @@ private:
     Node& node(std::size_t i) const { return items_[i].node; }
     Link& link(std::size_t i) const { return items_[i].link; }
 
+    static constexpr std::size_t firstMoving = heldRoot ? 1 : 0;
+    Lanes inverseMassOf(std::size_t i) const {
+        return i < firstMoving ? all(0) : node(i).inverseMass;
+    }
+    Pairs movedOf(std::size_t i) const {
+        return i < firstMoving ? Pairs{all(0), all(0)} : node(i).moved;
+    }
+    Pairs displacementOf(std::size_t i) const {
+        return i < firstMoving ? Pairs{all(0), all(0)} : node(i).displacement;
+    }
+
     void load() {
-        for (std::size_t i = 0; i < count(); ++i) loadNode(i);
+        for (std::size_t i = firstMoving; i < count(); ++i) loadNode(i);
         for (std::size_t i = 1; i < count(); ++i) loadLink(i);
     }
 
@@ -266,15 +278,16 @@ private:
     void loadLink(std::size_t i) {
         Link& l = link(i);
         l.apart = gather(view_.position, particles(i)) - gather(view_.position, particles(i - 1));
-        l.masses = node(i).inverseMass + node(i - 1).inverseMass;
+        l.masses = node(i).inverseMass + inverseMassOf(i - 1);
         l.rest = detail::load(batch_.rest + i * chainLanes + lane_);
         l.share = detail::load(batch_.share + i * chainLanes + lane_);
         const Lanes force = gatherOnes(view_.tension, joints(i));
         l.lambda = size(force) < all(rules_.maxForce) ? force : all(0);
+        l.inverse = l.back = l.ahead = all(0);
     }
 
     void prepare(double step) {
-        for (std::size_t i = 0; i < count(); ++i) node(i).moved = {all(0), all(0)};
+        for (std::size_t i = firstMoving; i < count(); ++i) node(i).moved = {all(0), all(0)};
         for (std::size_t i = 1; i < count(); ++i) {
             link(i).impulse = all(0);
             link(i).lambda = -link(i).lambda * step * step;
@@ -289,7 +302,7 @@ private:
             push = kick / (all(1) + half);
         }
         const Lanes most = all(rules_.maxSpeed);
-        for (std::size_t i = 0; i < count(); ++i) {
+        for (std::size_t i = firstMoving; i < count(); ++i) {
             Node& n = node(i);
             const Pairs kicked = keep * n.velocity + push * n.acceleration;
             n.velocity = where(n.inverseMass > all(0),
@@ -303,15 +316,17 @@ private:
         Pairs before{all(0), all(0)};
         for (std::size_t i = 1; i < count(); ++i) {
             Link& l = link(i);
-            l.now = l.apart + (node(i).moved - node(i - 1).moved);
+            l.now = l.apart + (node(i).moved - movedOf(i - 1));
             l.target = l.rest;
             l.scale = l.inverseLength = l.share;
             const Mask atRest = isAtRest(l);
             if (bits(atRest) != everyLane) directed &= measure(l, ~atRest, step);
             l.start = l.inverseLength * l.now;
             const Pairs push = l.lambda * l.start;
-            Node& there = node(i - 1);
-            there.displacement = there.displacement + there.inverseMass * (before - push);
+            if (i > firstMoving) {
+                Node& there = node(i - 1);
+                there.displacement = there.displacement + there.inverseMass * (before - push);
+            }
             before = push;
         }
         Node& end = node(count() - 1);
@@ -360,7 +375,7 @@ private:
         Lanes worst = all(0);
         for (std::size_t i = 1; i < count(); ++i) {
             Link& l = link(i);
-            const Pairs apart = l.now + (node(i).displacement - node(i - 1).displacement);
+            const Pairs apart = l.now + (node(i).displacement - displacementOf(i - 1));
             const Lanes square = dot(apart, apart);
             l.present = l.scale * apart;
             l.value = all(0.5) * (square * l.scale - l.target);
@@ -449,7 +464,7 @@ private:
             Link& l = link(i);
             const Pairs push = l.right * l.start;
             l.lambda = these ? l.lambda + l.right : l.lambda;
-            moveBy(node(i - 1), before - push, these);
+            if (i > firstMoving) moveBy(node(i - 1), before - push, these);
             before = push;
         }
         moveBy(node(last), before, these);
@@ -466,7 +481,8 @@ private:
         for (std::size_t i = 1; i < count(); ++i) {
             const Link& l = link(i);
             const Lanes pull = size(l.lambda) * l.inverseLength;
-            whip = larger(whip, all(2) * node(i - 1).inverseMass * (pullBefore + pull));
+            if (i > firstMoving)
+                whip = larger(whip, all(2) * node(i - 1).inverseMass * (pullBefore + pull));
             pullBefore = pull;
             turn = larger(turn, size(l.start.x * l.present.y - l.start.y * l.present.x));
             turn = dot(l.start, l.present) < all(0) ? all(2) : turn;
@@ -480,7 +496,7 @@ private:
 
     void finishStep(double step) {
         const Lanes rate = all(1 / step), most = all(rules_.maxSpeed * step);
-        for (std::size_t i = 0; i < count(); ++i) {
+        for (std::size_t i = firstMoving; i < count(); ++i) {
             Node& n = node(i);
             n.displacement = {limited(most, n.displacement.x), limited(most, n.displacement.y)};
             n.moved = n.moved + n.displacement;
@@ -491,7 +507,7 @@ private:
 
     Mask areFinite() const {
         Lanes sum = all(0);
-        for (std::size_t i = 0; i < count(); ++i) {
+        for (std::size_t i = firstMoving; i < count(); ++i) {
             const Pairs both = node(i).moved + node(i).velocity;
             sum += all(0) * both.x + all(0) * both.y;
         }
@@ -500,12 +516,22 @@ private:
     }
 
     void store(std::uint32_t done) {
-        for (std::size_t i = 0; i < count(); ++i) storeNode(i, done);
+        if (heldRoot) storeRoot(done);
+        for (std::size_t i = firstMoving; i < count(); ++i) storeNode(i, done);
         for (std::size_t i = 1; i < count(); ++i) {
             const Lanes whole = link(i).impulse * all(rules_.tick);
             for (std::size_t k = 0; k < width; ++k)
                 if ((done >> k & 1u) != 0)
                     view_.lambda[joints(i)[k]] = static_cast<SweepReal>(whole[k]);
+        }
+    }
+
+    void storeRoot(std::uint32_t done) {
+        for (std::size_t k = 0; k < width; ++k) {
+            if ((done >> k & 1u) == 0) continue;
+            storeTwoReals(view_.predicted + 2 * std::size_t{batch_.firsts[lane_ + k]},
+                          TwoReals{0, 0});
+            storeTwo(view_.force + 2 * std::size_t{particles(0)[k]}, Two{0, 0});
         }
     }
 
@@ -536,7 +562,7 @@ private:
     Lanes whip_ = all(0), turn_ = all(0);
 };
 
-template <std::size_t fixed>
+template <std::size_t fixed, bool heldRoot>
 ChainOutcome stepLanes(const ChainView& view, const ChainRules& rules, const ChainBatch& batch,
                        void* scratch) {
     ChainOutcome whole{0, 0};
@@ -544,11 +570,18 @@ ChainOutcome stepLanes(const ChainView& view, const ChainRules& rules, const Cha
         if ((batch.lanes >> lane & everyLane) == 0) continue;
         Item local[fixed == 0 ? 1 : fixed];
         Item* items = fixed == 0 ? static_cast<Item*>(scratch) : local;
-        const ChainOutcome some = Chains<fixed>(view, rules, batch, lane, items).run();
+        const ChainOutcome some = Chains<fixed, heldRoot>(view, rules, batch, lane, items).run();
         whole.done |= some.done << lane;
         whole.calm |= some.calm << lane;
     }
     return whole;
+}
+
+template <std::size_t fixed>
+ChainOutcome stepLanes(const ChainView& view, const ChainRules& rules, const ChainBatch& batch,
+                       void* scratch) {
+    return batch.heldRoot ? stepLanes<fixed, true>(view, rules, batch, scratch)
+                          : stepLanes<fixed, false>(view, rules, batch, scratch);
 }
 
 ChainOutcome stepChains(const ChainView& view, const ChainRules& rules, const ChainBatch& batch,

@@ -81,7 +81,7 @@ void listAwakeParticles(State& state) {
         // When some fall asleep, the ranges of the others fall apart.
         list->reserve(state.bodies.size());
     }
-    work.awakeParticles = 0;
+    work.awakeParticles = work.awakeSurfaces = 0;
     work.heldNodes.clear();
     const std::vector<std::uint8_t>& held = heldByTrees(state);
     for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
@@ -93,7 +93,10 @@ void listAwakeParticles(State& state) {
         const auto size = static_cast<std::uint32_t>(body.particles.size());
         work.awakeParticles += size;
         for (auto i = body.firstParticle; i < body.firstParticle + size; ++i) {
-            append(work.awake, i);
+            if (state.particles.reach[i] > 0) {
+                append(work.awake, i);
+                ++work.awakeSurfaces;
+            }
             if (state.particles.cluster[i] != none) continue;
             append(work.points, i);
             if (state.trees.ofParticle[i] != none) continue;
@@ -209,6 +212,8 @@ void applyChanges(State& state) {
     watchStrain(state);
     if (state.structure.stale) deriveStructure(state);
     if (!state.work.stale) return;
+    // The broad phase derives it later in the tick; the lists need it now.
+    if (state.broad.collidersStale) updateReach(state);
     listTrees(state);
     listAwakeParticles(state);
     listClusters(state);

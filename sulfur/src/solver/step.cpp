@@ -29,7 +29,7 @@ void clearStatistics(Statistics& statistics) {
 /// What the stages of collision and constraints loop over.
 void noteItems(State& state) {
     const WorkLists& work = state.work;
-    state.looked(Stage::broadPhase, work.awakeParticles);
+    state.looked(Stage::broadPhase, work.awakeSurfaces);
     state.looked(Stage::narrowPhase, state.broad.candidates.size());
     state.looked(Stage::constraints,
                  state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +

@@ -28,6 +28,12 @@ bool isChainOfRigidLinks(const State& state, std::uint32_t index) {
     });
 }
 
+/// Whether a particle never leaves its place: its displacement is zero in every tick.
+bool isHeld(const State& state, std::uint32_t particle) {
+    return state.particles.inverseMass[particle] == 0 &&
+           state.bodies[state.particles.body[particle]].kind != BodyKind::kinematic;
+}
+
 /// A batch of the chains [first, first + count).
 void addBatch(State& state, const std::uint32_t* first, std::size_t count) {
     ChainBatches& batches = state.work.chains;
@@ -35,7 +41,11 @@ void addBatch(State& state, const std::uint32_t* first, std::size_t count) {
     batch.nodes = nodesOf(state, *first);
     batch.lanes = static_cast<std::uint32_t>(count);
     batch.indices = static_cast<std::uint32_t>(batches.particles.size());
-    for (std::size_t k = 0; k < chainLanes; ++k) batch.trees[k] = first[k < count ? k : 0];
+    for (std::size_t k = 0; k < chainLanes; ++k) {
+        batch.trees[k] = first[k < count ? k : 0];
+        batch.firsts[k] = state.trees.list[batch.trees[k]].first;
+        batch.heldRoot &= isHeld(state, state.trees.nodes[batch.firsts[k]].particle);
+    }
     for (std::uint32_t i = 0; i < batch.nodes; ++i)
         for (const auto tree : batch.trees) {
             const TreeNode& node = state.trees.nodes[state.trees.list[tree].first + i];
@@ -102,28 +112,26 @@ private:
     }
 
     void step(const LanesOfChains& lanes) {
-        ChainBatch batch;
-        std::uint32_t firsts[chainLanes];
-        for (std::size_t k = 0; k < chainLanes; ++k) {
-            firsts[k] = tree(lanes, k).first;
-            batch.lastStep[k] = tree(lanes, k).lastStep;
-        }
         const ChainBatches& all = state_.work.chains;
+        ChainBatch batch;
         batch.nodes = lanes.nodes;
         batch.particles = all.particles.data() + lanes.indices;
         batch.joints = all.joints.data() + lanes.indices;
         batch.inverseMass = all.inverseMass.data() + lanes.indices;
         batch.rest = all.rest.data() + lanes.indices;
         batch.share = all.share.data() + lanes.indices;
-        batch.firsts = firsts;
+        batch.firsts = lanes.firsts.data();
+        batch.heldRoot = lanes.heldRoot;
         if (scratch_.size() < lanes.nodes) scratch_.resize(lanes.nodes);
         // Those that need as many steps go together.
         for (std::uint32_t waiting = (1u << lanes.lanes) - 1; waiting != 0;) {
             batch.steps = tree(lanes, static_cast<std::size_t>(std::countr_zero(waiting))).steps;
             batch.lanes = 0;
-            for (std::size_t k = 0; k < chainLanes; ++k)
-                if ((waiting >> k & 1u) != 0 && tree(lanes, k).steps == batch.steps)
-                    batch.lanes |= 1u << k;
+            for (std::size_t k = 0; k < chainLanes; ++k) {
+                const Tree& chain = tree(lanes, k);
+                batch.lastStep[k] = chain.lastStep;
+                if (chain.steps == batch.steps) batch.lanes |= waiting & 1u << k;
+            }
             waiting &= ~batch.lanes;
             stepTogether(lanes, batch);
         }
@@ -135,17 +143,17 @@ private:
         const double step = rules_.tick / batch.steps;
         if ((batch.lanes & (batch.lanes - 1)) != 0 && batch.steps < mostSteps)
             outcome = kernels_.step(view_, rules_, batch, scratch_.data());
-        for (std::size_t k = 0; k < chainLanes; ++k) {
+        for (std::uint32_t k = 0; k < lanes.lanes; ++k) {
             if ((batch.lanes >> k & 1u) == 0) continue;
             if ((outcome.done >> k & 1u) == 0) {
                 left_.push_back(lanes.trees[k]);
                 continue;
             }
+            state_.statistics.chainSteps += batch.steps;
+            ++state_.statistics.chainsInLanes;
             Tree& chain = tree(lanes, k);
             chain.lastStep = step;
-            state_.statistics.chainSteps += chain.steps;
-            ++state_.statistics.chainsInLanes;
-            if ((outcome.calm >> k & 1u) != 0 && chain.steps > 1) chain.steps /= 2;
+            if ((outcome.calm >> k & 1u) != 0 && batch.steps > 1) chain.steps /= 2;
         }
     }
 

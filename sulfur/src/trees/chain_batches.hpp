@@ -14,10 +14,12 @@ struct State;
 /// Chains of as many nodes each, one a lane. Lanes that are left over repeat the first one and take
 /// no part.
 struct LanesOfChains {
-    std::uint32_t nodes = 0;                        // of each
-    std::uint32_t lanes = 0;                        // that take part, the first ones
-    std::uint32_t indices = 0;                      // where those of its nodes begin
-    std::array<std::uint32_t, chainLanes> trees{};  // of each lane
+    std::uint32_t nodes = 0;                         // of each
+    std::uint32_t lanes = 0;                         // that take part, the first ones
+    std::uint32_t indices = 0;                       // where those of its nodes begin
+    bool heldRoot = true;                            // nothing moves the first node of any lane
+    std::array<std::uint32_t, chainLanes> trees{};   // of each lane
+    std::array<std::uint32_t, chainLanes> firsts{};  // of each lane, its node among all
 };
 
 /// Derived from the trees that move alone and are awake.

@@ -18,6 +18,10 @@ public:
         ((bytes_ += vectors.size() * sizeof(typename Vectors::value_type)), ...);
         return *this;
     }
+    Sum& addBytes(std::size_t bytes) {
+        bytes_ += bytes;
+        return *this;
+    }
     MemoryUse as(const char* name, std::size_t items, bool hot) const {
         return {name, items, bytes_, hot};
     }
@@ -118,7 +122,9 @@ MemoryUse ofBodies(const State& state) {
     Sum sum;
     sum.add(state.bodies, state.bodyIds, state.attachments);
     for (const auto& body : state.bodies) sum.add(body.particles, body.joints, body.name);
-    return sum.as("bodies, with their handles", state.bodies.size(), false);
+    sum.addBytes(state.particleSlots.bytes() + state.jointSlots.bytes() + state.bodySlots.bytes() +
+                 state.attachmentSlots.bytes());
+    return sum.as("bodies, and all handles", state.bodies.size(), false);
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ struct Structure {
 /// What the stages loop over, so that they never ask each particle whether it takes part.
 /// Derived from the structure and from who is awake whenever `stale`.
 struct WorkLists {
-    std::vector<Range> awake;   // particles of bodies that move
-    std::vector<Range> points;  // of these, the ones in no cluster
+    std::vector<Range> awake;   // particles of bodies that move, those with a surface
+    std::vector<Range> points;  // all particles of bodies that move but those in clusters
     std::vector<Range> free;    // of these, the ones in no tree that moves alone
     std::vector<std::uint32_t> awakeClusters;
     std::vector<std::uint32_t> clusters;         // of these, the ones in no tree that moves alone
@@ -80,8 +80,8 @@ struct WorkLists {
     std::vector<std::uint32_t> kinematic;   // of these
     std::vector<std::uint32_t> strained;    // bodies that were bent out of shape
     std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
-    std::uint32_t awakeParticles = 0;
-    std::uint32_t sleepers = 0;  // bodies
+    std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
+    std::uint32_t sleepers = 0;                           // bodies
     bool stale = true;
 };
 

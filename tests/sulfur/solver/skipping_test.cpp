@@ -234,6 +234,12 @@ TEST(Skipping, ContactsOnlyWhereSomethingIsNear) {
     EXPECT_EQ(world.statistics().contacts, 0u);
 }
 
+/// What has no surface touches nothing.
+TEST(Skipping, TheBroadPhaseLooksAtSurfacesOnly) {
+    EXPECT_EQ(withNet(0, infinite)->statistics().awakeParticles, 4u);
+    EXPECT_EQ(itemsOf(*withNet(0, infinite), Stage::broadPhase), 0u);
+}
+
 TEST(Skipping, FastMoversAreHeldBackOnlyWhereSomeAre) {
     std::uint32_t slow = 0, fast = 0;
     const auto atEase = flight(1, true), hurried = flight(200, true);
