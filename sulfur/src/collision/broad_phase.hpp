@@ -26,11 +26,35 @@ struct CoarseGrid {
 /// few tens of cells of the next.
 inline constexpr double coarsening = 64;
 
-/// How far the sides of a candidate were apart when they were rasterised, beyond where a contact
+/// A candidate, and how far its sides were apart when they were rasterised, beyond where a contact
 /// is made.
 struct Watch {
-    std::uint32_t particle = 0, a = 0, b = 0;
+    Candidate candidate;
+    std::uint32_t a = 0, b = 0;  // the collider's particles
+    Real spare = 0;              // m
+
+    friend bool operator<(const Watch& p, const Watch& q) { return p.candidate < q.candidate; }
+};
+
+/// Two colliders, and how far they may come towards each other before they can cross.
+struct WatchedPair {
+    std::uint32_t first = 0, second = 0;
     Real spare = 0;  // m
+};
+
+/// Neighbours in a list of candidates or pairs that have a particle or body on either side in
+/// common, with the least spare of them: mostly one look is enough for all.
+struct WatchRun {
+    std::uint32_t first = 0, last = 0;  // in the list
+    std::uint32_t one = 0, other = 0;   // of candidates, a particle and a body; of pairs, bodies
+    Real spare = 0;                     // m
+};
+
+/// How far everything is at most, or with this tick's displacement will be, from where it was
+/// rasterised.
+struct Outings {
+    std::vector<Real> ofParticle;  // m
+    std::vector<Real> ofBody;      // m, of its farthest particle; of bodies tied by capsules, of both
 };
 
 /// The grid and the candidates that came out of it. They stay valid until some collider has left
@@ -47,16 +71,14 @@ struct BroadPhase {
     std::array<CoarseGrid, 4> coarse;
     Grid movingGrid;
     Grid fixedGrid;
-    double cellSize = 1;                // m
-    double reach = 0;                   // m, the largest radius of any collider
-    std::vector<Candidate> candidates;  // sorted, without duplicates
-    std::vector<std::uint64_t> pairs;   // of colliders, sorted; scratch and for crossings
-    std::vector<Watch> watches;         // of each candidate
-    std::vector<Real> spareOfPair;      // m, how far the two may come towards each other to cross
-    /// How far each particle is, or with this tick's displacement will be, from where it was then,
-    /// at most.
-    std::vector<Real> outing;                                     // m
+    double cellSize = 1;             // m
+    double reach = 0;                // m, the largest radius of any collider
+    std::vector<Watch> watches;      // sorted by candidates, without duplicates
+    std::vector<WatchedPair> pairs;  // of colliders, sorted, without duplicates; for crossings
+    std::vector<WatchRun> watchRuns, pairRuns;
+    Outings outings;  // by the predicted displacements
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;    // bodies, by joints between them
     Outlines outlines;
     Spokes spokes;
     std::vector<std::uint32_t> surface;  // per particle: the joint whose surface it shows, or none
@@ -79,10 +101,36 @@ struct BroadPhase {
     }
 };
 
-/// Whether the two sides cannot have come near enough to each other. What moves by more than its
-/// thickness is stopped up to half of that before it touches: hence twice.
-inline bool staysApart(const std::vector<Real>& outing, const Watch& w) {
-    return 2 * (outing[w.particle] + std::max(outing[w.a], outing[w.b])) < w.spare;
+/// Calls f(const Watch&), in their order, for all candidates whose sides can have come near enough
+/// to each other. What moves by more than its thickness is stopped up to half of that before it
+/// touches: hence twice.
+template <class Function>
+void forEachNear(const BroadPhase& broad, const Outings& outings, Function&& f) {
+    const auto& out = outings.ofParticle;
+    for (const WatchRun& run : broad.watchRuns) {
+        if (2 * (out[run.one] + outings.ofBody[run.other]) < run.spare) continue;
+        for (auto k = run.first; k < run.last; ++k) {
+            const Watch& w = broad.watches[k];
+            if (2 * (out[w.candidate.particle] + std::max(out[w.a], out[w.b])) >= w.spare) f(w);
+        }
+    }
+}
+
+/// Calls f(const WatchedPair&), in their order, for all pairs of colliders that can have come to
+/// cross each other.
+template <class Function>
+void forEachNearPair(const BroadPhase& broad, const Outings& outings, Function&& f) {
+    const auto outingOf = [&](const Collider& c) {
+        return std::max(outings.ofParticle[c.a], outings.ofParticle[c.b]);
+    };
+    for (const WatchRun& run : broad.pairRuns) {
+        if (outings.ofBody[run.one] + outings.ofBody[run.other] < run.spare) continue;
+        for (auto k = run.first; k < run.last; ++k) {
+            const WatchedPair& pair = broad.pairs[k];
+            const Collider &a = broad.collider(pair.first), &b = broad.collider(pair.second);
+            if (outingOf(a) + outingOf(b) >= pair.spare) f(pair);
+        }
+    }
 }
 
 /// A place in units of cells. Cells are numbered by 32 bits; what is beyond shares the outermost.

@@ -19,7 +19,7 @@ struct Collider {
     friend bool operator==(const Collider&, const Collider&) = default;
 };
 
-/// A pair that the broad phase found: particle `particle` against collider `collider`.
+/// What the narrow phase may look at: particle `particle` against collider `collider`.
 struct Candidate {
     std::uint32_t particle = 0;
     std::uint32_t collider = 0;

@@ -40,16 +40,21 @@ Real sustained(const State& state, const Contact& c) {
 
 }  // namespace
 
-const ContactMemory* recall(const std::vector<ContactMemory>& memory, std::uint32_t particle,
-                            std::uint32_t a, std::uint32_t b) {
+void indexMemory(State& state) {
+    auto& start = state.memoryStart;
+    start.assign(state.particles.size() + 1, 0);
+    for (const ContactMemory& m : state.contactMemory) ++start[m.particle + 1];
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+}
+
+const ContactMemory* recall(const State& state, std::uint32_t particle, std::uint32_t a,
+                            std::uint32_t b) {
     const ContactMemory* neighbour = nullptr;
-    auto at = std::lower_bound(
-        memory.begin(), memory.end(), particle,
-        [](const ContactMemory& m, std::uint32_t wanted) { return m.particle < wanted; });
-    for (; at != memory.end() && at->particle == particle; ++at) {
-        if (at->a == a && at->b == b) return &*at;
-        const bool shares = at->a == a || at->a == b || at->b == a || at->b == b;
-        if (shares && !neighbour) neighbour = &*at;
+    for (auto k = state.memoryStart[particle]; k < state.memoryStart[particle + 1]; ++k) {
+        const ContactMemory& m = state.contactMemory[k];
+        if (m.a == a && m.b == b) return &m;
+        const bool shares = m.a == a || m.a == b || m.b == a || m.b == b;
+        if (shares && !neighbour) neighbour = &m;
     }
     return neighbour;
 }

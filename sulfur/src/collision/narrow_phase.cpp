@@ -168,7 +168,7 @@ bool meetsCorner(const State& state, const Touch& t, std::uint32_t corner) {
 /// pressed through, and the normal keeps its direction.
 void keepSide(const State& state, Touch& t) {
     if (t.meeting.distance > t.thickness || t.meeting.fraction > 0) return;
-    const ContactMemory* before = recall(state.contactMemory, t.particle, t.a, t.b);
+    const ContactMemory* before = recall(state, t.particle, t.a, t.b);
     if (!before || before->normal.dot(t.meeting.normal) >= 0) return;
     t.meeting.normal = -t.meeting.normal;
     t.meeting.distance = -t.meeting.distance;
@@ -268,17 +268,12 @@ void considerEnd(const State& state, std::uint32_t particle, std::uint32_t colli
 void findCrossings(State& state, std::vector<Crossing>& found) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
-    const auto outingOf = [&](const Collider& c) {
-        return std::max(broad.outing[c.a], broad.outing[c.b]);
-    };
-    for (std::size_t k = 0; k < broad.pairs.size(); ++k) {
-        const auto i = static_cast<std::uint32_t>(broad.pairs[k] >> 32);
-        const auto j = static_cast<std::uint32_t>(broad.pairs[k]);
+    forEachNearPair(broad, broad.outings, [&](const WatchedPair& pair) {
+        const auto i = pair.first, j = pair.second;
         const Collider& a = broad.collider(i);
         const Collider& b = broad.collider(j);
-        if (outingOf(a) + outingOf(b) < broad.spareOfPair[k]) continue;
-        if (a.a == a.b || b.a == b.b || !segmentsCross(x[a.a], x[a.b], x[b.a], x[b.b])) continue;
-        if (areEntwined(state, a.body, b.body) || moveAsOne(state, a.a, b)) continue;
+        if (a.a == a.b || b.a == b.b || !segmentsCross(x[a.a], x[a.b], x[b.a], x[b.b])) return;
+        if (areEntwined(state, a.body, b.body) || moveAsOne(state, a.a, b)) return;
         Crossing best;
         best.meeting.distance = std::numeric_limits<Real>::max();
         considerEnd(state, a.a, j, best);
@@ -286,7 +281,7 @@ void findCrossings(State& state, std::vector<Crossing>& found) {
         considerEnd(state, b.a, i, best);
         considerEnd(state, b.b, i, best);
         found.push_back(best);
-    }
+    });
     std::sort(found.begin(), found.end(),
               [](const Crossing& a, const Crossing& b) { return a.end < b.end; });
 }
@@ -313,15 +308,15 @@ void findContacts(State& state) {
     state.contacts.clear();
     state.knocked.clear();
     partEntwined(state);
+    indexMemory(state);
     thread_local std::vector<Crossing> crossings;  // nearly always empty
     crossings.clear();
     findCrossings(state, crossings);
     const BroadPhase& broad = state.broad;
-    for (std::size_t k = 0; k < broad.candidates.size(); ++k) {
-        if (staysApart(broad.outing, broad.watches[k])) continue;
-        const Candidate& candidate = broad.candidates[k];
-        if (crossings.empty() || !isCrossing(crossings, candidate)) consider(state, candidate);
-    }
+    forEachNear(broad, broad.outings, [&](const Watch& watch) {
+        if (crossings.empty() || !isCrossing(crossings, watch.candidate))
+            consider(state, watch.candidate);
+    });
     for (const Crossing& crossing : crossings) considerCrossing(state, crossing);
     state.statistics.contacts = static_cast<std::uint32_t>(state.contacts.size());
 }

@@ -39,6 +39,8 @@ public:
                generation_[id.index - 1] == id.generation && dense_[id.index - 1] != none;
     }
 
+    /// The largest index of any handle that was given out.
+    std::size_t slots() const { return dense_.size(); }
     std::uint32_t dense(Id id) const { return dense_[id.index - 1]; }
     void move(Id id, std::uint32_t denseIndex) { dense_[id.index - 1] = denseIndex; }
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "kernels/chain_lanes.hpp"
+#include "kernels/contact_sweep.hpp"
 #include "kernels/joint_sweep.hpp"
 #include "kernels/particle_motion.hpp"
 
@@ -64,6 +65,13 @@ const ChainKernels& chainKernels() {
     if (mayUse(Instructions::avx2)) return avx2Chains;
 #endif
     return baselineChains;
+}
+
+const ContactKernels& contactKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Contacts;
+#endif
+    return baselineContacts;
 }
 
 }  // namespace sulfur::detail

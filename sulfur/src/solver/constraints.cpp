@@ -7,6 +7,7 @@
 #include "rigid/loads.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_forest.hpp"
+#include "solver/contact_rows.hpp"
 #include "solver/grabs.hpp"
 #include "solver/hold_back.hpp"
 #include "solver/impacts.hpp"
@@ -19,6 +20,9 @@ namespace sulfur::detail {
 /// links then move by more than they are long, and each sweep is a step of Newton's method.
 constexpr int mostForTrees = 24;
 
+/// And of contacts alone, where sweeps leave something pressed into something else.
+constexpr int mostForDepth = 16;
+
 namespace {
 
 /// Whether anything but contacts is solved in sweeps. Without, they end as soon as contacts hold.
@@ -30,39 +34,73 @@ bool sweepsOthers(const State& state) {
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
-}  // namespace
+/// All contacts at once along the paths of load, where they are left with an error. Motions are with
+/// the rows before and after.
+void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
+    rows.giveMotions(state);
+    rows.giveMultipliers(state);
+    forest.solve(state);
+    rows.takeMotions(state);
+    rows.takeMultipliers(state);
+}
 
-void solveConstraints(State& state) {
-    clearMultipliers(state);
-    startGrabs(state);
-    touchTrees(state);
-    warmStartContacts(state);
-    recoverDrifts(state);
-    thread_local ContactForest forest;
-    forest.forget(state);
-    const bool contactsAlone = !sweepsOthers(state);
-    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
-        if (sweep > 0 && contactsAlone && !ContactForest::isNeeded(state)) break;
+/// Where all contacts are in blocks and nothing else is swept, their motions stay there. The forest
+/// comes first, so that sweeps begin near the solution, and last, for what they have left. One sweep
+/// there is always: errors that are not worth more must not add up from tick to tick.
+void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) {
+    bool anyError = rows.anyError(state);
+    if (anyError) solveForest(state, rows, forest);
+    for (int sweep = 0; sweep == 0 || (anyError && sweep < state.settings.sweeps); ++sweep) {
+        rows.sweep(sweep % 2 != 0);
+        anyError = rows.anyError(state);
+    }
+    if (anyError) solveForest(state, rows, forest);
+    rows.giveMotions(state);
+}
+
+/// Between what else is swept, the forest takes part in the last sweep and every other one before.
+void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
+    const int last = state.settings.sweeps - 1;
+    for (int sweep = 0; sweep <= last; ++sweep) {
         solveImplicitJoints(state);
-        solveContacts(state, sweep % 2 != 0);
-        // In the last sweep and every other one before: what it has mended, sweeps keep.
-        if ((state.settings.sweeps - sweep) % 2 != 0) forest.solve(state);
+        rows.sweep(state, sweep % 2 != 0);
+        rows.takeMotions(state);
+        if ((last - sweep) % 2 == 0 && rows.anyError(state)) solveForest(state, rows, forest);
         solveAttachments(state);
         solveGrabs(state);
         solveRigidJoints(state);
         sweepTrees(state);
     }
     for (int i = 0; i < mostForTrees && treesAreStrained(state); ++i) {
-        solveContacts(state, i % 2 != 0);
+        rows.sweep(state, i % 2 != 0);
         solveAttachments(state);
         sweepTrees(state);
     }
+    rows.takeMotions(state);
+    for (int i = 0; i < mostForDepth && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
+    rows.giveMotions(state);
+}
+
+}  // namespace
+
+void solveConstraints(State& state) {
+    thread_local ContactForest forest;
+    thread_local ContactRows rows;
+    clearMultipliers(state);
+    startGrabs(state);
+    touchTrees(state);
+    warmStartContacts(state);
+    forest.forget(state);
+    rows.collect(state);
+    rows.warmStart(state);
+    const bool contactsAlone = rows.takesAll() && !sweepsOthers(state);
+    (contactsAlone ? sweepContactsAlone : sweepAll)(state, rows, forest);
+    rows.giveMultipliers(state);
     guardContacts(state);
     limitImpacts(state);
     holdBack(state);
     finishContacts(state);
-    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) solveRecovery(state);
-    applyRecovery(state);
+    rows.recover(state);
     recordTreeForces(state);
     recordForces(state);
     recoverLoads(state);

@@ -1,8 +1,8 @@
 #include "solver/contact_forest.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/bucket_sort.hpp"
 #include "rigid/grip.hpp"
 #include "solver/contact_motion.hpp"
 
@@ -13,10 +13,6 @@ namespace {
 /// Of the penalty, in effective masses of the contact: what is left of an error is about a part in
 /// so many, and rounding, in double, is far below.
 constexpr double stiffnessOfPenalty = 1e5;
-
-/// What sweeps may leave. It does not add up: gaps and drifts are those of the places, and the next
-/// tick takes back what this one has left.
-constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
 
 /// Of the active set, in a sweep.
 constexpr int mostSteps = 2;
@@ -79,9 +75,8 @@ void ContactForest::collectContacts(const State& state) {
         if (a > b) std::swap(a, b);
         if (a != none) keyed_.push_back({a << 32 | b, i});
     }
-    std::sort(keyed_.begin(), keyed_.end(), [](const Keyed& p, const Keyed& q) {
-        return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
-    });
+    bucketSort(keyed_, keyedScratch_, start_, nodes_.size(),
+               [](const Keyed& k) { return static_cast<std::uint32_t>(k.nodes >> 32); });
 }
 
 void ContactForest::collectEdges(const State& state) {
@@ -101,15 +96,15 @@ void ContactForest::collectEdges(const State& state) {
 
 /// A spanning forest of those edges that carry most (Kruskal). What does not move closes no cycle.
 void ContactForest::chooseEdges() {
-    byLoad_.resize(edges_.size());
-    std::iota(byLoad_.begin(), byLoad_.end(), 0u);
-    std::sort(byLoad_.begin(), byLoad_.end(), [&](std::uint32_t p, std::uint32_t q) {
-        if (edges_[p].carried != edges_[q].carried) return edges_[p].carried > edges_[q].carried;
-        return p < q;
-    });
+    byLoad_.clear();
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        edges_[e].chosen = edges_[e].b == none;
+        if (!edges_[e].chosen) byLoad_.push_back({-edges_[e].carried, e});
+    }
+    std::sort(byLoad_.begin(), byLoad_.end());
     trees_.reset(nodes_.size());
-    for (const auto e : byLoad_)
-        edges_[e].chosen = edges_[e].b == none || trees_.unite(edges_[e].a, edges_[e].b);
+    for (const auto& [load, e] : byLoad_)
+        edges_[e].chosen = trees_.unite(edges_[e].a, edges_[e].b);
 }
 
 /// Parents before their children.
@@ -131,12 +126,14 @@ void ContactForest::orderNodes() {
     order_.clear();
     for (std::uint32_t root = 0; root < nodes_.size(); ++root) {
         if (trees_.find(root) != root) continue;
+        nodes_[root].root = root;
         order_.push_back(root);
         for (auto at = order_.size() - 1; at < order_.size(); ++at) {
             const auto i = order_[at];
             for (auto k = start_[i]; k < start_[i + 1]; ++k) {
                 if (neighbour_[k] == nodes_[i].parent) continue;
                 nodes_[neighbour_[k]].parent = i;
+                nodes_[neighbour_[k]].root = root;
                 order_.push_back(neighbour_[k]);
             }
         }
@@ -192,6 +189,7 @@ bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
 void ContactForest::activateRows(const State& state) {
     active_.clear();
     for (std::uint32_t r = 0; r < rows_.size(); r += 2) {
+        if (!nodes_[nodes_[edges_[rows_[r].edge].a].root].unfinished) continue;
         const auto i = rows_[r].contact;
         const Contact& c = state.contacts[i];
         const Real gap = gapLeft(state, c);
@@ -209,9 +207,10 @@ void ContactForest::activateRows(const State& state) {
 /// (M + sum of weight J^T J) u = - sum of weight J^T error.
 void ContactForest::assemble(const State& state) {
     for (Node& node : nodes_) {
+        node.motion.setZero();
+        if (!nodes_[node.root].unfinished) continue;
         node.system = masses(state, node.cluster, node.particle).asDiagonal();
         node.towardsParent.setZero();
-        node.motion.setZero();
     }
     for (const ActiveRow& active : active_) {
         const Row& row = rows_[active.row];
@@ -236,6 +235,7 @@ void ContactForest::assemble(const State& state) {
 void ContactForest::eliminate() {
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
         Node& node = nodes_[*i];
+        if (!nodes_[node.root].unfinished) continue;
         const Cholesky3 system(node.system);
         node.motion = system.solve(node.motion);
         if (node.parent == none) continue;
@@ -250,7 +250,7 @@ void ContactForest::eliminate() {
 /// And back.
 void ContactForest::substitute() {
     for (const auto i : order_)
-        if (nodes_[i].parent != none)
+        if (nodes_[i].parent != none && nodes_[nodes_[i].root].unfinished)
             nodes_[i].motion -= nodes_[i].towardsParent * nodes_[nodes_[i].parent].motion;
 }
 
@@ -281,24 +281,47 @@ Real ContactForest::allowed(const State& state, const ActiveRow& active) const {
                     share(bound + c.tangentLambda, -active.change - growth));
 }
 
-/// Takes the step as far as all rows allow, and lets go of those that allowed no more. Returns
-/// whether there were any.
-bool ContactForest::takeStep(State& state) {
-    Real step = 1;
-    for (ActiveRow& active : active_)
+/// As far as its rows allow, per tree.
+void ContactForest::findSteps(const State& state) {
+    for (Node& node : nodes_) node.step = 1;
+    for (ActiveRow& active : active_) {
+        Real& step = nodes_[treeOf(active)].step;
         step = std::min(step, active.allowed = allowed(state, active));
-    for (const ActiveRow& active : active_) {
-        const bool isNormal = rows_[active.row].isNormal;
-        Contact& c = state.contacts[rows_[active.row].contact];
-        const Real change = step * active.change;
-        (isNormal ? c.normalLambda : c.tangentLambda) += change;
-        push(state, c, change * (isNormal ? c.normal : tangentOf(c)));
     }
-    if (step == 1) return false;
-    for (const ActiveRow& active : active_)
-        if (active.allowed <= step)
-            (rows_[active.row].isNormal ? given_ : slipping_)[rows_[active.row].contact] = 1;
-    return true;
+}
+
+/// Moves the nodes by what the impulses of their rows make of them.
+void ContactForest::moveNodes(State& state) const {
+    for (const Node& node : nodes_) {
+        const Vector3 motion = static_cast<double>(nodes_[node.root].step) * node.motion;
+        const Vec2 displacement = motion.head<2>().cast<Real>();
+        if (node.cluster == none) {
+            state.particles.displacement[node.particle] += displacement;
+            continue;
+        }
+        Cluster& c = state.clusters.list[node.cluster];
+        c.displacement += displacement;
+        turnBy(c, motion[2]);
+    }
+}
+
+/// Takes each tree's step, and lets go of those rows that allowed no more. Returns whether there
+/// were any; of a tree in which there were none nothing is active any more.
+bool ContactForest::takeStep(State& state) {
+    findSteps(state);
+    moveNodes(state);
+    bool anyGiven = false;
+    for (const ActiveRow& active : active_) {
+        const Row& row = rows_[active.row];
+        Node& tree = nodes_[treeOf(active)];
+        Contact& c = state.contacts[row.contact];
+        (row.isNormal ? c.normalLambda : c.tangentLambda) += tree.step * active.change;
+        if (tree.step == 1 || active.allowed > tree.step) continue;
+        anyGiven = true;
+        tree.unfinished = true;
+        (row.isNormal ? given_ : slipping_)[row.contact] = 1;
+    }
+    return anyGiven;
 }
 
 void ContactForest::forget(const State& state) {
@@ -312,22 +335,11 @@ void ContactForest::forget(const State& state) {
     slipping_.reserve(2 * contacts);
 }
 
-bool ContactForest::isNeeded(const State& state) {
-    const Real mostError = mostErrorSpeed * state.h;
-    for (const Contact& c : state.contacts) {
-        const Real gap = gapLeft(state, c);
-        if (gap < -mostError || (c.normalLambda > 0 && gap > mostError)) return true;
-        if (c.normalLambda > 0 && c.rough && !c.sliding && std::abs(slipOf(state, c)) > mostError)
-            return true;
-    }
-    return false;
-}
-
 void ContactForest::solve(State& state) {
-    if (!isNeeded(state)) return;
     if (!grown_) grow(state);
     given_.assign(state.contacts.size(), 0);
     slipping_.assign(state.contacts.size(), 0);
+    for (Node& node : nodes_) node.unfinished = true;
     for (int i = 0; i < mostSteps; ++i) {
         activateRows(state);
         if (active_.empty()) return;
@@ -335,6 +347,7 @@ void ContactForest::solve(State& state) {
         eliminate();
         substitute();
         findChanges();
+        for (Node& node : nodes_) node.unfinished = false;
         if (!takeStep(state)) return;
     }
 }

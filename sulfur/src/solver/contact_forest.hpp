@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/cholesky3.hpp"
@@ -20,13 +21,10 @@ namespace sulfur::detail {
 /// Holds scratch memory only.
 class ContactForest {
 public:
-    /// Whether a contact that pushes is left with an error, or one that should push does not.
-    static bool isNeeded(const State& state);
     /// A new tick: other contacts. Makes room for as many again, so that the first error does not
     /// allocate when it comes.
     void forget(const State& state);
     /// Changes multipliers and displacements so that the active constraints of each tree hold.
-    /// Does nothing where the sweeps have left no error.
     void solve(State& state);
 
 private:
@@ -37,8 +35,12 @@ private:
     struct Node {
         std::uint32_t cluster = none, particle = none;
         std::uint32_t parent = none;    // node
+        std::uint32_t root = none;      // of its tree
         Matrix3 system, towardsParent;  // of the linear system, then what elimination makes of it
         Vector3 motion;                 // the right-hand side, then the solution
+        // Of a root, for its tree.
+        Real step = 1;  // share of the motion that the rows allow
+        bool unfinished = true;
     };
     /// All contacts between two nodes, or of one node with what does not move.
     struct Edge {
@@ -66,6 +68,10 @@ private:
     struct Keyed {
         std::uint64_t nodes = 0;
         std::uint32_t contact = 0;
+
+        friend bool operator<(const Keyed& p, const Keyed& q) {
+            return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
+        }
     };
 
     void grow(const State& state);
@@ -83,15 +89,21 @@ private:
     void substitute();
     void findChanges();
     Real allowed(const State& state, const ActiveRow& active) const;
+    std::uint32_t treeOf(const ActiveRow& active) const {
+        return nodes_[edges_[rows_[active.row].edge].a].root;
+    }
+    void findSteps(const State& state);
+    void moveNodes(State& state) const;
     bool takeStep(State& state);
 
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
     std::vector<Row> rows_;  // of the chosen edges: a contact's normal, then its tangent
     std::vector<ActiveRow> active_;
-    std::vector<Keyed> keyed_;
+    std::vector<Keyed> keyed_, keyedScratch_;
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
-    std::vector<std::uint32_t> byLoad_, order_;
+    std::vector<std::pair<Real, std::uint32_t>> byLoad_;  // what an edge carries, negative; edge
+    std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> start_, neighbour_;
     std::vector<std::uint8_t> given_, slipping_;  // per contact: no longer active
     DisjointSets trees_;

@@ -14,6 +14,11 @@ inline bool isSoft(const State& state, const Grip& grip) {
     return state.bodies[state.particles.body[grip.particle]].particles.size() > 1;
 }
 
+/// The coefficient that counts in this tick.
+inline Real frictionOf(const Contact& c) {
+    return c.sliding ? c.kineticFriction : c.staticFriction;
+}
+
 inline Vec2 tangentOf(const Contact& c) {
     return {-c.normal[1], c.normal[0]};
 }

@@ -5,14 +5,11 @@
 #include "collision/contact_memory.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_motion.hpp"
+#include "solver/contact_recovery.hpp"
 
 namespace sulfur::detail {
 
 namespace {
-
-/// Share of an overlap that is taken back in a tick, and the speed that this may not exceed.
-constexpr Real recoveryShare = Real(0.2);
-constexpr Real recoverySpeed = Real(0.5);  // m/s
 
 /// How deep the sweeps may leave a contact, as a share of its thickness.
 constexpr Real guardedDepth = Real(0.25);
@@ -27,7 +24,7 @@ void solveNormal(State& state, Contact& c) {
 /// Coulomb: what sticks is held as long as static friction suffices, what slides is braked by
 /// kinetic friction.
 Real coulombLambda(const State& state, const Contact& c) {
-    const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
+    const Real most = frictionOf(c) * c.normalLambda;
     return std::clamp(c.tangentLambda - slipOf(state, c) / c.tangentInverseMass, -most, most);
 }
 
@@ -53,17 +50,10 @@ void solve(State& state, Contact& c) {
 }
 
 void recoverGap(State& state, Contact& c) {
-    const Real wanted = std::min(-c.gap * recoveryShare, recoverySpeed * state.h);
-    const Real left = wanted - c.normal.dot(relativeShift(state, c));
+    const Real left = recoveryOf(state, c) - c.normal.dot(relativeShift(state, c));
     const Real before = c.recoveryLambda;
     c.recoveryLambda = std::max<Real>(0, before + left / c.inverseEffectiveMass);
     shift(state, c, (c.recoveryLambda - before) * c.normal);
-}
-
-/// What of a drift is taken back in this tick.
-Real driftRecovered(const State& state, const Contact& c) {
-    const Real most = recoverySpeed * state.h;
-    return std::clamp(c.drift * recoveryShare, -most, most);
 }
 
 }  // namespace
@@ -88,10 +78,9 @@ void warmStart(State& state, Contact& c, const ContactMemory& before) {
     if (touchesSoft(state, c)) return;
     c.normalLambda = before.sustained;
     if (c.rough) {
-        const Real most = c.staticFriction * c.normalLambda;
+        const Real most = frictionOf(c) * c.normalLambda;
         c.tangentLambda = std::clamp(before.tangentLambda, -most, most);
     }
-    push(state, c, c.normalLambda * c.normal + c.tangentLambda * tangentOf(c));
 }
 
 }  // namespace
@@ -102,7 +91,7 @@ void warmStartContacts(State& state) {
     const auto inherit = [&](bool exactly) {
         for (Contact& c : state.contacts) {
             if (c.inherited) continue;
-            const ContactMemory* before = recall(state.contactMemory, c.particle, c.a, c.b);
+            const ContactMemory* before = recall(state, c.particle, c.a, c.b);
             if (!before || (before->a == c.a && before->b == c.b) != exactly) continue;
             auto& isTaken = taken[static_cast<std::size_t>(before - state.contactMemory.data())];
             if (isTaken || before->normal.dot(c.normal) < Real(0.9)) continue;
@@ -114,23 +103,29 @@ void warmStartContacts(State& state) {
     inherit(false);
 }
 
-void solveContacts(State& state, bool backwards) {
-    if (!backwards)
-        for (auto c = state.contacts.begin(); c != state.contacts.end(); ++c) solve(state, *c);
+void solveContacts(State& state, const std::vector<std::uint32_t>& which, bool backwards) {
+    const auto solveOne = [&](std::uint32_t i) { solve(state, state.contacts[i]); };
+    if (backwards)
+        std::for_each(which.rbegin(), which.rend(), solveOne);
     else
-        for (auto c = state.contacts.rbegin(); c != state.contacts.rend(); ++c) solve(state, *c);
+        std::for_each(which.begin(), which.end(), solveOne);
 }
 
-void recoverDrifts(State& state) {
-    for (Contact& c : state.contacts)
+void pushWithMultipliers(State& state, const Contact& c) {
+    push(state, c, c.normalLambda * c.normal + c.tangentLambda * tangentOf(c));
+}
+
+void recoverDrifts(State& state, const std::vector<std::uint32_t>& which) {
+    for (const auto i : which) {
+        const Contact& c = state.contacts[i];
         if (c.drift != 0 && c.tangentInverseMass > 0)
             shift(state, c, -driftRecovered(state, c) / c.tangentInverseMass * tangentOf(c));
+    }
 }
 
-void solveRecovery(State& state) {
-    for (Contact& c : state.contacts) {
-        if (c.gap < 0) recoverGap(state, c);
-    }
+void solveRecovery(State& state, const std::vector<std::uint32_t>& which) {
+    for (const auto i : which)
+        if (state.contacts[i].gap < 0) recoverGap(state, state.contacts[i]);
 }
 
 namespace {
@@ -142,6 +137,8 @@ Vec2 shortened(const Vec2& v, Real most) {
     const Real length = v.norm();
     return length > most ? Vec2(most / length * v) : v;
 }
+
+}  // namespace
 
 void applyRecovery(State& state, const Grip& grip) {
     const Real most = mostRecoverySpeed * state.h;
@@ -157,14 +154,6 @@ void applyRecovery(State& state, const Grip& grip) {
     shift = Vec2(0, 0);
 }
 
-}  // namespace
-
-void applyRecovery(State& state) {
-    for (const Contact& c : state.contacts)
-        for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB})
-            applyRecovery(state, grip);
-}
-
 namespace {
 
 /// m/s^2: a contact slides when friction gives all it can and still the slip of a tick is more
@@ -173,7 +162,7 @@ constexpr Real slidingStarts = Real(0.25);
 
 void judgeSliding(const State& state, Contact& c) {
     const Real slip = slipOf(state, c);
-    const Real most = (c.sliding ? c.kineticFriction : c.staticFriction) * c.normalLambda;
+    const Real most = frictionOf(c) * c.normalLambda;
     const bool slips = std::abs(slip) > slidingStarts * state.h * state.h;
     const bool givesAll = std::abs(c.tangentLambda) > Real(0.9) * most;
     c.sliding = (slips && givesAll) || std::abs(slip) > slipOfRest(state);

@@ -1,6 +1,7 @@
 // After the solver: which bodies began to touch, go on touching, no longer touch.
 #include <algorithm>
 
+#include "core/bucket_sort.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -16,6 +17,10 @@ struct Touching {
     BodyPair pair;
     std::uint32_t strongest = 0;  // contact
     Real impulse = 0;             // N s, of all
+
+    friend bool operator<(const Touching& p, const Touching& q) {
+        return p.pair != q.pair ? p.pair < q.pair : p.strongest < q.strongest;
+    }
 };
 
 /// N s with which a contact pushed in this tick.
@@ -38,9 +43,10 @@ void collectTouching(State& state, std::vector<Touching>& found) {
         found.push_back({pairOf(state, c), i, impulseOf(state, c)});
         if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
     }
-    std::sort(found.begin(), found.end(), [](const Touching& p, const Touching& q) {
-        return p.pair != q.pair ? p.pair < q.pair : p.strongest < q.strongest;
-    });
+    thread_local std::vector<Touching> scratch;
+    thread_local std::vector<std::uint32_t> start;
+    bucketSort(found, scratch, start, state.bodySlots.slots() + 1,
+               [](const Touching& t) { return t.pair.a.index; });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (kept == 0 || found[kept - 1].pair != found[i].pair) {
@@ -89,24 +95,28 @@ void collectEvents(State& state) {
     collectTouching(state, found);
     if (found.empty() && state.touchingFrozen && !state.structure.stale) return;
     now.clear();
+    // Both lists are sorted: one walk along both tells what is new and what is gone.
+    auto before = state.touching.cbegin();
+    const auto passUntil = [&](const Touching* next) {
+        for (; before != state.touching.cend() && (!next || *before < next->pair); ++before)
+            if (isFrozen(state, *before))
+                now.push_back(*before);
+            else
+                state.events.contactsEnded.push_back({before->a, before->b});
+    };
     for (const Touching& t : found) {
+        passUntil(&t);
         now.push_back(t.pair);
-        if (!std::binary_search(state.touching.begin(), state.touching.end(), t.pair))
+        if (before == state.touching.cend() || *before != t.pair) {
             tellBegun(state, t);
-        else if (state.settings.tellPersisting)
-            tellPersisted(state, t);
+            continue;
+        }
+        ++before;
+        if (state.settings.tellPersisting) tellPersisted(state, t);
     }
-    const auto awake = static_cast<std::ptrdiff_t>(now.size());
-    for (const BodyPair& pair : state.touching) {
-        if (std::binary_search(now.begin(), now.begin() + awake, pair)) continue;
-        if (isFrozen(state, pair))
-            now.push_back(pair);
-        else
-            state.events.contactsEnded.push_back({pair.a, pair.b});
-    }
-    std::sort(now.begin(), now.end());
+    passUntil(nullptr);
     std::swap(state.touching, now);
-    state.touchingFrozen = awake == 0;
+    state.touchingFrozen = found.empty();
 }
 
 }  // namespace sulfur::detail

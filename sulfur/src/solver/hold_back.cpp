@@ -5,6 +5,7 @@
 
 #include "collision/entwined.hpp"
 #include "collision/meeting.hpp"
+#include "collision/pairs.hpp"
 #include "rigid/grip.hpp"
 
 namespace sulfur::detail {
@@ -16,22 +17,38 @@ constexpr int rounds = 5;
 /// This much of the thickness may be pressed in on the way.
 constexpr Real pressed = Real(0.5);
 
-Vec2 displacementOf(const State& state, std::uint32_t particle) {
-    return displacementOf(state, gripOf(state, particle));
-}
+/// Where the particles go in this tick, as the constraints left it, and how far that is from where
+/// they were rasterised.
+struct Ways {
+    std::vector<Vec2> displacements;  // m
+    Outings outings;
+
+    void find(const State& state) {
+        displacements = state.particles.displacement;
+        for (const auto i : state.work.awakeClusters) {
+            const Cluster& c = state.clusters.list[i];
+            for (auto k = c.first; k < c.last; ++k) {
+                const auto m = state.clusters.members[k];
+                displacements[m] = displacementOf(state, gripOf(state, m));
+            }
+        }
+        measureOutings(state, displacements, outings);
+    }
+};
 
 /// The share of the tick after which they meet, 1 if they do not, or did before it began.
-Real meetingTime(const State& state, const Candidate& candidate) {
-    const Collider& c = state.broad.collider(candidate.collider);
+Real meetingTime(const State& state, const Ways& ways, const Watch& watch) {
+    const auto particle = watch.candidate.particle;
+    const Collider& c = state.broad.collider(watch.candidate.collider);
     const auto& x = state.particles.position;
     Local l;
-    l.dp = displacementOf(state, candidate.particle);
-    l.da = displacementOf(state, c.a);
-    l.db = c.a == c.b ? l.da : displacementOf(state, c.b);
-    const Real thickness = state.particles.reach[candidate.particle] + c.radius;
+    l.dp = ways.displacements[particle];
+    l.da = ways.displacements[c.a];
+    l.db = ways.displacements[c.b];
+    const Real thickness = state.particles.reach[particle] + c.radius;
     const Real travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
     if (travel < pressed * thickness) return 1;
-    l.p = (x[candidate.particle] - x[c.a]).cast<Real>();
+    l.p = (x[particle] - x[c.a]).cast<Real>();
     l.b = (x[c.b] - x[c.a]).cast<Real>();
     if (meet(l).distance <= pressed * thickness) return 1;
     const Meeting m = meetOnTheWay(l, pressed * thickness);
@@ -150,21 +167,21 @@ private:
 
 void holdBack(State& state) {
     lostWays().clear();
-    if (state.broad.candidates.empty() || !anyFast(state)) return;
+    if (state.broad.watches.empty() || !anyFast(state)) return;
+    thread_local Ways ways;
     Brakes brakes(state);
     for (int round = 0; round < rounds; ++round) {
-        state.statistics.heldBack += static_cast<std::uint32_t>(state.broad.candidates.size());
-        for (const Candidate& candidate : state.broad.candidates) {
-            if (areEntwined(state, state.particles.body[candidate.particle],
-                            state.broad.collider(candidate.collider).body))
-                continue;
-            const Real share = meetingTime(state, candidate);
-            if (share >= 1) continue;
+        state.statistics.heldBack += static_cast<std::uint32_t>(state.broad.watches.size());
+        ways.find(state);
+        forEachNear(state.broad, ways.outings, [&](const Watch& watch) {
+            const Real share = meetingTime(state, ways, watch);
+            if (share >= 1) return;
+            const auto body = state.particles.body[watch.candidate.particle];
+            const auto other = state.broad.collider(watch.candidate.collider).body;
+            if (areEntwined(state, body, other)) return;
             // Whoever still moves in the last round stays where it is.
-            const Real kept = round + 1 < rounds ? share : 0;
-            brakes.stopAt(state.particles.body[candidate.particle],
-                          state.broad.collider(candidate.collider).body, kept);
-        }
+            brakes.stopAt(body, other, round + 1 < rounds ? share : 0);
+        });
         if (!brakes.apply()) return;
     }
 }

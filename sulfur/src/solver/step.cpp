@@ -30,7 +30,7 @@ void clearStatistics(Statistics& statistics) {
 void noteItems(State& state) {
     const WorkLists& work = state.work;
     state.looked(Stage::broadPhase, work.awakeSurfaces);
-    state.looked(Stage::narrowPhase, state.broad.candidates.size());
+    state.looked(Stage::narrowPhase, state.broad.watches.size());
     state.looked(Stage::constraints,
                  state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +
                      work.attachments.size() + work.hinges.size() + work.lines.size() +

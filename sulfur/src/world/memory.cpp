@@ -101,20 +101,20 @@ MemoryUse ofColliders(const State& state) {
     const auto& b = state.broad;
     return Sum()
         .add(b.moving, b.fixed, b.reference, b.skin, b.largeMoving, b.largeFixed, b.levelOfMoving,
-             b.levelOfFixed, b.outing, b.linked, b.surface)
+             b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked, b.tied, b.surface)
         .as("colliders", b.moving.size() + b.fixed.size(), true);
 }
 
 MemoryUse ofCandidates(const State& state) {
     const auto& b = state.broad;
     return Sum()
-        .add(b.candidates, b.pairs, b.watches, b.spareOfPair)
-        .as("candidates", b.candidates.size(), true);
+        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns)
+        .as("candidates", b.watches.size(), true);
 }
 
 MemoryUse ofContacts(const State& state) {
     return Sum()
-        .add(state.contacts, state.contactMemory, state.touching)
+        .add(state.contacts, state.contactMemory, state.memoryStart, state.touching)
         .as("contacts and their memory", state.contacts.size(), true);
 }
 

@@ -118,6 +118,7 @@ struct State {
     std::vector<Contact> contacts;
     std::vector<Vec2> loads;                   // N on members of watched clusters in this tick
     std::vector<ContactMemory> contactMemory;  // of the last tick, sorted
+    std::vector<std::uint32_t> memoryStart;    // in it, per particle, while contacts are solved
     std::vector<BodyPair> touching;            // in contact, sorted
     std::vector<BodyPair> vetoes;              // that never are, sorted
     std::vector<BodyPair> entwined;            // put into each other and not yet apart, sorted

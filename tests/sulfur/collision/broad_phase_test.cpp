@@ -34,9 +34,9 @@ public:
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs() {
         detail::refreshGrid(state, 0);
         std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-        for (const auto pair : state.broad.pairs) {
-            const auto a = state.broad.collider(static_cast<std::uint32_t>(pair >> 32)).body;
-            const auto b = state.broad.collider(static_cast<std::uint32_t>(pair)).body;
+        for (const auto& pair : state.broad.pairs) {
+            const auto a = state.broad.collider(pair.first).body;
+            const auto b = state.broad.collider(pair.second).body;
             found.emplace_back(std::min(a, b), std::max(a, b));
         }
         std::sort(found.begin(), found.end());

@@ -1,0 +1,23 @@
+// What of the grid's neighbours may touch.
+#pragma once
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Finds the pairs of colliders, and from them the candidates, that can touch or cross before
+/// anything leaves its skin. Needs the grids and skins of BroadPhase; fills `pairs`, `watches` and
+/// their runs.
+void findPairs(State& state);
+
+/// With how wide a skin a collider was rasterised, at least, in m.
+inline Real skinOf(const BroadPhase& broad, const Collider& c) {
+    return std::max(broad.skin[c.a], broad.skin[c.b]);
+}
+
+/// Writes down how far everything awake is, with the given displacements (m, by particle), from
+/// where it was rasterised. Sleepers are where they were: when a body falls asleep, everything is
+/// rasterised again.
+void measureOutings(const State& state, const std::vector<Vec2>& displacements, Outings& outings);
+
+}  // namespace sulfur::detail

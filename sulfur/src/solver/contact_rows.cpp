@@ -1,0 +1,401 @@
+#include "solver/contact_rows.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "rigid/grip.hpp"
+#include "solver/constraint_kinds.hpp"
+#include "solver/contact_motion.hpp"
+#include "solver/contact_recovery.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// What sweeps may leave. It does not add up: gaps and drifts are those of the places, and the next
+/// tick takes back what this one has left.
+constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
+
+/// As a share of the thinnest contact.
+constexpr Real deepError = Real(0.02);
+
+constexpr unsigned mostColours = 64;
+constexpr std::uint8_t noColourLeft = 0xff;
+
+/// rad: after a larger turn the series of the kernels is replaced by the exact sine.
+constexpr Real exactBeyond = Real(0.05);
+
+bool canBePushed(const Mover& m) {
+    return m.mass != 0 || m.inertia != 0;
+}
+
+Real reciprocal(Real value) {
+    return value > 0 ? 1 / value : 0;
+}
+
+/// Whether a mover is on both sides, so that a kernel would push two copies of it.
+bool holdsTwice(const std::array<std::uint32_t, 3>& movers) {
+    const auto [p, a, b] = movers;
+    return (p != 0 && (p == a || p == b)) || (a != 0 && a == b);
+}
+
+Vec2 armOf(const Grip& grip) {
+    return grip.cluster == none ? Vec2(0, 0) : grip.arm;
+}
+
+/// 1/kg: how a push along the normal moves the grip along the tangent.
+Real couplingOf(const State& state, const Grip& grip, const Vec2& normal) {
+    if (grip.cluster == none) return 0;
+    return state.clusters.list[grip.cluster].inverseInertia * cross(grip.arm, normal) *
+           cross(grip.arm, perpendicular(normal));
+}
+
+Real couplingOf(const State& state, const Contact& c) {
+    Real sum = couplingOf(state, c.gripOfParticle, c.normal) +
+               c.shareA * c.shareA * couplingOf(state, c.gripOfA, c.normal);
+    if (c.shareB != 0) sum += c.shareB * c.shareB * couplingOf(state, c.gripOfB, c.normal);
+    return sum;
+}
+
+/// Whether one more sweep would push by more than `most` m.
+bool leavesError(const State& state, const Contact& c, Real most) {
+    const Real w = c.inverseEffectiveMass, wt = c.tangentInverseMass;
+    const Real along = std::max<Real>(c.normalLambda - gapLeft(state, c) / w, 0) - c.normalLambda;
+    if (std::abs(along) * w > most) return true;
+    if (wt == 0 || !c.rough) return false;
+    const Real limit = frictionOf(c) * c.normalLambda;
+    const Real across =
+        std::clamp(c.tangentLambda - slipOf(state, c) / wt, -limit, limit) - c.tangentLambda;
+    return std::abs(across) * wt > most;
+}
+
+}  // namespace
+
+/// A new mover where the grip has none yet.
+std::uint32_t ContactRows::moverOf(const State& state, const Grip& grip) {
+    const bool rigid = grip.cluster != none;
+    auto& index = rigid ? ofCluster_[grip.cluster] : ofParticle_[grip.particle];
+    if (index != none) return index;
+    Mover m;
+    Vec2 displacement;
+    if (rigid) {
+        const Cluster& c = state.clusters.list[grip.cluster];
+        m.mass = c.inverseMass;
+        m.inertia = c.inverseInertia;
+        m.sine = c.sine;
+        displacement = c.displacement;
+    } else {
+        m.mass = state.particles.inverseMass[grip.particle];
+        displacement = state.particles.displacement[grip.particle];
+    }
+    if (!canBePushed(m) && displacement.isZero(0) && m.sine == 0) return index = 0;
+    index = static_cast<std::uint32_t>(movers_.size());
+    movers_.push_back(m);
+    owners_.push_back({grip.cluster, grip.particle});
+    taken_.push_back(0);
+    return index;
+}
+
+std::uint32_t ContactRows::indexOf(const Grip& grip) const {
+    return grip.cluster != none ? ofCluster_[grip.cluster] : ofParticle_[grip.particle];
+}
+
+bool ContactRows::isSingle(const State& state, const Contact& c) const {
+    if (state.settings.friction != Friction::coulomb) return true;
+    const auto inTree = [&](const Grip& grip) {
+        return state.trees.ofParticle[grip.particle] != none;
+    };
+    return inTree(c.gripOfParticle) || inTree(c.gripOfA) || (c.shareB != 0 && inTree(c.gripOfB));
+}
+
+void ContactRows::colourContacts(const State& state) {
+    single_.clear();
+    marks_.clear();
+    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
+        const Contact& c = state.contacts[i];
+        Mark mark{noColourLeft, c.shareB != 0};
+        if (!isSingle(state, c)) {
+            std::array<std::uint32_t, 3> held{moverOf(state, c.gripOfParticle),
+                                              moverOf(state, c.gripOfA), 0};
+            if (mark.three) held[2] = moverOf(state, c.gripOfB);
+            std::uint64_t taken = 0;
+            for (const auto m : held) taken |= taken_[m];
+            const auto colour = static_cast<unsigned>(std::countr_one(taken));
+            if (colour < mostColours && !holdsTwice(held)) {
+                mark.colour = static_cast<std::uint8_t>(colour);
+                for (const auto m : held)
+                    if (canBePushed(movers_[m])) taken_[m] |= std::uint64_t{1} << colour;
+            }
+        }
+        if (mark.colour == noColourLeft) single_.push_back(i);
+        marks_.push_back(mark);
+    }
+}
+
+void ContactRows::fill(const State& state, const Contact& c, ContactBlock& block,
+                       std::size_t lane) const {
+    const auto set = [lane](auto& list, auto value) { list[lane] = value; };
+    set(block.particle, indexOf(c.gripOfParticle));
+    set(block.a, indexOf(c.gripOfA));
+    const Vec2 arm = armOf(c.gripOfParticle), armA = armOf(c.gripOfA);
+    set(block.armX, arm[0]);
+    set(block.armY, arm[1]);
+    set(block.armAX, armA[0]);
+    set(block.armAY, armA[1]);
+    set(block.shareA, c.shareA);
+    if (c.shareB != 0) {
+        const Vec2 armB = armOf(c.gripOfB);
+        set(block.b, indexOf(c.gripOfB));
+        set(block.armBX, armB[0]);
+        set(block.armBY, armB[1]);
+        set(block.shareB, c.shareB);
+    }
+    set(block.normalX, c.normal[0]);
+    set(block.normalY, c.normal[1]);
+    set(block.start, std::max<Real>(c.gap - c.slack, 0) - c.rise);
+    set(block.conveyed, c.conveyed);
+    set(block.normalMass, reciprocal(c.inverseEffectiveMass));
+    set(block.normalLambda, c.normalLambda);
+    set(block.tangentLambda, c.tangentLambda);
+    if (c.gap < 0 || standsOpen(c)) {
+        set(block.wanted, recoveryOf(state, c));
+        block.recovers = 1;
+    }
+    if (c.drift != 0 && c.tangentInverseMass > 0) {
+        set(block.driftLambda, -driftRecovered(state, c) / c.tangentInverseMass);
+        block.drifts = 1;
+    }
+    if (c.staticFriction <= 0) return;
+    set(block.tangentMass, reciprocal(c.tangentInverseMass));
+    set(block.coupling, couplingOf(state, c));
+    set(block.friction, frictionOf(c));
+}
+
+void ContactRows::placeContacts(const State& state) {
+    std::array<std::array<std::uint32_t, mostColours>, 2> next{};
+    unsigned colours = 0;
+    for (const Mark& mark : marks_) {
+        if (mark.colour == noColourLeft) continue;
+        ++next[mark.three][mark.colour];
+        colours = std::max<unsigned>(colours, mark.colour + 1u);
+    }
+    colours_.assign(colours, {});
+    std::uint32_t blocksOfTwo = 0, blocksOfThree = 0;
+    const auto reserve = [](std::uint32_t& blocks, std::uint32_t& contacts) {
+        const std::uint32_t first = blocks;
+        blocks += (contacts + contactLanes - 1) / contactLanes;
+        contacts = first * contactLanes;
+        return first;
+    };
+    for (unsigned k = 0; k < colours; ++k) {
+        colours_[k].firstTwo = reserve(blocksOfTwo, next[0][k]);
+        colours_[k].lastTwo = blocksOfTwo;
+        colours_[k].firstThree = reserve(blocksOfThree, next[1][k]);
+        colours_[k].lastThree = blocksOfThree;
+    }
+    two_.assign(blocksOfTwo, ContactBlock{});
+    three_.assign(blocksOfThree, ContactBlock{});
+    placesOfTwo_.clear();
+    placesOfThree_.clear();
+    for (std::uint32_t i = 0; i < marks_.size(); ++i) {
+        const Mark& mark = marks_[i];
+        if (mark.colour == noColourLeft) continue;
+        const auto lane = next[mark.three][mark.colour]++;
+        (mark.three ? placesOfThree_ : placesOfTwo_).push_back({i, lane});
+        fill(state, state.contacts[i], (mark.three ? three_ : two_)[lane / contactLanes],
+             lane % contactLanes);
+    }
+}
+
+void ContactRows::collect(const State& state) {
+    movers_.assign(1, Mover{});
+    owners_.assign(1, Owner{});
+    taken_.assign(1, 0);
+    ofCluster_.assign(state.clusters.list.size(), none);
+    ofParticle_.assign(state.particles.size(), none);
+    colourContacts(state);
+    placeContacts(state);
+}
+
+void ContactRows::takeMotions(const State& state) {
+    for (std::size_t i = 1; i < movers_.size(); ++i) {
+        Mover& m = movers_[i];
+        m.turn = 0;
+        if (owners_[i].cluster == none) {
+            const Vec2& d = state.particles.displacement[owners_[i].particle];
+            m.x = d[0];
+            m.y = d[1];
+            continue;
+        }
+        const Cluster& c = state.clusters.list[owners_[i].cluster];
+        m.x = c.displacement[0];
+        m.y = c.displacement[1];
+        m.sine = c.sine;
+        m.versine = c.versine;
+    }
+}
+
+void ContactRows::giveMotions(State& state) {
+    constexpr double most = 1e5;  // rad in a tick: as good as any larger one
+    for (std::size_t i = 1; i < movers_.size(); ++i) {
+        Mover& m = movers_[i];
+        if (!canBePushed(m)) continue;
+        if (owners_[i].cluster == none) {
+            state.particles.displacement[owners_[i].particle] = Vec2(m.x, m.y);
+            continue;
+        }
+        Cluster& c = state.clusters.list[owners_[i].cluster];
+        c.displacement = Vec2(m.x, m.y);
+        c.angle = std::clamp(c.angle + static_cast<double>(m.turn), -most, most);
+        c.sine = m.sine;
+        c.versine = m.versine;
+        if (std::abs(m.turn) > exactBeyond) updateTurn(c);
+        m.sine = c.sine;
+        m.versine = c.versine;
+        m.turn = 0;
+    }
+}
+
+void ContactRows::takeMultipliers(const State& state) {
+    const auto take = [&](const std::vector<Place>& places, Blocks& blocks) {
+        for (const Place& place : places) {
+            const Contact& c = state.contacts[place.contact];
+            ContactBlock& block = blocks[place.lane / contactLanes];
+            block.normalLambda[place.lane % contactLanes] = c.normalLambda;
+            block.tangentLambda[place.lane % contactLanes] = c.tangentLambda;
+        }
+    };
+    take(placesOfTwo_, two_);
+    take(placesOfThree_, three_);
+}
+
+void ContactRows::giveMultipliers(State& state) const {
+    const auto give = [&](const std::vector<Place>& places, const Blocks& blocks) {
+        for (const Place& place : places) {
+            Contact& c = state.contacts[place.contact];
+            const ContactBlock& block = blocks[place.lane / contactLanes];
+            c.normalLambda = block.normalLambda[place.lane % contactLanes];
+            c.tangentLambda = block.tangentLambda[place.lane % contactLanes];
+        }
+    };
+    give(placesOfTwo_, two_);
+    give(placesOfThree_, three_);
+}
+
+void ContactRows::sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three,
+                              bool backwards) {
+    const auto solve = [&](const Colour& colour) {
+        two(movers_.data(), two_.data() + colour.firstTwo, colour.lastTwo - colour.firstTwo);
+        three(movers_.data(), three_.data() + colour.firstThree,
+              colour.lastThree - colour.firstThree);
+    };
+    if (backwards)
+        std::for_each(colours_.rbegin(), colours_.rend(), solve);
+    else
+        std::for_each(colours_.begin(), colours_.end(), solve);
+}
+
+void ContactRows::sweep(bool backwards) {
+    const ContactKernels& kernels = contactKernels();
+    sweepBlocks(kernels.solveTwo, kernels.solveThree, !backwards);
+    sweepBlocks(kernels.solveTwo, kernels.solveThree, backwards);
+}
+
+void ContactRows::warmStart(State& state) {
+    const ContactKernels& kernels = contactKernels();
+    takeMotions(state);
+    sweepBlocks(kernels.warmTwo, kernels.warmThree, false);
+    giveMotions(state);
+    for (const auto i : single_) pushWithMultipliers(state, state.contacts[i]);
+    if (!single_.empty()) takeMotions(state);
+}
+
+void ContactRows::takeShifts(const State& state) {
+    for (std::size_t i = 1; i < movers_.size(); ++i) {
+        Mover& m = movers_[i];
+        const Owner& owner = owners_[i];
+        const bool rigid = owner.cluster != none;
+        const Vec2& shift = rigid ? state.clusters.list[owner.cluster].shift
+                                  : state.particles.shift[owner.particle];
+        m.x = shift[0];
+        m.y = shift[1];
+        m.turn = rigid ? static_cast<Real>(state.clusters.list[owner.cluster].twist) : 0;
+    }
+}
+
+void ContactRows::giveShifts(State& state) const {
+    for (std::size_t i = 1; i < movers_.size(); ++i) {
+        const Mover& m = movers_[i];
+        if (!canBePushed(m)) continue;
+        if (owners_[i].cluster == none) {
+            state.particles.shift[owners_[i].particle] = Vec2(m.x, m.y);
+            continue;
+        }
+        Cluster& c = state.clusters.list[owners_[i].cluster];
+        c.shift = Vec2(m.x, m.y);
+        c.twist = static_cast<double>(m.turn);
+    }
+}
+
+void ContactRows::applyShifts(State& state) const {
+    for (const Owner& owner : std::span(owners_).subspan(1))
+        applyRecovery(state, {owner.particle, owner.cluster, Vec2(0, 0)});
+    for (const auto i : single_) {
+        const Contact& c = state.contacts[i];
+        for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB})
+            applyRecovery(state, grip);
+    }
+}
+
+void ContactRows::recover(State& state) {
+    const ContactKernels& kernels = contactKernels();
+    takeShifts(state);
+    sweepBlocks(kernels.driftTwo, kernels.driftThree, false);
+    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
+        sweepBlocks(kernels.recoverTwo, kernels.recoverThree, false);
+        if (single_.empty()) continue;
+        giveShifts(state);
+        if (sweep == 0) recoverDrifts(state, single_);
+        solveRecovery(state, single_);
+        takeShifts(state);
+    }
+    giveShifts(state);
+    applyShifts(state);
+}
+
+void ContactRows::sweep(State& state, bool backwards) {
+    const auto inBlocks = [&] {
+        if (colours_.empty()) return;
+        takeMotions(state);
+        sweep(backwards);
+        giveMotions(state);
+    };
+    if (!backwards) inBlocks();
+    solveContacts(state, single_, backwards);
+    if (backwards) inBlocks();
+}
+
+bool ContactRows::anyErrorBeyond(Real most) const {
+    const ContactKernels& kernels = contactKernels();
+    return kernels.anyErrorTwo(movers_.data(), two_.data(), two_.size(), most) ||
+           kernels.anyErrorThree(movers_.data(), three_.data(), three_.size(), most);
+}
+
+bool ContactRows::anyDeepError(const State& state) const {
+    Real thinnest = std::numeric_limits<Real>::max();
+    for (const Contact& c : state.contacts) thinnest = std::min(thinnest, c.thickness);
+    return anyErrorBeyond(deepError * thinnest);
+}
+
+bool ContactRows::anyError(const State& state) const {
+    const Real most = mostErrorSpeed * state.h;
+    return anyErrorBeyond(most) ||
+           std::any_of(single_.begin(), single_.end(), [&](std::uint32_t i) {
+               return leavesError(state, state.contacts[i], most);
+           });
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,92 @@
+// The contacts of a tick, laid out for kernels that solve several at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/contact_sweep.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+/// Contacts in colours: those of one colour share nothing that can be pushed, so that a kernel may
+/// take them in any order. Colours are handed out greedily, in the order of the contacts. What
+/// trees take part in, and what has friction of the paper's kind, is solved singly, as are those
+/// for which no colour is left.
+///
+/// While it sweeps, the motion of what contacts push is here and not in the state. Holds scratch
+/// memory only.
+class ContactRows {
+public:
+    /// Lays out the contacts with the multipliers that they have.
+    void collect(const State& state);
+    /// Pushes with these multipliers.
+    void warmStart(State& state);
+    /// Whether all contacts are in blocks.
+    bool takesAll() const { return single_.empty(); }
+
+    /// Fetches the motions from the state, or puts them back.
+    void takeMotions(const State& state);
+    void giveMotions(State& state);
+    /// The same with the multipliers of the contacts.
+    void takeMultipliers(const State& state);
+    void giveMultipliers(State& state) const;
+
+    /// Once over the contacts in blocks, between takeMotions() and giveMotions().
+    void sweep(bool backwards);
+    /// Once over all, on the motions in the state.
+    void sweep(State& state, bool backwards);
+
+    /// Leads apart what overlaps, and back what has crept from its place, by moving positions.
+    void recover(State& state);
+
+    /// Whether any contact is left with an error that is worth a sweep; by the motions that were
+    /// fetched, for blocks, or those in the state.
+    bool anyError(const State& state) const;
+    /// The same, of contacts in blocks with errors that show.
+    bool anyDeepError(const State& state) const;
+
+private:
+    using Blocks = std::vector<ContactBlock>;
+    /// Blocks of one colour.
+    struct Colour {
+        std::uint32_t firstTwo = 0, lastTwo = 0, firstThree = 0, lastThree = 0;
+    };
+    /// Where a contact is: the lanes of all blocks of its kind, counted through.
+    struct Place {
+        std::uint32_t contact = 0, lane = 0;
+    };
+    struct Mark {
+        std::uint8_t colour = 0;
+        bool three = false;
+    };
+    /// What can be pushed, and in which order its motion is in movers_.
+    struct Owner {
+        std::uint32_t cluster = none, particle = none;
+    };
+
+    bool anyErrorBeyond(Real most) const;
+    void takeShifts(const State& state);
+    void giveShifts(State& state) const;
+    void applyShifts(State& state) const;
+    void sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three, bool backwards);
+    std::uint32_t moverOf(const State& state, const Grip& grip);
+    bool isSingle(const State& state, const Contact& c) const;
+    void colourContacts(const State& state);
+    void placeContacts(const State& state);
+    void fill(const State& state, const Contact& c, ContactBlock& block, std::size_t lane) const;
+    std::uint32_t indexOf(const Grip& grip) const;
+
+    std::vector<Mover> movers_;  // the first one never moves
+    std::vector<Owner> owners_;
+    std::vector<std::uint64_t> taken_;  // colours, by mover
+    std::vector<std::uint32_t> ofCluster_, ofParticle_;
+    std::vector<Mark> marks_;
+    Blocks two_, three_;
+    std::vector<Place> placesOfTwo_, placesOfThree_;
+    std::vector<Colour> colours_;
+    std::vector<std::uint32_t> single_;
+};
+
+}  // namespace sulfur::detail
