@@ -7,7 +7,8 @@ namespace sulfur::lab {
 
 namespace {
 
-/// Crates that lie on a floor and sleep. Arguments: crates of four particles; whether one is awake.
+/// Crates that lie on a floor and sleep. Arguments: crates of four particles; whether a
+/// pendulum swings above them.
 void sleepers(benchmark::State& state) {
     WorldSettings settings = still({}, standardGravity);
     settings.sleeping = true;
@@ -18,12 +19,9 @@ void sleepers(benchmark::State& state) {
     for (int i = 0; i < count; ++i)
         world.add(plan, {.position = Point(1.5 * (i - count / 2), 0.5)});
     run(world, 0.7);
-    const Body ball =
-        world.add(shapes::ball({.radius = Real(0.2)}), {.position = Point(0, 10), .angle = 0});
-    if (state.range(1) != 0)
-        world.grab(ball[0], Point(0, 10));  // it hangs there, awake
-    else
-        world.remove(ball);
+    const Blueprint pendulum =
+        shapes::rope({.from = {0, 10}, .to = {1, 10}, .links = 1, .pinFirst = true});
+    if (state.range(1) != 0) world.add(pendulum);
     run(world, 1.2);
     stepAndCount(state, world, {"sleeper", static_cast<double>(count)}, false, {});
     state.counters["awake"] = world.statistics().awakeParticles;
