@@ -382,6 +382,9 @@ public:
     const Events& events() const;
     /// What the last tick did.
     const Statistics& statistics() const;
+    /// What the world holds in memory, part by part: a handful of rows whatever its size. Linear in
+    /// the bodies.
+    std::vector<MemoryUse> memory() const;
     /// Whether statistics() also measures the time of each stage. It does not affect results.
     void setProfiling(bool on);
     /// Lends the world threads for its ticks; null, as at first: it uses the caller's alone. `tasks`

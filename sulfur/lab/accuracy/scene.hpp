@@ -27,6 +27,9 @@ struct AccuracyScene {
     State start;
     std::vector<double> masses;  ///< kg; 0: held where it is
     std::vector<SceneJoint> joints;
+    /// m, centres of squares of 1 m and 1 kg, upright and at rest, above a floor along y = 0. A
+    /// scene has either these, which are watched in this order, or particles.
+    Vecs squares;
     double gravity = 0;       ///< m/s^2
     double rigidStandIn = 0;  ///< N/m of the springs that stand for rigid joints where a method has
                               ///< none

@@ -206,16 +206,36 @@ AccuracyScene crate(const SceneOptions&) {
     return scene;
 }
 
+/// A stack in which each square lies exactly on the one below: nothing may move.
+AccuracyScene stack(const SceneOptions&) {
+    constexpr std::size_t squares = 10;
+    AccuracyScene scene;
+    scene.title = "A stack of 10 squares of 1 m and 1 kg that begins at rest, 5 s";
+    scene.reference = "analytic, nothing moves";
+    scene.error = "largest distance of any square";
+    scene.gravity = g;
+    for (std::size_t i = 0; i < squares; ++i) {
+        scene.squares.emplace_back(0, 0.5 + static_cast<double>(i));
+        scene.watched.push_back(i);
+    }
+    sample(scene, 5, [&](double) { return scene.squares; });
+    return scene;
+}
+
 struct Entry {
     std::string key;
     AccuracyScene (*make)(const SceneOptions&);
 };
 
 const std::vector<Entry>& entries() {
-    static const std::vector<Entry> all{
-        {"fall", fall},  {"spring", spring},         {"pendulum", pendulum},
-        {"rope", rope},  {"double", doublePendulum}, {"lattice", lattice},
-        {"crate", crate}};
+    static const std::vector<Entry> all{{"fall", fall},
+                                        {"spring", spring},
+                                        {"pendulum", pendulum},
+                                        {"rope", rope},
+                                        {"double", doublePendulum},
+                                        {"lattice", lattice},
+                                        {"crate", crate},
+                                        {"stack", stack}};
     return all;
 }
 

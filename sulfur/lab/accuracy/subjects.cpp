@@ -53,11 +53,16 @@ private:
     double h_;
 };
 
-/// A chain of rigid links, or a net of springs, in another engine.
-class PeerRun final : public Run {
+/// A chain of rigid links, a net of springs, or squares on a floor, as all engines know them.
+class EngineRun final : public Run {
 public:
-    PeerRun(const AccuracyScene& scene, const bench::Setting& setting)
-        : world_(bench::engineOf(setting.engine).make(setting)) {
+    EngineRun(const AccuracyScene& scene, const bench::Setting& setting)
+        : world_(bench::engineOf(setting.engine).make(setting)), squares_(!scene.squares.empty()) {
+        if (squares_) {
+            world_->addFixed(Point(0, -1), Point(20, 1));
+            for (const Vec& centre : scene.squares) world_->addSquare(centre, 0, Point(0, 0));
+            return;
+        }
         std::vector<Point> points;
         for (const Vec& x : scene.start.x) points.emplace_back(x);
         if (scene.hasRigidJoints()) {
@@ -73,11 +78,20 @@ public:
     void advance(long ticks) override {
         for (long i = 0; i < ticks; ++i) world_->step();
     }
-    Vec position(std::size_t particle) const override { return world_->rope(0)[particle]; }
+    Vec position(std::size_t i) const override {
+        return squares_ ? world_->square(i).first : world_->rope(0)[i];
+    }
 
 private:
     std::unique_ptr<bench::EngineWorld> world_;
+    bool squares_;
 };
+
+std::unique_ptr<Run> startWorld(const AccuracyScene& scene, int rate, int sweeps) {
+    if (scene.squares.empty()) return std::make_unique<WorldRun>(scene, rate, sweeps);
+    return std::make_unique<EngineRun>(
+        scene, bench::Setting{.engine = "sulfur", .rate = rate, .iterations = sweeps});
+}
 
 /// Whether a scene begins as the other engines' worlds do.
 bool startsAtRest(const AccuracyScene& scene) {
@@ -119,11 +133,11 @@ void addPeers(std::vector<Subject>& subjects, const std::vector<int>& rates) {
         const auto start = [setting](const AccuracyScene& scene, int rate) {
             bench::Setting at = setting;
             at.rate = rate;
-            return std::make_unique<PeerRun>(scene, at);
+            return std::make_unique<EngineRun>(scene, at);
         };
         const bool nets = engine.offers(bench::Feature::nets);
         const auto plays = [nets](const AccuracyScene& scene) {
-            return isChain(scene) || (nets && isNet(scene));
+            return !scene.squares.empty() || isChain(scene) || (nets && isNet(scene));
         };
         subjects.push_back(
             {fmt::format("{}-{}{}", key, iterations, stiff ? "-stiff" : ""),
@@ -147,7 +161,7 @@ std::vector<Subject> accuracySubjects(bool quick) {
                             true,
                             ours,
                             [sweeps](const AccuracyScene& scene, int rate) {
-                                return std::make_unique<WorldRun>(scene, rate, sweeps);
+                                return startWorld(scene, rate, sweeps);
                             },
                             {},
                             {}});
@@ -159,7 +173,7 @@ std::vector<Subject> accuracySubjects(bool quick) {
                             [make = entry.make](const AccuracyScene& scene, int rate) {
                                 return std::make_unique<IntegratorRun>(scene, rate, make());
                             },
-                            {},
+                            [](const AccuracyScene& scene) { return scene.squares.empty(); },
                             {}});
     addPeers(subjects, ours);
     return subjects;

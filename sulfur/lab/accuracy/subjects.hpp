@@ -29,8 +29,8 @@ struct Subject {
 
 /// World with 1, 4 and 16 sweeps at 60 Hz to 10 kHz, and every integrator of the laboratory up to
 /// 200 kHz (where stiff springs that stand for rigid joints ask for it), and the other engines that
-/// `bench` found, which play what is a chain of rigid links or a net of springs. `quick` leaves
-/// rates out.
+/// `bench` found, which play what is a chain of rigid links, a net of springs or a stack of
+/// squares. `quick` leaves rates out.
 std::vector<Subject> accuracySubjects(bool quick);
 
 }  // namespace sulfur::lab

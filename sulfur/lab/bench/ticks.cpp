@@ -74,6 +74,16 @@ std::unique_ptr<World> awakeWorld(double share) {
     return world;
 }
 
+/// Crates that all sleep.
+std::unique_ptr<World> sleepingWorld(double size) {
+    WorldSettings settings = awake();
+    settings.sleeping = true;
+    auto world = std::make_unique<World>(settings);
+    lay(*world, static_cast<int>(size));
+    run(*world, 1.5);
+    return world;
+}
+
 std::unique_ptr<World> extentWorld(double metres) {
     auto world = std::make_unique<World>(awake(0));
     scatter(*world, 1000, metres / 32);
@@ -182,6 +192,8 @@ std::vector<Growth> growths(bool quick) {
              contactsWorld},
             {"awake", "share of 1000 crates that is awake", upTo({0.01, 0.03, 0.1, 0.3, 1}),
              awakeWorld},
+            {"sleepers", "sleeping crates, none awake", upTo({100, 300, 1000, 3000, 25000}),
+             sleepingWorld},
             {"extent", "extent of a world with 1000 bodies (m)",
              upTo({64, 640, 6400, 64000, 640000}), extentWorld}};
 }

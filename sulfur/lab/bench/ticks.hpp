@@ -27,7 +27,7 @@ struct Growth {
     std::vector<double> sizes;
     std::function<std::unique_ptr<World>(double size)> make;
 };
-/// Bodies, joints, contacts, the share that is awake, the extent of the world.
+/// Bodies, joints, contacts, the share that is awake, sleepers alone, the extent of the world.
 std::vector<Growth> growths(bool quick);
 
 /// Something that can be on or off.

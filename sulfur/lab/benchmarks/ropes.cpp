@@ -28,6 +28,27 @@ BENCHMARK(ropes)
     ->ArgNames({"n", "load", "sweeps", "profiling"})
     ->ArgsProduct({{200}, {1, 100, 10000}, {1, 4}, {0, 1}});
 
+/// Chains of equal length go side by side in SIMD lanes, one alone does not. Arguments: chains;
+/// links in each (one: a pendulum).
+void chains(benchmark::State& state) {
+    World world(still({}, standardGravity));
+    const auto links = static_cast<int>(state.range(1));
+    ChainOptions options{.places = {Vec(0, 0)}, .masses = {1}, .lengths = {}};
+    for (int i = 1; i <= links; ++i) {
+        options.places.emplace_back(static_cast<double>(i), 0);
+        options.masses.push_back(1);
+        options.lengths.push_back(1);
+    }
+    const Blueprint plan = chain(options);
+    for (int i = 0; i < state.range(0); ++i)
+        world.add(plan, {.position = Point(0, 2.0 * i * links)});
+    stepAndCount(state, world,
+                 {"link", static_cast<double>(links) * static_cast<double>(state.range(0))}, false,
+                 {});
+    state.counters["in_lanes"] = world.statistics().chainsInLanes;
+}
+BENCHMARK(chains)->ArgNames({"n", "links"})->ArgsProduct({{1, 8, 1000}, {1, 10, 40}});
+
 }  // namespace
 
 }  // namespace sulfur::lab

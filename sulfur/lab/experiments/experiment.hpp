@@ -46,5 +46,6 @@ std::unique_ptr<Experiment> makeBench();
 std::unique_ptr<Experiment> makeTable4();
 std::unique_ptr<Experiment> makeScaling();
 std::unique_ptr<Experiment> makeSkip();
+std::unique_ptr<Experiment> makeMemory();
 
 }  // namespace sulfur::lab

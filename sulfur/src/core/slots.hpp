@@ -58,6 +58,11 @@ public:
         a(free_);
     }
 
+    /// Bytes in use.
+    std::size_t bytes() const {
+        return (dense_.size() + generation_.size() + free_.size()) * sizeof(std::uint32_t);
+    }
+
 private:
     std::vector<std::uint32_t> dense_;
     std::vector<std::uint32_t> generation_;

@@ -68,7 +68,7 @@ extern const ContactKernels baselineContacts;
 extern const ContactKernels avx2Contacts;
 #endif
 
-/// The widest that this processor can run; or, after useBaselineKernels(true), the baseline.
+/// The widest that this processor can run, or that useKernelsUpTo() allows.
 const ContactKernels& contactKernels();
 
 }  // namespace sulfur::detail

@@ -1,12 +1,13 @@
 // Which kernels this processor can run, found out once.
-#include "kernels/joint_sweep.hpp"
-
-#include "kernels/contact_sweep.hpp"
-#include "kernels/particle_motion.hpp"
-
+#include <algorithm>
 #include <atomic>
 #include <sulfur/math.hpp>
 #include <type_traits>
+
+#include "kernels/chain_lanes.hpp"
+#include "kernels/contact_sweep.hpp"
+#include "kernels/joint_sweep.hpp"
+#include "kernels/particle_motion.hpp"
 
 namespace sulfur::detail {
 
@@ -14,56 +15,63 @@ static_assert(std::is_same_v<SweepReal, Real>);
 
 namespace {
 
-std::atomic<bool> baselineOnly = false;
+std::atomic<Instructions> allowed = Instructions::avx512;
 
-bool hasAvx2() {
-#ifdef SULFUR_AVX2_KERNELS
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return false;
+Instructions findWidest() {
+#ifdef SULFUR_AVX512_KERNELS
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
+        return Instructions::avx512;
 #endif
+#ifdef SULFUR_AVX2_KERNELS
+    if (__builtin_cpu_supports("avx2") != 0) return Instructions::avx2;
+#endif
+    return Instructions::baseline;
 }
 
-const SweepKernels& widestSweep() {
-#ifdef SULFUR_AVX2_KERNELS
-    if (hasAvx2()) return avx2Sweep;
-#endif
-    return baselineSweep;
-}
-
-const MotionKernels& widestMotion() {
-#ifdef SULFUR_AVX2_KERNELS
-    if (hasAvx2()) return avx2Motion;
-#endif
-    return baselineMotion;
-}
-
-const ContactKernels& widestContacts() {
-#ifdef SULFUR_AVX2_KERNELS
-    if (hasAvx2()) return avx2Contacts;
-#endif
-    return baselineContacts;
+[[maybe_unused]] bool mayUse(Instructions instructions) {
+    return instructions <= std::min(widestInstructions(), allowed.load(std::memory_order_relaxed));
 }
 
 }  // namespace
 
+Instructions widestInstructions() {
+    static const Instructions widest = findWidest();
+    return widest;
+}
+
+void useKernelsUpTo(Instructions most) {
+    allowed = most;
+}
+
 const SweepKernels& sweepKernels() {
-    static const SweepKernels& best = widestSweep();
-    return baselineOnly ? baselineSweep : best;
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Sweep;
+#endif
+    return baselineSweep;
 }
 
 const MotionKernels& motionKernels() {
-    static const MotionKernels& best = widestMotion();
-    return baselineOnly ? baselineMotion : best;
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Motion;
+#endif
+    return baselineMotion;
+}
+
+const ChainKernels& chainKernels() {
+#ifdef SULFUR_AVX512_KERNELS
+    if (mayUse(Instructions::avx512)) return avx512Chains;
+#endif
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Chains;
+#endif
+    return baselineChains;
 }
 
 const ContactKernels& contactKernels() {
-    static const ContactKernels& best = widestContacts();
-    return baselineOnly ? baselineContacts : best;
-}
-
-void useBaselineKernels(bool only) {
-    baselineOnly = only;
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Contacts;
+#endif
+    return baselineContacts;
 }
 
 }  // namespace sulfur::detail

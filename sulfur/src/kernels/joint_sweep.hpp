@@ -49,8 +49,15 @@ extern const SweepKernels baselineSweep;
 extern const SweepKernels avx2Sweep;
 #endif
 
-/// The widest that this processor can run; or, for tests, the baseline.
+/// The widest that this processor can run, or that useKernelsUpTo() allows.
 const SweepKernels& sweepKernels();
-void useBaselineKernels(bool only);
+
+/// What processors differ in, from less to more; not every kernel has a version for each.
+enum class Instructions : std::uint8_t { baseline, avx2, avx512 };
+
+/// What this processor has.
+Instructions widestInstructions();
+/// For tests: nothing more is used from now on, by any thread, whatever the processor has.
+void useKernelsUpTo(Instructions most);
 
 }  // namespace sulfur::detail

@@ -42,7 +42,7 @@ extern const MotionKernels baselineMotion;
 extern const MotionKernels avx2Motion;
 #endif
 
-/// The widest that this processor can run; or, after useBaselineKernels(true), the baseline.
+/// The widest that this processor can run, or that useKernelsUpTo() allows.
 const MotionKernels& motionKernels();
 
 }  // namespace sulfur::detail

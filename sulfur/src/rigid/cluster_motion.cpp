@@ -82,8 +82,10 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
 }
 
 void adoptStirredClusters(State& state) {
+    if (!state.anyStirred) return;
     for (Cluster& c : state.clusters.list)
         if (c.stirred) adopt(state, c);
+    state.anyStirred = false;
 }
 
 void predictClusters(State& state) {

@@ -212,6 +212,7 @@ private:
 
 void updateClusters(State& state) {
     Finder(state).run();
+    state.anyStirred = true;  // new ones are
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) restoreClusterMasses(state, i);
 }
 
@@ -239,7 +240,9 @@ void restoreClusterMasses(State& state, std::uint32_t body) {
 
 void stirClusters(State& state, std::uint32_t particle) {
     const auto cluster = state.particles.cluster[particle];
-    if (cluster != none) state.clusters.list[cluster].stirred = 1;
+    if (cluster == none) return;
+    state.clusters.list[cluster].stirred = 1;
+    state.anyStirred = true;
 }
 
 }  // namespace sulfur::detail

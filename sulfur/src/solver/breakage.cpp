@@ -48,6 +48,7 @@ void breakJoints(State& state) {
     state.events.bodiesSplit.clear();
     state.events.particlesLost.clear();
     const Joints& joints = state.joints;
+    state.looked(Stage::breakage, state.work.breakableJoints.size());
     for (const auto j : state.work.breakableJoints)
         if (std::abs(joints.force[j]) > joints.strength[j])
             state.events.jointsBroken.push_back(describe(state, j));

@@ -21,28 +21,6 @@ void append(std::vector<Range>& ranges, std::uint32_t i) {
         ranges.push_back({i, i + 1});
 }
 
-void listAwakeParticles(State& state) {
-    WorkLists& work = state.work;
-    for (auto* list : {&work.awake, &work.points, &work.free}) {
-        list->clear();
-        // When some fall asleep, the ranges of the others fall apart.
-        list->reserve(state.bodies.size());
-    }
-    work.awakeParticles = 0;
-    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
-        if (!state.movable(b)) continue;
-        const BodyRecord& body = state.bodies[b];
-        const auto size = static_cast<std::uint32_t>(body.particles.size());
-        work.awakeParticles += size;
-        for (auto i = body.firstParticle; i < body.firstParticle + size; ++i) {
-            append(work.awake, i);
-            if (state.particles.cluster[i] != none) continue;
-            append(work.points, i);
-            if (state.trees.ofParticle[i] == none) append(work.free, i);
-        }
-    }
-}
-
 void listClusters(State& state) {
     WorkLists& work = state.work;
     work.awakeClusters.clear();
@@ -64,6 +42,7 @@ bool isAwake(const State& state, const TreeNode& node) {
 void listTrees(State& state) {
     WorkLists& work = state.work;
     work.lonelyTrees.clear();
+    work.tiedTrees.clear();
     work.lines.clear();
     for (std::uint32_t t = 0; t < state.trees.list.size(); ++t) {
         const Tree& tree = state.trees.list[t];
@@ -71,6 +50,61 @@ void listTrees(State& state) {
         const auto last = state.trees.nodes.begin() + tree.last;
         if (std::any_of(first, last, [&](const TreeNode& n) { return isAwake(state, n); }))
             (tree.alone ? work.lonelyTrees : work.lines).push_back(t);
+    }
+    for (const auto t : work.lonelyTrees)
+        if (state.trees.list[t].tied) work.tiedTrees.push_back(t);
+    listChainBatches(state);
+}
+
+/// Pins of ropes and pendulums: the trees forget their forces, so that nothing is left to predict.
+const std::vector<std::uint8_t>& heldByTrees(const State& state) {
+    thread_local std::vector<std::uint8_t> held;
+    held.assign(state.particles.size(), 0);
+    for (const auto t : state.work.lonelyTrees) {
+        const Tree& tree = state.trees.list[t];
+        for (auto k = tree.first; k < tree.last; ++k)
+            if (const auto p = state.trees.nodes[k].particle;
+                p != none && state.particles.inverseMass[p] == 0)
+                held[p] = 1;
+    }
+    return held;
+}
+
+void listAwakeParticles(State& state) {
+    WorkLists& work = state.work;
+    work.bodies.clear();
+    work.kinematic.clear();
+    work.sleepers = 0;
+    work.bodies.reserve(state.bodies.size());
+    for (auto* list : {&work.awake, &work.points, &work.free}) {
+        list->clear();
+        // When some fall asleep, the ranges of the others fall apart.
+        list->reserve(state.bodies.size());
+    }
+    work.awakeParticles = work.awakeSurfaces = 0;
+    work.heldNodes.clear();
+    const std::vector<std::uint8_t>& held = heldByTrees(state);
+    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
+        const BodyRecord& body = state.bodies[b];
+        if (body.asleep) ++work.sleepers;
+        if (!state.movable(b)) continue;
+        work.bodies.push_back(b);
+        if (body.kind == BodyKind::kinematic) work.kinematic.push_back(b);
+        const auto size = static_cast<std::uint32_t>(body.particles.size());
+        work.awakeParticles += size;
+        for (auto i = body.firstParticle; i < body.firstParticle + size; ++i) {
+            if (state.particles.reach[i] > 0) {
+                append(work.awake, i);
+                ++work.awakeSurfaces;
+            }
+            if (state.particles.cluster[i] != none) continue;
+            append(work.points, i);
+            if (state.trees.ofParticle[i] != none) continue;
+            if (held[i] != 0 && body.kind == BodyKind::dynamic)
+                work.heldNodes.push_back(i);
+            else
+                append(work.free, i);
+        }
     }
 }
 
@@ -84,9 +118,10 @@ void listJoints(State& state) {
     WorkLists& work = state.work;
     const Joints& joints = state.joints;
     for (auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints,
-                       &work.stiffJoints, &work.breakableJoints})
+                       &work.stiffJoints, &work.breakableJoints, &work.tiedJoints})
         list->clear();
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        if (joints.body[j] == none) work.tiedJoints.push_back(j);
         if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
             work.breakableJoints.push_back(j);
         if (!takesPart(state, j)) continue;
@@ -119,11 +154,25 @@ void listAttachments(State& state) {
 
 /// Bodies that the caller bent are whole again when the sweeps have straightened them.
 void watchStrain(State& state) {
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        if (!state.bodies[i].strained || !strainIsGone(state, i)) continue;
+    const auto watch = [&](std::uint32_t i) {
+        if (!state.bodies[i].strained || !strainIsGone(state, i)) return;
         state.bodies[i].clustersStale = true;
         state.structure.stale = true;
+    };
+    if (!state.work.stale && !state.structure.stale) {
+        state.looked(Stage::changes, state.work.strained.size());
+        for (const auto i : state.work.strained) watch(i);
+        return;
     }
+    state.looked(Stage::changes, state.bodies.size());
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) watch(i);
+}
+
+void listStrained(State& state) {
+    auto& strained = state.work.strained;
+    strained.clear();
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
+        if (state.bodies[i].strained) strained.push_back(i);
 }
 
 void deriveStructure(State& state) {
@@ -144,9 +193,13 @@ void count(State& state) {
     statistics.awakeParticles = state.work.awakeParticles;
     statistics.clusters = size(state.work.awakeClusters);
     statistics.trees = size(state.work.lonelyTrees);
+    statistics.breakableJoints = size(state.work.breakableJoints);
     statistics.explicitJoints = statistics.implicitJoints = statistics.rigidJoints = 0;
-    for (const auto j : state.work.explicitJoints)
+    statistics.dampedJoints = 0;
+    for (const auto j : state.work.explicitJoints) {
         if (state.joints.kind[j] == JointKind::explicitElastic) ++statistics.explicitJoints;
+        if (state.joints.explicitDamping[j] > 0) ++statistics.dampedJoints;
+    }
     for (const auto j : state.work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
@@ -159,12 +212,16 @@ void applyChanges(State& state) {
     watchStrain(state);
     if (state.structure.stale) deriveStructure(state);
     if (!state.work.stale) return;
+    // The broad phase derives it later in the tick; the lists need it now.
+    if (state.broad.collidersStale) updateReach(state);
+    listTrees(state);
     listAwakeParticles(state);
     listClusters(state);
-    listTrees(state);
     listJoints(state);
     listAttachments(state);
+    listStrained(state);
     count(state);
+    state.touchingFrozen = false;
     state.work.stale = false;
 }
 

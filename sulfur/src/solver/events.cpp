@@ -35,12 +35,14 @@ Point placeOf(const State& state, const Contact& c) {
 }
 
 /// Contacts that push, by pairs of bodies, sorted.
-void collectTouching(const State& state, std::vector<Touching>& found) {
+void collectTouching(State& state, std::vector<Touching>& found) {
     found.clear();
-    for (std::uint32_t i = 0; i < state.contacts.size(); ++i)
-        if (state.contacts[i].normalLambda > 0)
-            found.push_back(
-                {pairOf(state, state.contacts[i]), i, impulseOf(state, state.contacts[i])});
+    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
+        const Contact& c = state.contacts[i];
+        if (c.normalLambda <= 0) continue;
+        found.push_back({pairOf(state, c), i, impulseOf(state, c)});
+        if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
+    }
     thread_local std::vector<Touching> scratch;
     thread_local std::vector<std::uint32_t> start;
     bucketSort(found, scratch, start, state.bodySlots.slots() + 1,
@@ -91,6 +93,7 @@ void collectEvents(State& state) {
     thread_local std::vector<Touching> found;
     thread_local std::vector<BodyPair> now;
     collectTouching(state, found);
+    if (found.empty() && state.touchingFrozen && !state.structure.stale) return;
     now.clear();
     // Both lists are sorted: one walk along both tells what is new and what is gone.
     auto before = state.touching.cbegin();
@@ -113,6 +116,7 @@ void collectEvents(State& state) {
     }
     passUntil(nullptr);
     std::swap(state.touching, now);
+    state.touchingFrozen = found.empty();
 }
 
 }  // namespace sulfur::detail

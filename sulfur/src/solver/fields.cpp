@@ -33,9 +33,11 @@ Point accelerationAt(const RadialField& field, const Point& p) {
 /// Calls `act` with each particle of an awake dynamic body on which the field acts.
 template <class Kind, class Act>
 void forEachIn(State& state, const Kind& field, Act&& act) {
-    for (const BodyRecord& body : state.bodies) {
-        if (body.kind != BodyKind::dynamic || body.asleep) continue;
+    for (const auto index : state.work.bodies) {
+        const BodyRecord& body = state.bodies[index];
+        if (body.kind != BodyKind::dynamic) continue;
         if ((body.filter.category & field.mask) == 0) continue;
+        state.looked(Stage::fields, body.particles.size());
         const auto last = body.firstParticle + static_cast<std::uint32_t>(body.particles.size());
         for (auto i = body.firstParticle; i < last; ++i)
             if (state.particles.inverseMass[i] != 0 && contains(field, state.particles.position[i]))

@@ -20,16 +20,17 @@ void addElasticForce(State& state, std::uint32_t j) {
         return;
     }
     const Vec2 direction = apart / length;
-    const Vec2 relative = (particles.velocity[b] - particles.velocity[a]).cast<Real>();
-    const Real lengthening = direction.dot(relative);
-    const Real pull = joints.explicitStiffness[j] * (length - joints.restLength[j]) +
-                      joints.explicitDamping[j] * lengthening;
-    joints.force[j] = pull;
-    Vec2 total = pull * direction;
-    if (state.settings.damper == Damper::full) {
-        const Vec2 sliding = relative - lengthening * direction;
-        total += joints.explicitDamping[j] * sliding;
+    Real pull = joints.explicitStiffness[j] * (length - joints.restLength[j]);
+    Vec2 sideways(0, 0);
+    if (joints.explicitDamping[j] > 0) {
+        const Vec2 relative = (particles.velocity[b] - particles.velocity[a]).cast<Real>();
+        const Real lengthening = direction.dot(relative);
+        pull += joints.explicitDamping[j] * lengthening;
+        if (state.settings.damper == Damper::full)
+            sideways = joints.explicitDamping[j] * (relative - lengthening * direction);
     }
+    joints.force[j] = pull;
+    const Vec2 total = pull * direction + sideways;
     const Point force = total.cast<double>();
     particles.force[a] += force;
     particles.force[b] -= force;
@@ -38,6 +39,7 @@ void addElasticForce(State& state, std::uint32_t j) {
 }  // namespace
 
 void gatherForces(State& state) {
+    state.looked(Stage::forces, state.work.explicitJoints.size());
     for (const auto j : state.work.explicitJoints) addElasticForce(state, j);
 }
 

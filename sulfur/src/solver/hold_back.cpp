@@ -171,6 +171,7 @@ void holdBack(State& state) {
     thread_local Ways ways;
     Brakes brakes(state);
     for (int round = 0; round < rounds; ++round) {
+        state.statistics.heldBack += static_cast<std::uint32_t>(state.broad.watches.size());
         ways.find(state);
         forEachNear(state.broad, ways.outings, [&](const Watch& watch) {
             const Real share = meetingTime(state, ways, watch);

@@ -35,8 +35,8 @@ void driveTowardsTarget(State& state, const BodyRecord& body, double stepsLeft) 
 void driveKinematicBodies(State& state) {
     Particles& particles = state.particles;
     const double stepsLeft = state.substeps.count - state.substeps.done;
-    for (BodyRecord& body : state.bodies) {
-        if (body.kind != BodyKind::kinematic) continue;
+    for (const auto index : state.work.kinematic) {
+        BodyRecord& body = state.bodies[index];
         if (body.moving) {
             driveTowardsTarget(state, body, stepsLeft);
         } else {
@@ -74,13 +74,18 @@ void startFreshParticles(State& state) {
 void predictParticles(State& state) {
     const MotionView view = motionOf(state.particles);
     const Kick kick = kickOf(state);
-    for (const Range range : state.work.free)
+    for (const Range range : state.work.free) {
+        state.looked(Stage::predict, range.last - range.first);
         motionKernels().predict(view, kick, range.first, range.last);
+    }
+    for (const auto i : state.work.heldNodes) state.particles.displacement[i] = Vec2(0, 0);
 }
 
 }  // namespace
 
 void predict(State& state) {
+    state.looked(Stage::predict, state.work.kinematic.size() + state.work.awakeClusters.size() +
+                                     state.work.lonelyTrees.size());
     startFreshParticles(state);
     adoptStirredClusters(state);
     predictParticles(state);

@@ -145,6 +145,7 @@ void updateSensors(State& state) {
     refreshGrid(state, 0);
     const bool anew = sensing.run != state.broad.runs;
     if (anew) findNear(state);
+    state.looked(Stage::sensors, sensing.near.size());
     sensing.now.clear();
     addNear(state, anew);
     addAround(state);

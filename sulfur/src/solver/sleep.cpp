@@ -18,15 +18,33 @@ bool isDynamic(const State& state, std::uint32_t body) {
     return state.bodies[body].kind == BodyKind::dynamic;
 }
 
+/// Calls `act` with each body that may be awake. Who woke since the lists were made is in none.
+template <class Act>
+void forEachMover(State& state, Act&& act) {
+    if (!state.work.stale && !state.structure.stale) {
+        state.looked(Stage::sleep, state.work.bodies.size());
+        for (const auto i : state.work.bodies) act(i);
+        return;
+    }
+    state.looked(Stage::sleep, state.bodies.size());
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) act(i);
+}
+
+/// Whether a list of sleepers would be empty. It may not say so until the next tick.
+bool nobodySleeps(const State& state) {
+    return state.work.sleepers == 0 && !state.work.stale && !state.structure.stale;
+}
+
 void measureRest(State& state) {
     const auto& v = state.particles.velocity;
-    for (BodyRecord& body : state.bodies) {
-        if (body.kind != BodyKind::dynamic || body.asleep) continue;
+    forEachMover(state, [&](std::uint32_t index) {
+        BodyRecord& body = state.bodies[index];
+        if (body.kind != BodyKind::dynamic || body.asleep) return;
         bool resting = true;
         for (std::uint32_t k = 0; k < body.particles.size() && resting; ++k)
             resting = v[body.firstParticle + k].squaredNorm() < restingSpeed * restingSpeed;
         body.restingTime = resting ? body.restingTime + state.h : 0;
-    }
+    });
 }
 
 /// Whether any part of a kinematic body moves; the first particle may be what it turns about.
@@ -119,21 +137,27 @@ bool isFast(const State& state, std::uint32_t index) {
 /// momentum that the sleeper should have got. So it wakes a tick before. The two ticks of motion
 /// leave room for what speeds it up.
 void wakeThreatened(State& state) {
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        if (!isFast(state, i)) continue;
+    forEachMover(state, [&](std::uint32_t i) {
+        if (!isFast(state, i)) return;
+        ++state.statistics.fastBodies;
         const Bounds way = boundsOf(state, i, 2 * static_cast<double>(state.h));
+        state.looked(Stage::sleep, state.bodies.size());
         for (std::uint32_t k = 0; k < state.bodies.size(); ++k)
             if (state.bodies[k].asleep &&
                 mayCollide(state.bodies[i].filter, state.bodies[k].filter) &&
                 boundsOf(state, k, 0).intersects(way))
                 wakeBody(state, k);
-    }
+    });
 }
 
 /// What sleeps on a kinematic body that starts to move does not stay behind.
 void wakeCarried(State& state) {
-    const bool any = std::any_of(state.bodies.begin(), state.bodies.end(),
-                                 [&](const auto& body) { return isMovingKinematic(state, body); });
+    bool any = false;
+    const auto look = [&](std::uint32_t i) { any |= isMovingKinematic(state, state.bodies[i]); };
+    if (state.work.stale || state.structure.stale)
+        for (std::uint32_t i = 0; i < state.bodies.size(); ++i) look(i);
+    else
+        for (const auto i : state.work.kinematic) look(i);
     if (!any) return;
     const auto& body = state.particles.body;
     for (const ContactMemory& m : state.contactMemory)
@@ -158,8 +182,12 @@ void wakeTied(State& state) {
         }
     };
     const Joints& joints = state.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        if (joints.body[j] == none) wake(joints.a[j], joints.b[j]);
+    if (!state.work.stale && !state.structure.stale) {
+        for (const auto j : state.work.tiedJoints) wake(joints.a[j], joints.b[j]);
+    } else {
+        for (std::size_t j = 0; j < joints.size(); ++j)
+            if (joints.body[j] == none) wake(joints.a[j], joints.b[j]);
+    }
     for (const Attachment& held : state.attachments)
         for (std::uint32_t k = 0; k < held.count; ++k) wake(held.particle, held.support[k]);
 }
@@ -225,19 +253,23 @@ void sleepBody(State& state, std::uint32_t index) {
 
 void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
-    wakeTouched(state);
-    wakeTied(state);
-    wakeCarried(state);
-    wakeThreatened(state);
+    if (!nobodySleeps(state)) {
+        wakeTouched(state);
+        wakeTied(state);
+        wakeCarried(state);
+        wakeThreatened(state);
+    }
     measureRest(state);
     // Memory is taken when bodies are added, not when they first tire.
     thread_local DisjointSets islands;
     thread_local std::vector<bool> restless;
     islands.reserve(state.bodies.size());
     restless.reserve(state.bodies.size());
-    const bool anyTired = std::any_of(
-        state.bodies.begin(), state.bodies.end(),
-        [](const BodyRecord& body) { return !body.asleep && body.restingTime >= timeToSleep; });
+    bool anyTired = false;
+    forEachMover(state, [&](std::uint32_t i) {
+        const BodyRecord& body = state.bodies[i];
+        anyTired |= !body.asleep && body.restingTime >= timeToSleep;
+    });
     if (!anyTired) return;
     findIslands(state, islands);
     restless.assign(state.bodies.size(), false);

@@ -1,4 +1,5 @@
 // One tick, from top to bottom.
+#include <algorithm>
 #include <chrono>
 
 #include "solver/stages.hpp"
@@ -19,6 +20,60 @@ void timed(State& state, Stage stage, Function&& run) {
         std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// What a tick adds to begins at zero.
+void clearStatistics(Statistics& statistics) {
+    statistics.items.fill(0);
+    statistics.seconds.fill(0);
+    statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
+}
+
+/// What the stages of collision and constraints loop over.
+void noteItems(State& state) {
+    const WorkLists& work = state.work;
+    state.looked(Stage::broadPhase, work.awakeSurfaces);
+    state.looked(Stage::narrowPhase, state.broad.watches.size());
+    state.looked(Stage::constraints,
+                 state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +
+                     work.attachments.size() + work.hinges.size() + work.lines.size() +
+                     state.trees.touchedAlone.size() + state.influences.grabs.size());
+}
+
+/// Whether somebody drives a body that physics does not move.
+bool isDriven(const State& state, std::uint32_t index) {
+    const BodyRecord& body = state.bodies[index];
+    if (body.kind != BodyKind::kinematic || body.moving || body.stopping) return true;
+    const auto first = state.particles.velocity.begin() + body.firstParticle;
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
+                       [](const Point& v) { return v != Point(0, 0); });
+}
+
+/// Whether something has been changed by hand since the lists were made.
+bool isChanged(const State& state) {
+    const BroadPhase& broad = state.broad;
+    return state.structure.stale || state.work.stale || broad.collidersStale ||
+           broad.cellSizeStale || broad.fixedStale || broad.pairsStale || state.anyPlaced ||
+           !state.fresh.empty() || !state.influences.grabs.empty();
+}
+
+/// Whether a tick would change nothing but the clock: all that could move sleeps.
+bool allRest(const State& state) {
+    const auto& movers = state.work.bodies;
+    return !isChanged(state) && std::none_of(movers.begin(), movers.end(),
+                                             [&](auto body) { return isDriven(state, body); });
+}
+
+/// A tick of a world at rest.
+void idle(State& state) {
+    auto& events = state.events;
+    events.contactsBegun.clear();
+    events.contactsPersisted.clear();
+    events.contactsEnded.clear();
+    events.jointsBroken.clear();
+    events.bodiesSplit.clear();
+    events.particlesLost.clear();
+    ++state.statistics.idleTicks;
+}
+
 void runStages(State& state) {
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
@@ -28,10 +83,20 @@ void runStages(State& state) {
     timed(state, Stage::narrowPhase, findContacts);
     timed(state, Stage::constraints, solveConstraints);
     timed(state, Stage::velocities, updateVelocities);
+    noteItems(state);
     timed(state, Stage::breakage, breakJoints);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     collectEvents(state);
     timed(state, Stage::sleep, updateSleep);
+    state.idle = state.contacts.empty() && state.entwined.empty() && allRest(state);
+}
+
+void runStep(State& state) {
+    state.idle = state.idle && allRest(state);
+    if (state.idle)
+        idle(state);
+    else
+        runStages(state);
     timed(state, Stage::sensors, updateSensors);
     state.lastTick = static_cast<double>(state.h);
 }
@@ -56,13 +121,12 @@ void append(Events& events, Events& more) {
 }  // namespace
 
 void step(State& state) {
+    clearStatistics(state.statistics);
     chooseSubsteps(state);
-    state.statistics.seconds = {};
-    state.statistics.substeps = state.substeps.count;
     Events told;
     state.substeps.done = 0;
     for (; state.substeps.done < state.substeps.count; ++state.substeps.done) {
-        runStages(state);
+        runStep(state);
         if (state.substeps.count > 1) append(told, state.events);
     }
     if (state.substeps.count > 1) state.events = std::move(told);

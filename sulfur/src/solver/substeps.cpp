@@ -2,43 +2,27 @@
 
 #include <algorithm>
 
-#include "collision/broad_phase.hpp"
-#include "collision/pairs.hpp"
-
 namespace sulfur::detail {
 
 namespace {
 
-constexpr int wantedRate = 480;       // Hz, of steps, while something asks for it
+constexpr int wantedRate = 500;       // Hz, of steps, while something asks for it
 constexpr double calmAfter = 0.5;     // s
-constexpr Real fastTravel = Real(0.1);  // of a thickness, in a tick
+constexpr double fastTravel = 0.1;    // radii in a tick
 
 int mostSubsteps(const State& state) {
     return (wantedRate + state.settings.tickRate - 1) / state.settings.tickRate;
 }
 
-/// Whether a candidate may meet within the tick, by the present velocities, with a way through each
-/// other that shows. Bodies that are new since the last tick are known by `anyPlaced`.
-bool anyFastMeeting(const State& state, double tick) {
-    const BroadPhase& broad = state.broad;
-    if (broad.collidersStale || broad.pairsStale) return true;
-    thread_local std::vector<Vec2> ways;
-    thread_local Outings outings;
+/// Whether anything that can touch covers too much of its own thickness in a tick.
+bool anyFast(const State& state) {
     const Particles& p = state.particles;
-    ways.assign(p.size(), Vec2(0, 0));
-    for (const Range range : state.work.awake)
-        for (auto i = range.first; i < range.last; ++i)
-            ways[i] = (tick * p.velocity[i]).cast<Real>();
-    measureOutings(state, ways, outings);
-    bool any = false;
-    forEachNear(broad, outings, [&](const Watch& w) {
-        const Vec2& way = ways[w.candidate.particle];
-        const Real travel = std::max((way - ways[w.a]).norm(), (way - ways[w.b]).norm());
-        const Real thickness =
-            p.reach[w.candidate.particle] + broad.collider(w.candidate.collider).radius;
-        any |= travel > fastTravel * thickness;
-    });
-    return any;
+    const double tick = 1.0 / state.settings.tickRate;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double most = fastTravel * static_cast<double>(p.reach[i]);
+        if (most > 0 && tick * tick * p.velocity[i].squaredNorm() > most * most) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -62,20 +46,25 @@ void chooseSubsteps(State& state) {
     const double tick = 1.0 / state.settings.tickRate;
     if (most > 1) {
         if (state.anyPlaced || !state.entwined.empty() || steps.strained != 0 ||
-            anyFastMeeting(state, tick))
+            anyFast(state))
             steps.left = calmAfter;
         else
             steps.left = std::max(steps.left - tick, 0.0);
     }
     steps.count = most > 1 && steps.left > 0 ? static_cast<std::uint32_t>(most) : 1;
     steps.strained = 0;
+    state.statistics.substeps = steps.count;
     setStep(state, 1 / static_cast<Real>(state.settings.tickRate) / static_cast<Real>(steps.count));
 }
 
 void noteStrain(State& state, bool leftError) {
     if (mostSubsteps(state) == 1) return;
-    const auto asks = [](const Contact& c) {
-        return c.normalLambda > 0 && (c.fast || (c.rough && c.sliding));
+    const auto moves = [&](std::uint32_t body) {
+        return state.bodies[body].kind == BodyKind::dynamic && !state.bodies[body].asleep;
+    };
+    const auto asks = [&](const Contact& c) {
+        return c.normalLambda > 0 &&
+               (c.fast || (c.rough && c.sliding) || (moves(c.bodyA) && moves(c.bodyB)));
     };
     if (leftError || std::any_of(state.contacts.begin(), state.contacts.end(), asks))
         state.substeps.strained = 1;

@@ -25,8 +25,10 @@ void velocitiesFromDisplacements(State& state) {
 
 void movePoints(State& state) {
     const MotionView view = motionOf(state.particles);
-    for (const Range range : state.work.points)
+    for (const Range range : state.work.points) {
+        state.looked(Stage::velocities, range.last - range.first);
         motionKernels().move(view, maxCoordinate, range.first, range.last);
+    }
 }
 
 }  // namespace
@@ -40,6 +42,7 @@ void updateVelocities(State& state) {
     limitRebounds(state);
     movePoints(state);
     moveClusters(state);
+    state.looked(Stage::velocities, state.work.awakeClusters.size());
 }
 
 }  // namespace sulfur::detail

@@ -18,14 +18,6 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr int mostPasses = 10, mostFactored = 6;
-/// A pass uses the factors of an earlier one as long as each takes this part of the error away.
-constexpr double worthwhile = 0.05;
-/// m; what the shortest step of the fastest world still closes at once.
-constexpr double smallStretch = closingSpeed / (10000 * mostSteps);
-/// Smaller than this, relative to what moves there, nothing can: the link is redundant.
-constexpr double redundant = 1e-13;
-
 /// Two numbers in one register, which every x86-64 has.
 using Pair [[gnu::vector_size(16)]] = double;
 
@@ -64,7 +56,7 @@ struct ChainLink {
     double inverseLength = 0;      // when the step began
     double masses = 0;             // 1/kg, of both ends together
     double rest = 0, guess = 0;
-    double share = 0;  // 1 / largest error that counts as none
+    double share = 0;  // shareOf(rest)
 };
 
 /// The part of an elastic link that is no force.
@@ -87,7 +79,20 @@ struct Scratch {
     std::vector<ChainLink> links;
     std::vector<ChainSpring> springs;
     std::vector<ChainFactor> factors;
+
+    void reserve(std::size_t count) {
+        if (nodes.size() >= count) return;
+        nodes.resize(count);
+        links.resize(count);
+        springs.resize(count);
+        factors.resize(count);
+    }
 };
+
+Scratch& scratch() {
+    thread_local Scratch memory;
+    return memory;
+}
 
 class ChainStepper {
 public:
@@ -96,10 +101,7 @@ public:
           tree_(tree),
           count_(tree.last - tree.first),
           tick_(static_cast<double>(state.h)) {
-        scratch.nodes.resize(std::max<std::size_t>(scratch.nodes.size(), count_));
-        scratch.links.resize(std::max<std::size_t>(scratch.links.size(), count_));
-        scratch.springs.resize(std::max<std::size_t>(scratch.springs.size(), count_));
-        scratch.factors.resize(std::max<std::size_t>(scratch.factors.size(), count_));
+        scratch.reserve(count_);
         nodes_ = scratch.nodes.data();
         links_ = scratch.links.data();
         springs_ = scratch.springs.data();
@@ -160,7 +162,7 @@ private:
         link.apart = pairOf(here) - pairOf(there);
         link.masses = nodes_[i].inverseMass + nodes_[i - 1].inverseMass;
         link.rest = static_cast<double>(joints.restLength[j]);
-        link.share = std::min(1 / link.rest, 1e3);
+        link.share = shareOf(link.rest);
         const double force = static_cast<double>(joints.force[j]);
         ChainSpring& spring = springs_[i];
         spring.rigid = joints.kind[j] == JointKind::rigid;
@@ -269,7 +271,8 @@ private:
             const double worst = evaluate<withSprings>();
             if (worst <= treeTolerance) return true;
             const bool stale = pass == 0 || !(worst < worthwhile * before);
-            if (pass == mostPasses || (stale && factored == mostFactored) || !std::isfinite(worst))
+            if (pass == mostChainPasses || (stale && factored == mostChainFactors) ||
+                !std::isfinite(worst))
                 return false;
             if (stale) {
                 factorise<withSprings>();
@@ -325,7 +328,7 @@ private:
     }
 
     double inverseOf(double pivot, std::size_t i) const {
-        return std::abs(pivot) > redundant * links_[i].masses ? 1 / pivot : 0;
+        return std::abs(pivot) > redundantPivot * links_[i].masses ? 1 / pivot : 0;
     }
 
     template <bool withSprings>
@@ -483,8 +486,11 @@ private:
 }  // namespace
 
 bool stepChain(State& state, Tree& tree) {
-    thread_local Scratch scratch;
-    return ChainStepper(state, tree, scratch).run();
+    return ChainStepper(state, tree, scratch()).run();
+}
+
+void reserveForChains(std::size_t nodes) {
+    scratch().reserve(nodes);
 }
 
 }  // namespace sulfur::detail

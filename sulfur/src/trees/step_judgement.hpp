@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/limits.hpp"
+
 namespace sulfur::detail {
 
 inline constexpr std::uint32_t mostSteps = 64;
@@ -17,6 +19,19 @@ inline constexpr double mostWhip = 1, mostTurn = 0.2;
 inline constexpr double tolerableWhip = 3, tolerableTurn = 0.7;
 /// Below both of these the steps are doubled.
 inline constexpr double calmWhip = 0.15, calmTurn = 0.08;
+
+/// Of Newton's method for a chain. A pass uses the factors of an earlier one as long as each takes
+/// all but this part of the error away.
+inline constexpr int mostChainPasses = 10, mostChainFactors = 6;
+inline constexpr double worthwhile = 0.05;
+/// m; what the shortest step of the fastest world still closes at once.
+inline constexpr double smallStretch = closingSpeed / (10000 * mostSteps);
+/// Smaller than this, relative to what moves there, nothing can: the link is redundant.
+inline constexpr double redundantPivot = 1e-13;
+/// 1 / largest error of a link of length `rest` that counts as none, in units of treeTolerance.
+inline double shareOf(double rest) {
+    return std::min(1 / rest, 1e3);
+}
 
 /// How a step of a tree, or all of them in a tick, went.
 struct Outcome {

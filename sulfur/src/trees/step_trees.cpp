@@ -452,26 +452,33 @@ private:
     std::uint32_t count_;
 };
 
+void stepTree(State& state, Tree& tree) {
+    thread_local Workshop<2> points;
+    thread_local Workshop<3> bodies;
+    if (tree.chain && stepChain(state, tree)) return;
+    if (tree.points)
+        TreeStepper<2>(state, tree, points).run();
+    else
+        TreeStepper<3>(state, tree, bodies).run();
+    for (auto k = tree.first; k < tree.last; ++k)
+        if (const auto p = state.trees.nodes[k].particle; p != none)
+            state.particles.force[p] = Point(0, 0);
+}
+
 }  // namespace
 
 void stepTrees(State& state) {
     state.statistics.chainSteps = 0;
     state.statistics.chainFallbacks = 0;
+    state.statistics.chainsInLanes = 0;
     if (state.work.lonelyTrees.empty()) return;
-    thread_local Workshop<2> points;
-    thread_local Workshop<3> bodies;
+    thread_local std::vector<std::uint32_t> left;
+    left.clear();
+    left.reserve(state.work.lonelyTrees.size());
     state.trees.predicted.resize(state.trees.nodes.size());
-    for (const auto i : state.work.lonelyTrees) {
-        Tree& tree = state.trees.list[i];
-        if (tree.chain && stepChain(state, tree)) continue;
-        if (tree.points)
-            TreeStepper<2>(state, tree, points).run();
-        else
-            TreeStepper<3>(state, tree, bodies).run();
-        for (auto k = tree.first; k < tree.last; ++k)
-            if (const auto p = state.trees.nodes[k].particle; p != none)
-                state.particles.force[p] = Point(0, 0);
-    }
+    stepChainBatches(state, left);
+    for (const auto* list : {&left, &state.work.chains.others})
+        for (const auto i : *list) stepTree(state, state.trees.list[i]);
 }
 
 }  // namespace sulfur::detail

@@ -358,34 +358,42 @@ void giveContacts(State& state) {
 
 void touchTrees(State& state) {
     Trees& trees = state.trees;
+    trees.touchedAlone.clear();
+    trees.touchedAlone.reserve(state.work.lonelyTrees.size());
     if (trees.list.empty()) return;
+    trees.touched.assign(trees.list.size(), 0);
+    const bool anyGrabs = !state.influences.grabs.empty();
+    const auto& tied = state.work.tiedTrees;
+    if (state.contacts.empty() && !anyGrabs && tied.empty() && state.work.lines.empty()) return;
     trees.met.assign(trees.nodes.size(), {0, 0});
     trees.lambda.assign(trees.nodes.size(), {0, 0});
-    trees.touched.assign(trees.list.size(), 0);
     giveContacts(state);
     for (const Contact& c : state.contacts)
         for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) touch(state, grip);
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             touch(state, gripOf(state, state.particleSlots.dense(grab.support[k])));
+    for (const auto i : tied) trees.touched[i] = 1;
     for (const auto i : state.work.lonelyTrees) {
-        if (trees.list[i].tied) trees.touched[i] = 1;
-        if (trees.touched[i]) withSweeper(state, i, [](auto& s) { s.remember(); });
+        if (!trees.touched[i]) continue;
+        trees.touchedAlone.push_back(i);
+        withSweeper(state, i, [](auto& s) { s.remember(); });
     }
 }
 
 void sweepTrees(State& state) {
-    for (const auto i : state.work.lines) withSweeper(state, i, [](auto& s) { s.sweep(); });
-    for (const auto i : state.work.lonelyTrees)
-        if (state.trees.touched[i]) withSweeper(state, i, [](auto& s) { s.sweep(); });
+    for (const auto* list : {&state.work.lines, &state.trees.touchedAlone})
+        for (const auto i : *list) withSweeper(state, i, [](auto& s) { s.sweep(); });
 }
 
 bool treesAreStrained(State& state) {
     double most = 0;
-    for (const auto* list : {&state.work.lonelyTrees, &state.work.lines})
-        for (const auto i : *list)
-            if (state.trees.touched[i])
-                withSweeper(state, i, [&](auto& s) { most = std::max(most, s.strain()); });
+    const auto look = [&](std::uint32_t tree) {
+        withSweeper(state, tree, [&](auto& s) { most = std::max(most, s.strain()); });
+    };
+    for (const auto i : state.trees.touchedAlone) look(i);
+    for (const auto i : state.work.lines)
+        if (state.trees.touched[i]) look(i);
     return most > mostStrain;
 }
 
@@ -408,14 +416,12 @@ void recordTreeForces(State& state) {
         }
     };
     for (const auto i : state.work.lines) record(trees.list[i]);
-    for (const auto i : state.work.lonelyTrees)
-        if (trees.touched[i]) record(trees.list[i]);
+    for (const auto i : trees.touchedAlone) record(trees.list[i]);
 }
 
 void updateTreeVelocities(State& state) {
     const double h = static_cast<double>(state.h);
-    for (const auto i : state.work.lonelyTrees) {
-        if (!state.trees.touched[i]) continue;
+    for (const auto i : state.trees.touchedAlone) {
         const Tree& tree = state.trees.list[i];
         for (auto k = tree.first; k < tree.last; ++k) {
             const auto p = state.trees.nodes[k].particle;

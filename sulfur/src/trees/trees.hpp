@@ -90,6 +90,7 @@ struct Trees {
     std::vector<std::array<double, 2>> met;     // m, constraint values after the prediction
     std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
     std::vector<std::uint8_t> touched;          // tree
+    std::vector<std::uint32_t> touchedAlone;    // those that move alone, in order
     /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
     std::vector<std::uint32_t> contact;
     std::vector<std::uint32_t> nodeOfParticle;

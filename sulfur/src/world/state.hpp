@@ -17,6 +17,7 @@
 #include "rigid/clusters.hpp"
 #include "solver/sensing.hpp"
 #include "solver/swept_joints.hpp"
+#include "trees/chain_batches.hpp"
 #include "trees/trees.hpp"
 #include "world/bodies.hpp"
 #include "world/influences.hpp"
@@ -60,20 +61,28 @@ struct Structure {
 /// What the stages loop over, so that they never ask each particle whether it takes part.
 /// Derived from the structure and from who is awake whenever `stale`.
 struct WorkLists {
-    std::vector<Range> awake;   // particles of bodies that move
-    std::vector<Range> points;  // of these, the ones in no cluster
+    std::vector<Range> awake;   // particles of bodies that move, those with a surface
+    std::vector<Range> points;  // all particles of bodies that move but those in clusters
     std::vector<Range> free;    // of these, the ones in no tree that moves alone
     std::vector<std::uint32_t> awakeClusters;
     std::vector<std::uint32_t> clusters;         // of these, the ones in no tree that moves alone
     std::vector<std::uint32_t> watchedClusters;  // of these, the ones with joints that may break
     std::vector<std::uint32_t> lonelyTrees;      // that move alone
-    std::vector<std::uint32_t> lines;            // trees that are solved in the sweeps
+    std::vector<std::uint32_t> tiedTrees;  // of these, the ones that swept constraints pull on
+    ChainBatches chains;                   // of these, the ones that go in lanes
+    std::vector<std::uint32_t> heldNodes;  // particles in such trees that nothing moves
+    std::vector<std::uint32_t> lines;      // trees that are solved in the sweeps
     std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints;  // the latter two swept
     SweptJoints implicitSweep, rigidSweep;                                   // their batches
     std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
     std::vector<std::uint32_t> breakableJoints;
     std::vector<std::uint32_t> attachments, hinges;  // swept
-    std::uint32_t awakeParticles = 0;
+    std::vector<std::uint32_t> bodies;      // that move: awake dynamic ones and kinematic ones
+    std::vector<std::uint32_t> kinematic;   // of these
+    std::vector<std::uint32_t> strained;    // bodies that were bent out of shape
+    std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
+    std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
+    std::uint32_t sleepers = 0;                           // bodies
     bool stale = true;
 };
 
@@ -135,7 +144,15 @@ struct State {
     Statistics statistics;
     bool profiling = false;
     Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
-    bool anyPlaced = true;  // a body was made or moved by hand since the last tick
+    bool anyPlaced = true;   // a body was made or moved by hand since the last tick
+    bool anyStirred = true;  // some cluster is stirred
+    /// What follows from who is awake, found at the end of a tick and void after any change: no
+    /// tick would change anything; all that touches sleeps or never moves.
+    bool idle = false, touchingFrozen = false;
+
+    void looked(Stage stage, std::size_t items) {
+        statistics.items[static_cast<std::size_t>(stage)] += static_cast<std::uint32_t>(items);
+    }
 
     bool movable(std::uint32_t body) const {
         return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep;

@@ -115,21 +115,20 @@ TEST_P(ContactSweep, LeadsApartWithoutChangingDisplacements) {
     EXPECT_NEAR(shifts[1].y, -1e-3, 1e-9) << "closes what stands open";
 }
 
-const detail::ContactKernels* const all[] = {&detail::baselineContacts,
-#ifdef SULFUR_AVX2_KERNELS
-                                             &detail::avx2Contacts
-#endif
-};
-const auto runnable = [] {
-    std::vector<const detail::ContactKernels*> kernels{all[0]};
-    if (&detail::contactKernels() != all[0]) kernels.push_back(&detail::contactKernels());
+const std::vector<const detail::ContactKernels*>& runnable() {
+    static const std::vector<const detail::ContactKernels*> kernels = [] {
+        std::vector<const detail::ContactKernels*> all{&detail::baselineContacts};
+        if (&detail::contactKernels() != all[0]) all.push_back(&detail::contactKernels());
+        return all;
+    }();
     return kernels;
-}();
-INSTANTIATE_TEST_SUITE_P(Kernels, ContactSweep, testing::ValuesIn(runnable));
+}
+INSTANTIATE_TEST_SUITE_P(Kernels, ContactSweep, testing::ValuesIn(runnable()));
 
 TEST(ContactSweepDispatch, BaselineGivesTheSameBits) {
     const auto play = [](bool baseline) {
-        detail::useBaselineKernels(baseline);
+        detail::useKernelsUpTo(baseline ? detail::Instructions::baseline
+                                        : detail::widestInstructions());
         World world;
         world.add(shapes::ground({.points = {{-6, 6}, {-6, 0}, {6, 0}, {6, 6}}}));
         for (int i = 0; i < 40; ++i) {
@@ -140,7 +139,7 @@ TEST(ContactSweepDispatch, BaselineGivesTheSameBits) {
                 world.add(shapes::box({.size = {Real(0.9), Real(0.8)}}), pose);
         }
         test::run(world, 1);
-        detail::useBaselineKernels(false);
+        detail::useKernelsUpTo(detail::widestInstructions());
         return world.hash();
     };
     EXPECT_EQ(play(true), play(false));

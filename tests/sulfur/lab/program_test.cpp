@@ -38,7 +38,7 @@ TEST(Program, ListsItsExperiments) {
     const auto outcome = lab("--list");
     EXPECT_EQ(outcome.status, 0);
     for (const char* name : {"table2", "table3", "table4", "accuracy", "stability", "broadphase",
-                             "bench", "scaling", "skip"})
+                             "bench", "scaling", "skip", "memory"})
         EXPECT_NE(outcome.output.find(name), std::string::npos) << name;
 }
 

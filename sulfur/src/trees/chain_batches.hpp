@@ -1,0 +1,42 @@
+// Chains of rigid links that go through the tick side by side, in SIMD lanes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/chain_lanes.hpp"
+
+namespace sulfur::detail {
+
+struct State;
+
+/// Chains of as many nodes each, one a lane. Lanes that are left over repeat the first one and take
+/// no part.
+struct LanesOfChains {
+    std::uint32_t nodes = 0;                         // of each
+    std::uint32_t lanes = 0;                         // that take part, the first ones
+    std::uint32_t indices = 0;                       // where those of its nodes begin
+    bool heldRoot = true;                            // nothing moves the first node of any lane
+    std::array<std::uint32_t, chainLanes> trees{};   // of each lane
+    std::array<std::uint32_t, chainLanes> firsts{};  // of each lane, its node among all
+};
+
+/// Derived from the trees that move alone and are awake.
+struct ChainBatches {
+    std::vector<LanesOfChains> list;
+    // Node by node, a lane beside the other.
+    std::vector<std::uint32_t> particles, joints;
+    std::vector<double> inverseMass;    // 1/kg
+    std::vector<double> rest, share;    // m and 1/m
+    std::vector<std::uint32_t> others;  // trees that are in no batch
+};
+
+/// Finds the batches among WorkLists::lonelyTrees.
+void listChainBatches(State& state);
+
+/// Leads the chains of all batches through the tick. Those that need more steps than they had
+/// before have not moved; their trees are added to `left`.
+void stepChainBatches(State& state, std::vector<std::uint32_t>& left);
+
+}  // namespace sulfur::detail

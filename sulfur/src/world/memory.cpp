@@ -1,0 +1,142 @@
+// What a world holds in memory.
+#include <string>
+#include <sulfur/world.hpp>
+
+#include "world/impl.hpp"
+
+namespace sulfur {
+
+namespace {
+
+using detail::State;
+
+/// Adds up the elements of arrays.
+class Sum {
+public:
+    template <class... Vectors>
+    Sum& add(const Vectors&... vectors) {
+        ((bytes_ += vectors.size() * sizeof(typename Vectors::value_type)), ...);
+        return *this;
+    }
+    Sum& addBytes(std::size_t bytes) {
+        bytes_ += bytes;
+        return *this;
+    }
+    MemoryUse as(const char* name, std::size_t items, bool hot) const {
+        return {name, items, bytes_, hot};
+    }
+
+private:
+    std::size_t bytes_ = 0;
+};
+
+MemoryUse ofHotParticles(const State& state) {
+    const auto& p = state.particles;
+    return Sum()
+        .add(p.position, p.displacement, p.velocity, p.force, p.inverseMass, p.cluster, p.arm,
+             p.shift, p.reach, p.body)
+        .as("particles: motion and surface", p.size(), true);
+}
+
+MemoryUse ofColdParticles(const State& state) {
+    const auto& p = state.particles;
+    return Sum()
+        .add(p.mass, p.radius, p.rest, p.pinned, p.id)
+        .as("particles: what they were made as", p.size(), false);
+}
+
+MemoryUse ofHotJoints(const State& state) {
+    const auto& j = state.joints;
+    return Sum()
+        .add(j.a, j.b, j.restLength, j.stiffness, j.damping, j.explicitStiffness, j.explicitDamping,
+             j.lambda, j.force, j.kind, j.inCluster)
+        .as("joints: what holds", j.size(), true);
+}
+
+MemoryUse ofColdJoints(const State& state) {
+    const auto& j = state.joints;
+    return Sum()
+        .add(j.radius, j.strength, j.material, j.ownMaterial, j.body, j.id, state.structure.colours)
+        .as("joints: surface, strength, owner", j.size(), false);
+}
+
+MemoryUse ofSweptJoints(const State& state) {
+    Sum sum;
+    for (const auto* swept : {&state.work.implicitSweep, &state.work.rigidSweep})
+        sum.add(swept->a, swept->b, swept->startX, swept->startY, swept->massA, swept->massB,
+                swept->rest, swept->lambda, swept->hk, swept->hb, swept->gain, swept->directionX,
+                swept->directionY, swept->scale, swept->whips);
+    return sum.as("joints in sweeps: their lanes",
+                  state.work.implicitJoints.size() + state.work.rigidJoints.size(), true);
+}
+
+MemoryUse ofWorkLists(const State& state) {
+    const auto& w = state.work;
+    return Sum()
+        .add(w.awake, w.points, w.free, w.awakeClusters, w.clusters, w.watchedClusters,
+             w.lonelyTrees, w.tiedTrees, w.lines, w.explicitJoints, w.implicitJoints, w.rigidJoints,
+             w.stiffJoints, w.breakableJoints, w.attachments, w.hinges, w.heldNodes, w.bodies,
+             w.kinematic, w.strained, w.tiedJoints)
+        .as("lists of what is awake", w.awakeParticles, true);
+}
+
+MemoryUse ofClusters(const State& state) {
+    const auto& c = state.clusters;
+    return Sum()
+        .add(c.list, c.members, c.places, c.hinges)
+        .as("rigid components", c.list.size(), true);
+}
+
+MemoryUse ofTrees(const State& state) {
+    const auto& t = state.trees;
+    const auto& c = state.work.chains;
+    return Sum()
+        .add(t.list, t.nodes, t.ofParticle, t.ofCluster, t.predicted, t.met, t.lambda, t.touched,
+             t.contact, t.nodeOfParticle, c.list, c.particles, c.joints, c.inverseMass, c.rest,
+             c.share)
+        .as("trees and chains", t.nodes.size(), true);
+}
+
+MemoryUse ofColliders(const State& state) {
+    const auto& b = state.broad;
+    return Sum()
+        .add(b.moving, b.fixed, b.reference, b.skin, b.largeMoving, b.largeFixed, b.levelOfMoving,
+             b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked, b.tied, b.surface)
+        .as("colliders", b.moving.size() + b.fixed.size(), true);
+}
+
+MemoryUse ofCandidates(const State& state) {
+    const auto& b = state.broad;
+    return Sum()
+        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns)
+        .as("candidates", b.watches.size(), true);
+}
+
+MemoryUse ofContacts(const State& state) {
+    return Sum()
+        .add(state.contacts, state.contactMemory, state.memoryStart, state.touching)
+        .as("contacts and their memory", state.contacts.size(), true);
+}
+
+MemoryUse ofBodies(const State& state) {
+    Sum sum;
+    sum.add(state.bodies, state.bodyIds, state.attachments);
+    for (const auto& body : state.bodies) sum.add(body.particles, body.joints, body.name);
+    sum.addBytes(state.particleSlots.bytes() + state.jointSlots.bytes() + state.bodySlots.bytes() +
+                 state.attachmentSlots.bytes());
+    return sum.as("bodies, and all handles", state.bodies.size(), false);
+}
+
+}  // namespace
+
+std::vector<MemoryUse> World::memory() const {
+    const State& state = impl_->state;
+    std::vector<MemoryUse> uses;
+    for (const auto use :
+         {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints, ofSweptJoints, ofWorkLists,
+          ofClusters, ofTrees, ofColliders, ofCandidates, ofContacts, ofBodies})
+        uses.push_back(use(state));
+    return uses;
+}
+
+}  // namespace sulfur
