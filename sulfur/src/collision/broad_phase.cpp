@@ -4,6 +4,7 @@
 #include "collision/cell_size.hpp"
 #include "collision/covering.hpp"
 #include "collision/pairs.hpp"
+#include "core/disjoint_sets.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -75,6 +76,42 @@ void collectLinks(State& state) {
     linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
 }
 
+/// Numbers the pieces in the order of their first particles.
+void collectPieces(State& state) {
+    BroadPhase& broad = state.broad;
+    Pieces& pieces = broad.pieces;
+    DisjointSets sets(state.particles.size());
+    pieces.ofParticle.assign(state.particles.size(), none);
+    for (const Collider& c : broad.moving) {
+        sets.unite(c.a, c.b);
+        pieces.ofParticle[c.a] = pieces.ofParticle[c.b] = 0;
+    }
+    std::uint32_t count = 0;
+    // The first particle of a set leads it and comes before its others.
+    for (std::uint32_t p = 0; p < pieces.ofParticle.size(); ++p)
+        if (pieces.ofParticle[p] != none)
+            pieces.ofParticle[p] = sets.find(p) == p ? count++ : pieces.ofParticle[sets.find(p)];
+    const auto list = [&](std::vector<std::uint32_t>& start, std::vector<std::uint32_t>& items,
+                          std::size_t size, auto&& pieceOf) {
+        start.assign(count + 1, 0);
+        for (std::uint32_t i = 0; i < size; ++i)
+            if (pieceOf(i) != none) ++start[pieceOf(i) + 1];
+        for (std::size_t k = 1; k <= count; ++k) start[k] += start[k - 1];
+        items.resize(start[count]);
+        for (auto i = static_cast<std::uint32_t>(size); i-- > 0;)
+            if (pieceOf(i) != none) items[--start[pieceOf(i) + 1]] = i;
+        for (std::size_t k = 0; k < count; ++k) start[k] = start[k + 1];
+        start[count] = static_cast<std::uint32_t>(items.size());
+    };
+    list(pieces.particleStart, pieces.particles, pieces.ofParticle.size(),
+         [&](std::uint32_t p) { return pieces.ofParticle[p]; });
+    list(pieces.colliderStart, pieces.colliders, broad.moving.size(),
+         [&](std::uint32_t i) { return pieces.ofParticle[broad.moving[i].a]; });
+    broad.left.clear();
+    broad.left.reserve(count);
+    broad.hasLeft.assign(count, 0);
+}
+
 void useCellSize(BroadPhase& broad) {
     broad.baseSkin = static_cast<Real>(0.1 * broad.cellSize);
     double size = broad.cellSize;
@@ -143,6 +180,17 @@ Real skinOf(const State& state, std::uint32_t particle) {
     return state.broad.baseSkin + Real(1.5) * step + std::min(Real(8.5) * step, cell);
 }
 
+/// Gives a moving collider its skin, and finds the grid in which it belongs.
+std::size_t placeMoving(State& state, std::uint32_t i) {
+    BroadPhase& broad = state.broad;
+    const Collider& c = broad.moving[i];
+    const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
+    // A particle may leave the narrowest skin of the capsules that it ends.
+    for (const auto p : {c.a, c.b})
+        broad.skin[p] = broad.skin[p] == 0 ? skin : std::min(broad.skin[p], skin);
+    return levelFor(state, c, skin, mostCellsMoving);
+}
+
 void rasteriseMoving(State& state) {
     BroadPhase& broad = state.broad;
     const auto gridOf = [&](std::size_t level) -> Grid& {
@@ -153,23 +201,67 @@ void rasteriseMoving(State& state) {
     for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).clear();
     broad.largeMoving.clear();
     broad.levelOfMoving.clear();
+    broad.cellsOf.assign(broad.moving.size(), 0);
+    broad.liveCells = 0;
     for (std::uint32_t i = 0; i < broad.moving.size(); ++i) {
-        const Collider& c = broad.moving[i];
-        const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
-        // A particle may leave the narrowest skin of the capsules that it ends.
-        for (const auto p : {c.a, c.b})
-            broad.skin[p] = broad.skin[p] == 0 ? skin : std::min(broad.skin[p], skin);
-        const auto level = levelFor(state, c, skin, mostCellsMoving);
+        const auto level = placeMoving(state, i);
         broad.levelOfMoving.push_back(static_cast<std::uint8_t>(level));
         if (level > 0) broad.largeMoving.push_back(i);
-        rasterise(state, c, skin, level, [&](Cell cell) { gridOf(level).insert(cell, i); });
+        const Collider& c = broad.moving[i];
+        const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
+        rasterise(state, c, skin, level, [&](Cell cell) {
+            gridOf(level).insert(cell, i);
+            ++broad.cellsOf[i];
+            ++broad.liveCells;
+        });
     }
     for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).build();
 }
 
-/// Whether every collider still is, and with `lookAhead` ticks of displacement stays, inside the
-/// skin with which it was rasterised; a quarter of the base skin is left for the contact margin.
-bool insideSkins(const State& state, Real lookAhead) {
+/// Enters the pieces that have left their skins into the grid once more; where they were entered
+/// before, they are found in vain. Returns false where it is better to begin anew: when much has
+/// left, when much is found in vain already, or when something large has.
+bool rasteriseLeft(State& state) {
+    BroadPhase& broad = state.broad;
+    const Pieces& pieces = broad.pieces;
+    const auto forEachLeft = [&](const auto& start, const auto& list, auto&& f) {
+        for (const auto piece : broad.left)
+            for (auto k = start[piece]; k < start[piece + 1]; ++k) f(list[k]);
+    };
+    std::size_t count = 0;
+    bool anyLarge = false;
+    forEachLeft(pieces.colliderStart, pieces.colliders, [&](std::uint32_t i) {
+        ++count;
+        anyLarge |= broad.levelOfMoving[i] > 0;
+    });
+    if (anyLarge || 4 * count > broad.moving.size()) return false;
+    if (broad.movingGrid.entries().size() > 2 * broad.liveCells) return false;
+    forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
+        broad.reference[p] = state.particles.position[p];
+        broad.skin[p] = 0;
+    });
+    forEachLeft(pieces.colliderStart, pieces.colliders,
+                [&](std::uint32_t i) { anyLarge |= placeMoving(state, i) > 0; });
+    if (anyLarge) return false;
+    forEachLeft(pieces.colliderStart, pieces.colliders, [&](std::uint32_t i) {
+        const Collider& c = broad.moving[i];
+        broad.liveCells -= broad.cellsOf[i];
+        broad.cellsOf[i] = 0;
+        const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
+        rasterise(state, c, skin, 0, [&](Cell cell) {
+            broad.movingGrid.add(cell, i);
+            ++broad.cellsOf[i];
+            ++broad.liveCells;
+        });
+    });
+    return true;
+}
+
+/// Calls f(particle, how much of its skin it has used: 1 is all) for surfaces that are, or with
+/// `lookAhead` ticks of displacement will be, away from where they were rasterised; a quarter of the
+/// base skin is left for the contact margin.
+template <class Function>
+void forEachOuting(const State& state, Real lookAhead, Function&& f) {
     const BroadPhase& broad = state.broad;
     const Particles& particles = state.particles;
     for (const Range range : state.work.awake) {
@@ -178,10 +270,27 @@ bool insideSkins(const State& state, Real lookAhead) {
             const Vec2 moved = (particles.position[i] - broad.reference[i]).cast<Real>() +
                                lookAhead * particles.displacement[i];
             const Real allowed = broad.skin[i] - broad.baseSkin / 4;
-            if (moved.squaredNorm() > allowed * allowed) return false;
+            f(i, moved.squaredNorm() / (allowed * allowed));
         }
     }
-    return true;
+}
+
+/// Notes the pieces that have left their skins, and those that soon will: that saves another look
+/// at everything in one of the next ticks.
+void findLeft(State& state, Real lookAhead) {
+    constexpr Real soon = Real(0.5);
+    BroadPhase& broad = state.broad;
+    for (const auto piece : broad.left) broad.hasLeft[piece] = 0;
+    broad.left.clear();
+    bool any = false;
+    forEachOuting(state, lookAhead, [&](std::uint32_t, Real used2) { any |= used2 > 1; });
+    if (!any) return;
+    forEachOuting(state, lookAhead, [&](std::uint32_t i, Real used2) {
+        const auto piece = broad.pieces.ofParticle[i];
+        if (used2 <= soon * soon || broad.hasLeft[piece] != 0) return;
+        broad.hasLeft[piece] = 1;
+        broad.left.push_back(piece);
+    });
 }
 
 /// What follows from bodies and joints alone.
@@ -190,6 +299,7 @@ void collectAnew(State& state) {
     updateReach(state);
     collectColliders(state);
     collectLinks(state);
+    collectPieces(state);
     broad.outlines.derive(state);
     findSpokes(state, broad.spokes);
     listSensors(state);
@@ -213,29 +323,23 @@ void refreshGrid(State& state, Real lookAhead) {
     // Only ticks choose: the skin that follows from the size decides which contacts there are.
     if (broad.cellSizeStale && !query) chooseCellSize(state);
     if (broad.fixedStale) rasteriseFixed(state);
-    if (!broad.pairsStale && insideSkins(state, lookAhead)) return;
+    if (!broad.pairsStale) {
+        findLeft(state, lookAhead);
+        if (broad.left.empty()) return;
+    }
+    ++broad.runs;
+    if (!broad.pairsStale && rasteriseLeft(state)) return renewPairs(state);
     rasteriseMoving(state);
     findPairs(state);
     broad.pairsStale = false;
-    ++broad.runs;
 }
-
-namespace {
-
-std::uint32_t coveredCells(const BroadPhase& broad) {
-    std::size_t cells = broad.movingGrid.entries().size();
-    for (const CoarseGrid& grid : broad.coarse) cells += grid.moving.entries().size();
-    return static_cast<std::uint32_t>(cells);
-}
-
-}  // namespace
 
 void updateBroadPhase(State& state) {
     refreshGrid(state, 1);
     measureOutings(state, state.particles.displacement, state.broad.outings);
     state.statistics.broadPhases = state.broad.runs;
     state.statistics.fixedRebuilds = state.broad.fixedRuns;
-    state.statistics.gridCells = coveredCells(state.broad);
+    state.statistics.gridCells = static_cast<std::uint32_t>(state.broad.liveCells);
     state.statistics.candidates = static_cast<std::uint32_t>(state.broad.watches.size());
 }
 

@@ -40,6 +40,10 @@ struct Watch {
 struct WatchedPair {
     std::uint32_t first = 0, second = 0;
     Real spare = 0;  // m
+
+    friend bool operator<(const WatchedPair& p, const WatchedPair& q) {
+        return p.first != q.first ? p.first < q.first : p.second < q.second;
+    }
 };
 
 /// Neighbours in a list of candidates or pairs that have a particle or body on either side in
@@ -48,6 +52,24 @@ struct WatchRun {
     std::uint32_t first = 0, last = 0;  // in the list
     std::uint32_t one = 0, other = 0;   // of candidates, a particle and a body; of pairs, bodies
     Real spare = 0;                     // m
+};
+
+/// Round a collider with its skin and all that may make a contact with it.
+struct Circle {
+    Point centre{0, 0};  // m
+    double radius = 0;   // m
+    std::uint32_t body = 0;
+    bool meetsItself = false;  // its body
+};
+
+/// Moving colliders that hang together by their particles. When one leaves its skin, all of its
+/// piece are rasterised again, and nothing else.
+struct Pieces {
+    std::vector<std::uint32_t> ofParticle;                 // or none, where nothing collides
+    std::vector<std::uint32_t> colliderStart, colliders;   // by pieces
+    std::vector<std::uint32_t> particleStart, particles;  // by pieces
+
+    std::size_t size() const { return colliderStart.empty() ? 0 : colliderStart.size() - 1; }
 };
 
 /// How far everything is at most, or with this tick's displacement will be, from where it was
@@ -76,6 +98,12 @@ struct BroadPhase {
     std::vector<Watch> watches;      // sorted by candidates, without duplicates
     std::vector<WatchedPair> pairs;  // of colliders, sorted, without duplicates; for crossings
     std::vector<WatchRun> watchRuns, pairRuns;
+    std::vector<Circle> circles;  // of all colliders
+    Pieces pieces;
+    std::vector<std::uint32_t> left;      // pieces that have left their skins; scratch
+    std::vector<std::uint8_t> hasLeft;    // the same, by pieces
+    std::vector<std::uint32_t> cellsOf;   // that each moving collider covers in the grid
+    std::size_t liveCells = 0;            // of these, all
     Outings outings;  // by the predicted displacements
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
     std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;    // bodies, by joints between them

@@ -26,6 +26,7 @@ void Grid::build() {
         entries_.reserve(room);
         sorted_.reserve(room);
         start_.reserve(std::bit_ceil(std::max<std::size_t>(2, room * 2)) + 1);
+        latest_.reserve(start_.capacity());
     }
     const auto buckets = std::bit_ceil(std::max<std::size_t>(2, entries_.size() * 2));
     shift_ = 64 - std::countr_zero(buckets);
@@ -42,6 +43,22 @@ void Grid::build() {
     for (std::size_t i = 0; i < buckets; ++i) start_[i] = start_[i + 1];
     start_[buckets] = static_cast<std::uint32_t>(entries_.size());
     bounds_ = boundsOf(entries_);
+    added_.clear();
+    added_.reserve(entries_.capacity());
+    latest_.assign(buckets, nothing);
+}
+
+void Grid::add(Cell cell, std::uint32_t item) {
+    const Entry entry{cell, item};
+    const auto bucket = bucketOf(cell);
+    added_.push_back({entry, latest_[bucket]});
+    latest_[bucket] = static_cast<std::uint32_t>(added_.size()) - 1;
+    bounds_ = entries_.empty() ? CellBox{cell, cell}
+                               : CellBox{{std::min(bounds_.low.x, cell.x),
+                                          std::min(bounds_.low.y, cell.y)},
+                                         {std::max(bounds_.high.x, cell.x),
+                                          std::max(bounds_.high.y, cell.y)}};
+    entries_.push_back(entry);
 }
 
 }  // namespace sulfur::detail

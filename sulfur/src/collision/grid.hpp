@@ -40,19 +40,29 @@ public:
         entries_.clear();
         sorted_.clear();
         start_.clear();
+        added_.clear();
+        latest_.clear();
         bounds_ = {};
     }
     void insert(Cell cell, std::uint32_t item) { entries_.push_back({cell, item}); }
     /// Sorts what was inserted since clear() into buckets. Queries come after it.
     void build();
+    /// Enters something more into what was built. It is found by forEachIn() and entries(), after
+    /// what was built, the latest first; not by forEachPair().
+    void add(Cell cell, std::uint32_t item);
+    /// How many were added since build().
+    std::size_t added() const { return added_.size(); }
 
-    /// Calls f(item) for everything in a cell, in order of insertion.
+    /// Calls f(item) for everything in a cell, in order of insertion, then for what was added.
     template <class Function>
     void forEachIn(Cell cell, Function&& f) const {
         if (start_.empty()) return;
         const std::uint32_t bucket = bucketOf(cell);
         for (std::uint32_t i = start_[bucket]; i < start_[bucket + 1]; ++i)
             if (sorted_[i].cell == cell) f(sorted_[i].item);
+        if (added_.empty()) return;
+        for (auto i = latest_[bucket]; i != nothing; i = added_[i].before)
+            if (added_[i].entry.cell == cell) f(added_[i].entry.item);
     }
 
     /// Calls f(first, second) for every two entries of one cell; first was inserted before.
@@ -69,6 +79,14 @@ public:
     const CellBox& bounds() const { return bounds_; }
 
 private:
+    static constexpr std::uint32_t nothing = 0xffffffffu;
+
+    /// One of what was added to a bucket, and the one before it.
+    struct Added {
+        Entry entry;
+        std::uint32_t before = nothing;
+    };
+
     std::uint32_t bucketOf(Cell cell) const {
         const std::uint64_t key = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) |
                                   static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y))
@@ -79,6 +97,8 @@ private:
     std::vector<Entry> entries_;
     std::vector<Entry> sorted_;
     std::vector<std::uint32_t> start_;  // first entry of each bucket, and one past the last
+    std::vector<Added> added_;
+    std::vector<std::uint32_t> latest_;  // of added_, per bucket
     CellBox bounds_;
     int shift_ = 63;
 };

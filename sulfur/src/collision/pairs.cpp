@@ -48,19 +48,11 @@ struct Found {
     friend auto operator<=>(const Found&, const Found&) = default;
 };
 
-/// Round a collider with its skin and all that may make a contact with it.
-struct Circle {
-    Point centre{0, 0};  // m
-    double radius = 0;   // m
-    std::uint32_t body = 0;
-    bool meetsItself = false;  // its body
-};
-
 /// Scratch memory only.
 struct Finder {
-    std::vector<Circle> circles;
     std::vector<Found> found, foundScratch;
-    std::vector<Watch> watchScratch;
+    std::vector<WatchedPair> pairs, mergedPairs;
+    std::vector<Watch> watches, watchScratch;
     std::vector<std::uint32_t> start;
 };
 
@@ -103,32 +95,39 @@ Real reachOf(const State& state, const Collider& c) {
 /// What is fast may be stopped up to half of its thickness before it touches.
 constexpr Real farthestTouch = Real(1.5);  // thicknesses
 
-void drawCircles(const State& state, std::vector<Circle>& circles) {
-    const BroadPhase& broad = state.broad;
-    const auto& x = broad.reference;
-    circles.clear();
-    const auto add = [&](const Collider& c) {
-        const double around =
-            static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(broad, c));
-        circles.push_back({(x[c.a] + x[c.b]) / 2, (x[c.b] - x[c.a]).norm() / 2 + around + rounding,
-                           c.body, state.bodies[c.body].selfCollision});
-    };
-    for (const Collider& c : broad.moving) add(c);
-    for (const Collider& c : broad.fixed) add(c);
+Circle circleRound(const State& state, const Collider& c) {
+    const auto& x = state.broad.reference;
+    const double around =
+        static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(state.broad, c));
+    return {(x[c.a] + x[c.b]) / 2, (x[c.b] - x[c.a]).norm() / 2 + around + rounding, c.body,
+            state.bodies[c.body].selfCollision};
+}
+
+/// Writes down a pair that shares a cell, if it is near enough.
+struct Keep {
+    void operator()(std::uint32_t i, std::uint32_t j) {
+        const Circle &a = broad.circles[i], &b = broad.circles[j];
+        if (a.body == b.body && !a.meetsItself) return;
+        const double most = a.radius + b.radius;
+        if ((a.centre - b.centre).squaredNorm() > most * most) return;
+        found.push_back({std::min(i, j), std::max(i, j)});
+    }
+    const BroadPhase& broad;
+    std::vector<Found>& found;
+};
+
+void sortFound(const BroadPhase& broad, Finder& finder) {
+    auto& found = finder.found;
+    bucketSort(found, finder.foundScratch, finder.start, broad.moving.size(),
+               [](const Found& pair) { return pair.first; });
+    found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
 /// All that shares a cell and is near, sorted, each pair once.
 void collectFound(const State& state, Finder& finder) {
     const BroadPhase& broad = state.broad;
-    auto& found = finder.found;
-    found.clear();
-    const auto keep = [&](std::uint32_t i, std::uint32_t j) {
-        const Circle &a = finder.circles[i], &b = finder.circles[j];
-        if (a.body == b.body && !a.meetsItself) return;
-        const double most = a.radius + b.radius;
-        if ((a.centre - b.centre).squaredNorm() > most * most) return;
-        found.push_back({std::min(i, j), std::max(i, j)});
-    };
+    finder.found.clear();
+    Keep keep{broad, finder.found};
     broad.movingGrid.forEachPair(keep);
     const auto offset = static_cast<std::uint32_t>(broad.moving.size());
     for (const auto& entry : broad.movingGrid.entries())
@@ -136,16 +135,36 @@ void collectFound(const State& state, Finder& finder) {
                                   [&](std::uint32_t fixed) { keep(entry.item, offset + fixed); });
     for (std::size_t level = 1; level <= broad.coarse.size(); ++level)
         collectCoarsePairs(state, level, keep);
-    bucketSort(found, finder.foundScratch, finder.start, broad.moving.size(),
-               [](const Found& pair) { return pair.first; });
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sortFound(broad, finder);
 }
 
-/// How far the axes of two colliders are apart, and each end of one from the axis of the other.
-struct Distances {
-    double least = 0;                   // m; 0 when they cross
-    std::array<double, 2> ofA{}, ofB{};  // m
-};
+/// The same for colliders of the pieces that have left their skins, against all others.
+void collectFoundOfLeft(const State& state, Finder& finder) {
+    const BroadPhase& broad = state.broad;
+    const auto offset = static_cast<std::uint32_t>(broad.moving.size());
+    finder.found.clear();
+    Keep keep{broad, finder.found};
+    const auto look = [&](std::uint32_t i, const Grid& moving, const Grid& fixed,
+                          std::size_t level) {
+        if (moving.entries().empty() && fixed.entries().empty()) return;
+        const Collider& c = broad.moving[i];
+        rasterise(state, c, skinOf(broad, c), level, [&](Cell cell) {
+            moving.forEachIn(cell, [&](std::uint32_t j) {
+                if (j != i) keep(i, j);
+            });
+            fixed.forEachIn(cell, [&](std::uint32_t j) { keep(i, offset + j); });
+        });
+    };
+    for (const auto piece : broad.left)
+        for (auto k = broad.pieces.colliderStart[piece]; k < broad.pieces.colliderStart[piece + 1];
+             ++k) {
+            const auto i = broad.pieces.colliders[k];
+            look(i, broad.movingGrid, broad.fixedGrid, 0);
+            for (std::size_t level = 1; level <= broad.coarse.size(); ++level)
+                look(i, broad.coarse[level - 1].moving, broad.coarse[level - 1].fixed, level);
+        }
+    sortFound(broad, finder);
+}
 
 /// A segment from the origin of its frame, ready to be measured from.
 struct Axis {
@@ -159,6 +178,12 @@ struct Axis {
     }
     Point start, along;  // m
     double scale;        // 1/m^2
+};
+
+/// How far the axes of two colliders are apart, and each end of one from the axis of the other.
+struct Distances {
+    double least = 0;                    // m; 0 when they cross
+    std::array<double, 2> ofA{}, ofB{};  // m
 };
 
 /// The distances of two colliders as they were rasterised.
@@ -176,8 +201,9 @@ Distances measure(const BroadPhase& broad, const Collider& a, const Collider& b)
 
 /// Adds the candidate of an end of one collider against another one, `distance` apart, if it can
 /// touch before anything leaves its skin.
-void watchEnd(State& state, std::uint32_t particle, std::uint32_t collider, double distance) {
-    BroadPhase& broad = state.broad;
+void watchEnd(const State& state, std::uint32_t particle, std::uint32_t collider, double distance,
+              std::vector<Watch>& watches) {
+    const BroadPhase& broad = state.broad;
     const Collider& c = broad.collider(collider);
     const Real thickness = state.particles.reach[particle] + c.radius;
     const Real reach = farthestTouch * thickness + broad.skin[particle] + skinOf(broad, c);
@@ -185,25 +211,26 @@ void watchEnd(State& state, std::uint32_t particle, std::uint32_t collider, doub
     if (areLinked(broad, particle, c.body) || belongsTogether(state, particle, c)) return;
     // A thousandth for rounding.
     const Real needed = Real(1.001) * thickness + broad.watchedGap(thickness);
-    broad.watches.push_back({{particle, collider},
-                             c.a,
-                             c.b,
-                             static_cast<Real>(distance - static_cast<double>(needed))});
+    watches.push_back({{particle, collider},
+                       c.a,
+                       c.b,
+                       static_cast<Real>(distance - static_cast<double>(needed))});
 }
 
-void watchPair(State& state, const Found& pair) {
-    BroadPhase& broad = state.broad;
+void watchPair(const State& state, const Found& pair, std::vector<WatchedPair>& pairs,
+               std::vector<Watch>& watches) {
+    const BroadPhase& broad = state.broad;
     const Collider &a = broad.collider(pair.first), &b = broad.collider(pair.second);
     const Real radii = a.radius + b.radius;
     const Real skins = skinOf(broad, a) + skinOf(broad, b);
     const Distances d = measure(broad, a, b);
     if (d.least <= static_cast<double>(radii + skins) + rounding)
-        broad.pairs.push_back({pair.first, pair.second,
+        pairs.push_back({pair.first, pair.second,
                                static_cast<Real>(d.least - static_cast<double>(radii))});
-    watchEnd(state, a.a, pair.second, d.ofA[0]);
-    if (a.b != a.a) watchEnd(state, a.b, pair.second, d.ofA[1]);
-    watchEnd(state, b.a, pair.first, d.ofB[0]);
-    if (b.b != b.a) watchEnd(state, b.b, pair.first, d.ofB[1]);
+    watchEnd(state, a.a, pair.second, d.ofA[0], watches);
+    if (a.b != a.a) watchEnd(state, a.b, pair.second, d.ofA[1], watches);
+    watchEnd(state, b.a, pair.first, d.ofB[0], watches);
+    if (b.b != b.a) watchEnd(state, b.b, pair.first, d.ofB[1], watches);
 }
 
 /// Joins neighbours that have the same key (two numbers) into runs.
@@ -219,23 +246,22 @@ void collectRuns(const std::vector<Item>& items, std::vector<WatchRun>& runs, Ke
     }
 }
 
-}  // namespace
-
-void findPairs(State& state) {
-    thread_local Finder finder;
-    BroadPhase& broad = state.broad;
-    drawCircles(state, finder.circles);
-    collectFound(state, finder);
-    broad.pairs.clear();
-    broad.watches.clear();
+/// Makes pairs and candidates of what was found, both sorted and each once.
+void watchFound(const State& state, Finder& finder, std::vector<WatchedPair>& pairs,
+                std::vector<Watch>& watches) {
+    const BroadPhase& broad = state.broad;
+    pairs.clear();
+    watches.clear();
     for (const Found& pair : finder.found)
         if (mayTouch(state, broad.collider(pair.first).body, broad.collider(pair.second).body))
-            watchPair(state, pair);
-    bucketSort(broad.watches, finder.watchScratch, finder.start, state.particles.size(),
+            watchPair(state, pair, pairs, watches);
+    bucketSort(watches, finder.watchScratch, finder.start, state.particles.size(),
                [](const Watch& w) { return w.candidate.particle; });
     const auto same = [](const Watch& p, const Watch& q) { return p.candidate == q.candidate; };
-    broad.watches.erase(std::unique(broad.watches.begin(), broad.watches.end(), same),
-                        broad.watches.end());
+    watches.erase(std::unique(watches.begin(), watches.end(), same), watches.end());
+}
+
+void collectAllRuns(BroadPhase& broad) {
     const auto bodyOf = [&](std::uint32_t collider) { return broad.collider(collider).body; };
     collectRuns(broad.watches, broad.watchRuns, [&](const Watch& w) {
         return std::pair(w.candidate.particle, bodyOf(w.candidate.collider));
@@ -243,6 +269,61 @@ void findPairs(State& state) {
     collectRuns(broad.pairs, broad.pairRuns, [&](const WatchedPair& pair) {
         return std::pair(bodyOf(pair.first), bodyOf(pair.second));
     });
+}
+
+/// Drops what concerns a piece that has left its skin.
+void forgetLeft(BroadPhase& broad) {
+    const auto hasLeft = [&](std::uint32_t particle) {
+        const auto piece = broad.pieces.ofParticle[particle];
+        return piece != none && broad.hasLeft[piece] != 0;
+    };
+    std::erase_if(broad.watches, [&](const Watch& w) {
+        return hasLeft(w.candidate.particle) || hasLeft(w.a);
+    });
+    std::erase_if(broad.pairs, [&](const WatchedPair& pair) {
+        return hasLeft(broad.collider(pair.first).a) || hasLeft(broad.collider(pair.second).a);
+    });
+}
+
+template <class Item>
+void mergeInto(std::vector<Item>& items, const std::vector<Item>& more,
+               std::vector<Item>& scratch) {
+    scratch.resize(items.size() + more.size());
+    std::merge(items.begin(), items.end(), more.begin(), more.end(), scratch.begin());
+    std::swap(items, scratch);
+}
+
+Finder& finder() {
+    thread_local Finder scratch;
+    return scratch;
+}
+
+}  // namespace
+
+void findPairs(State& state) {
+    BroadPhase& broad = state.broad;
+    broad.circles.clear();
+    for (const auto* colliders : {&broad.moving, &broad.fixed})
+        for (const Collider& c : *colliders) broad.circles.push_back(circleRound(state, c));
+    collectFound(state, finder());
+    watchFound(state, finder(), broad.pairs, broad.watches);
+    collectAllRuns(broad);
+}
+
+void renewPairs(State& state) {
+    BroadPhase& broad = state.broad;
+    const Pieces& pieces = broad.pieces;
+    for (const auto piece : broad.left)
+        for (auto k = pieces.colliderStart[piece]; k < pieces.colliderStart[piece + 1]; ++k)
+            broad.circles[pieces.colliders[k]] =
+                circleRound(state, broad.moving[pieces.colliders[k]]);
+    forgetLeft(broad);
+    Finder& lists = finder();
+    collectFoundOfLeft(state, lists);
+    watchFound(state, lists, lists.pairs, lists.watches);
+    mergeInto(broad.pairs, lists.pairs, lists.mergedPairs);
+    mergeInto(broad.watches, lists.watches, lists.watchScratch);
+    collectAllRuns(broad);
 }
 
 void measureOutings(const State& state, const std::vector<Vec2>& displacements, Outings& outings) {

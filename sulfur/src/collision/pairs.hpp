@@ -10,6 +10,9 @@ namespace sulfur::detail {
 /// their runs.
 void findPairs(State& state);
 
+/// The same for what has changed: `left` and `hasLeft` tell which pieces have been rasterised again.
+void renewPairs(State& state);
+
 /// With how wide a skin a collider was rasterised, at least, in m.
 inline Real skinOf(const BroadPhase& broad, const Collider& c) {
     return std::max(broad.skin[c.a], broad.skin[c.b]);

@@ -62,7 +62,7 @@ TEST(Tasks, ThreadsDoNotMatter) {
     for (const std::size_t threads : {1u, 2u, 3u, 7u}) {
         Backwards tasks(threads);
         EXPECT_EQ(play(&tasks, ticks), alone) << threads;
-        EXPECT_EQ(tasks.runs > 10 * ticks, threads > 1) << "the work is divided: " << threads;
+        EXPECT_EQ(tasks.runs > 3 * ticks, threads > 1) << "the work is divided: " << threads;
     }
     Threads threads;
     EXPECT_EQ(play(&threads, ticks), alone);
