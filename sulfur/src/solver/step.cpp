@@ -118,6 +118,22 @@ void append(Events& events, Events& more) {
     events.contactsPersisted = std::move(more.contactsPersisted);
 }
 
+/// Who began to touch in an earlier step of the tick may be gone since.
+void dropGone(const State& state, std::vector<ContactBegun>& begun) {
+    const auto exists = [&](BodyId id) { return state.bodySlots.contains(id); };
+    std::erase_if(begun, [&](const ContactBegun& e) { return !exists(e.a) || !exists(e.b); });
+}
+
+/// Each pair once, the first time that it was told, in the order of pairs.
+template <class Event>
+void orderPairs(std::vector<Event>& events) {
+    const auto pairOf = [](const Event& e) { return BodyPair::of(e.a, e.b); };
+    std::stable_sort(events.begin(), events.end(),
+                     [&](const Event& p, const Event& q) { return pairOf(p) < pairOf(q); });
+    const auto same = [&](const Event& p, const Event& q) { return pairOf(p) == pairOf(q); };
+    events.erase(std::unique(events.begin(), events.end(), same), events.end());
+}
+
 }  // namespace
 
 void step(State& state) {
@@ -129,7 +145,12 @@ void step(State& state) {
         runStep(state);
         if (state.substeps.count > 1) append(told, state.events);
     }
-    if (state.substeps.count > 1) state.events = std::move(told);
+    if (state.substeps.count > 1) {
+        state.events = std::move(told);
+        dropGone(state, state.events.contactsBegun);
+        orderPairs(state.events.contactsBegun);
+        orderPairs(state.events.contactsEnded);
+    }
     ++state.tick;
 }
 

@@ -64,7 +64,7 @@ void noteStrain(State& state, bool leftError) {
     };
     const auto asks = [&](const Contact& c) {
         return c.normalLambda > 0 &&
-               (c.fast || (c.rough && c.sliding) || (moves(c.bodyA) && moves(c.bodyB)));
+               (c.fast || c.rebound > 0 || (c.rough && c.sliding) || (moves(c.bodyA) && moves(c.bodyB)));
     };
     if (leftError || std::any_of(state.contacts.begin(), state.contacts.end(), asks))
         state.substeps.strained = 1;

@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 9328966396599631364u);
 #else
-    EXPECT_EQ(world.hash(), 2976215596500942512u);
+    EXPECT_EQ(world.hash(), 8078399002803629493u);
 #endif
 }
 

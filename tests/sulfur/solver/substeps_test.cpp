@@ -1,0 +1,92 @@
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+/// The largest number of steps of a tick in so many seconds.
+std::uint32_t mostSubsteps(World& world, double seconds) {
+    std::uint32_t most = 0;
+    const int ticks = static_cast<int>(seconds * world.settings().tickRate);
+    for (int i = 0; i < ticks; ++i) {
+        world.step();
+        most = std::max(most, world.statistics().substeps);
+    }
+    return most;
+}
+
+WorldSettings settings(int rate) {
+    return {.tickRate = rate, .sleeping = false};
+}
+
+TEST(Substeps, AreNeverNeededAt500Hz) {
+    World world(settings(500));
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    world.add(shapes::box(), {.position = {0, 3}});
+    EXPECT_EQ(mostSubsteps(world, 2), 1u);
+}
+
+TEST(Substeps, DivideTicksForWhatIsFast) {
+    World world(settings(120));
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    world.add(shapes::box(), {.position = {0, 3}});
+    EXPECT_EQ(mostSubsteps(world, 1), 5u);
+    // It lies still: half a second later a tick is one step again.
+    mostSubsteps(world, 2);
+    EXPECT_EQ(mostSubsteps(world, 1), 1u);
+}
+
+TEST(Substeps, DivideTicksForWhatStandsOnSomething) {
+    World world(settings(240));
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    for (int i = 0; i < 5; ++i) world.add(shapes::box(), {.position = {0, 0.5 + i}});
+    mostSubsteps(world, 2);
+    EXPECT_EQ(world.statistics().substeps, 3u);
+}
+
+TEST(Substeps, LeaveASwingingRopeAlone) {
+    World world(settings(120));
+    world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .radius = 0, .pinFirst = true}));
+    mostSubsteps(world, 0.5);
+    EXPECT_EQ(mostSubsteps(world, 2), 1u);
+}
+
+/// Falls, targets of kinematic bodies, the clock, and what is told are those of the tick.
+TEST(Substeps, KeepWhatATickMeans) {
+    World world(settings(120));
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    const Body ball = world.add(shapes::ball(), {.position = {0, 8}});
+    Blueprint plan = shapes::box();
+    plan.kind = BodyKind::kinematic;
+    const Body lift = world.add(plan, {.position = {3, 5}});
+    for (int i = 1; i <= 60; ++i) {
+        world.moveTo(lift.id(), {.position = {3 + 0.1 * i, 5}});
+        world.step();
+        EXPECT_EQ(world.statistics().substeps, 5u);
+        EXPECT_NEAR(world.centreOfMass(lift.id())[0], 3 + 0.1 * i, 1e-5);
+    }
+    EXPECT_DOUBLE_EQ(world.time(), 0.5);
+    EXPECT_FLOAT_EQ(static_cast<float>(world.tickDuration()), 1.f / 120);
+    EXPECT_NEAR(world.position(ball.front())[1], 8 - 9.81 / 2 * 0.25, 1e-4);
+    int begun = 0;
+    for (int i = 0; i < 240; ++i) {
+        world.step();
+        begun += static_cast<int>(world.events().contactsBegun.size());
+    }
+    EXPECT_EQ(begun, 1);
+}
+
+TEST(Substeps, GoOnAfterASnapshot) {
+    World world(settings(120));
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    for (int i = 0; i < 3; ++i) world.add(shapes::box(), {.position = {0.1 * i, 1 + 1.2 * i}});
+    mostSubsteps(world, 0.7);
+    const auto saved = world.snapshot();
+    mostSubsteps(world, 1);
+    World other(settings(500));
+    other.restore(saved);
+    mostSubsteps(other, 1);
+    EXPECT_EQ(other.hash(), world.hash());
+}
+
+}  // namespace
+}  // namespace sulfur
