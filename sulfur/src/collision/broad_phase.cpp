@@ -258,8 +258,8 @@ bool rasteriseLeft(State& state) {
 }
 
 /// Calls f(particle, how much of its skin it has used: 1 is all) for surfaces that are, or with
-/// `lookAhead` ticks of displacement will be, away from where they were rasterised; a quarter of the
-/// base skin is left for the contact margin.
+/// `lookAhead` ticks of displacement will be, away from where they were rasterised; a quarter of
+/// the base skin is left for the contact margin.
 template <class Function>
 void forEachOuting(const State& state, Real lookAhead, Function&& f) {
     const BroadPhase& broad = state.broad;

@@ -65,8 +65,8 @@ struct Circle {
 /// Moving colliders that hang together by their particles. When one leaves its skin, all of its
 /// piece are rasterised again, and nothing else.
 struct Pieces {
-    std::vector<std::uint32_t> ofParticle;                 // or none, where nothing collides
-    std::vector<std::uint32_t> colliderStart, colliders;   // by pieces
+    std::vector<std::uint32_t> ofParticle;                // or none, where nothing collides
+    std::vector<std::uint32_t> colliderStart, colliders;  // by pieces
     std::vector<std::uint32_t> particleStart, particles;  // by pieces
 
     std::size_t size() const { return colliderStart.empty() ? 0 : colliderStart.size() - 1; }
@@ -76,7 +76,7 @@ struct Pieces {
 /// rasterised.
 struct Outings {
     std::vector<Real> ofParticle;  // m
-    std::vector<Real> ofBody;      // m, of its farthest particle; of bodies tied by capsules, of both
+    std::vector<Real> ofBody;  // m, of its farthest particle; of bodies tied by capsules, of both
 };
 
 /// The grid and the candidates that came out of it. They stay valid until some collider has left
@@ -100,11 +100,11 @@ struct BroadPhase {
     std::vector<WatchRun> watchRuns, pairRuns;
     std::vector<Circle> circles;  // of all colliders
     Pieces pieces;
-    std::vector<std::uint32_t> left;      // pieces that have left their skins; scratch
-    std::vector<std::uint8_t> hasLeft;    // the same, by pieces
-    std::vector<std::uint32_t> cellsOf;   // that each moving collider covers in the grid
-    std::size_t liveCells = 0;            // of these, all
-    Outings outings;  // by the predicted displacements
+    std::vector<std::uint32_t> left;     // pieces that have left their skins; scratch
+    std::vector<std::uint8_t> hasLeft;   // the same, by pieces
+    std::vector<std::uint32_t> cellsOf;  // that each moving collider covers in the grid
+    std::size_t liveCells = 0;           // of these, all
+    Outings outings;                     // by the predicted displacements
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;  // (particle, body) sorted
     std::vector<std::pair<std::uint32_t, std::uint32_t>> tied;    // bodies, by joints between them
     Outlines outlines;

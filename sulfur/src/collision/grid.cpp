@@ -53,11 +53,10 @@ void Grid::add(Cell cell, std::uint32_t item) {
     const auto bucket = bucketOf(cell);
     added_.push_back({entry, latest_[bucket]});
     latest_[bucket] = static_cast<std::uint32_t>(added_.size()) - 1;
-    bounds_ = entries_.empty() ? CellBox{cell, cell}
-                               : CellBox{{std::min(bounds_.low.x, cell.x),
-                                          std::min(bounds_.low.y, cell.y)},
-                                         {std::max(bounds_.high.x, cell.x),
-                                          std::max(bounds_.high.y, cell.y)}};
+    bounds_ = entries_.empty()
+                  ? CellBox{cell, cell}
+                  : CellBox{{std::min(bounds_.low.x, cell.x), std::min(bounds_.low.y, cell.y)},
+                            {std::max(bounds_.high.x, cell.x), std::max(bounds_.high.y, cell.y)}};
     entries_.push_back(entry);
 }
 

@@ -195,7 +195,8 @@ Distances measure(const BroadPhase& broad, const Collider& a, const Collider& b)
     Distances d;
     d.ofA = {axisB.distance(a1), axisB.distance(a2)};
     d.ofB = {axisA.distance(b1), axisA.distance(b2)};
-    d.least = segmentsCross(a1, a2, b1, b2) ? 0 : std::min({d.ofA[0], d.ofA[1], d.ofB[0], d.ofB[1]});
+    d.least =
+        segmentsCross(a1, a2, b1, b2) ? 0 : std::min({d.ofA[0], d.ofA[1], d.ofB[0], d.ofB[1]});
     return d;
 }
 
@@ -225,8 +226,8 @@ void watchPair(const State& state, const Found& pair, std::vector<WatchedPair>& 
     const Real skins = skinOf(broad, a) + skinOf(broad, b);
     const Distances d = measure(broad, a, b);
     if (d.least <= static_cast<double>(radii + skins) + rounding)
-        pairs.push_back({pair.first, pair.second,
-                               static_cast<Real>(d.least - static_cast<double>(radii))});
+        pairs.push_back(
+            {pair.first, pair.second, static_cast<Real>(d.least - static_cast<double>(radii))});
     watchEnd(state, a.a, pair.second, d.ofA[0], watches);
     if (a.b != a.a) watchEnd(state, a.b, pair.second, d.ofA[1], watches);
     watchEnd(state, b.a, pair.first, d.ofB[0], watches);
@@ -277,9 +278,8 @@ void forgetLeft(BroadPhase& broad) {
         const auto piece = broad.pieces.ofParticle[particle];
         return piece != none && broad.hasLeft[piece] != 0;
     };
-    std::erase_if(broad.watches, [&](const Watch& w) {
-        return hasLeft(w.candidate.particle) || hasLeft(w.a);
-    });
+    std::erase_if(broad.watches,
+                  [&](const Watch& w) { return hasLeft(w.candidate.particle) || hasLeft(w.a); });
     std::erase_if(broad.pairs, [&](const WatchedPair& pair) {
         return hasLeft(broad.collider(pair.first).a) || hasLeft(broad.collider(pair.second).a);
     });

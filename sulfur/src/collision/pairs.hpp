@@ -10,7 +10,8 @@ namespace sulfur::detail {
 /// their runs.
 void findPairs(State& state);
 
-/// The same for what has changed: `left` and `hasLeft` tell which pieces have been rasterised again.
+/// The same for what has changed: `left` and `hasLeft` tell which pieces have been rasterised
+/// again.
 void renewPairs(State& state);
 
 /// With how wide a skin a collider was rasterised, at least, in m.

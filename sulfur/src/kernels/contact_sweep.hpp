@@ -14,10 +14,10 @@ namespace sulfur::detail {
 /// What contacts push: a rigid component, or a particle that moves by itself (then without a turn).
 /// A whole number of them fills a cache line.
 struct alignas(8 * sizeof(SweepReal)) Mover {
-    SweepReal x = 0, y = 0;               // m, its displacement in this tick
-    SweepReal sine = 0, versine = 0;      // of its turn in this tick; 1 - cos
-    SweepReal turn = 0;                   // rad, what the sweeps have added to it
-    SweepReal mass = 0, inertia = 0;      // 1/kg and 1/(kg m^2), the inverses
+    SweepReal x = 0, y = 0;           // m, its displacement in this tick
+    SweepReal sine = 0, versine = 0;  // of its turn in this tick; 1 - cos
+    SweepReal turn = 0;               // rad, what the sweeps have added to it
+    SweepReal mass = 0, inertia = 0;  // 1/kg and 1/(kg m^2), the inverses
     SweepReal unused = 0;
 };
 
@@ -29,21 +29,21 @@ struct alignas(8 * sizeof(SweepReal)) ContactBlock {
     using Lane = SweepReal[contactLanes];
     using Places = std::uint32_t[contactLanes];
 
-    Places particle, a, b;      // movers: of the particle and of the capsule's ends
-    Lane shareA, shareB;        // of the ends; all in shareA when one mover has both
-    Lane normalX, normalY;      // unit, from the capsule towards the particle
-    Lane armX, armY;            // m, from the particle's mover to the particle
+    Places particle, a, b;  // movers: of the particle and of the capsule's ends
+    Lane shareA, shareB;    // of the ends; all in shareA when one mover has both
+    Lane normalX, normalY;  // unit, from the capsule towards the particle
+    Lane armX, armY;        // m, from the particle's mover to the particle
     Lane armAX, armAY, armBX, armBY;
-    Lane start;                 // m, the gap at the start of the tick that may be used up
-    Lane conveyed;              // m, by which its surfaces run along the tangent in this tick
+    Lane start;                    // m, the gap at the start of the tick that may be used up
+    Lane conveyed;                 // m, by which its surfaces run along the tangent in this tick
     Lane normalMass, tangentMass;  // kg, effective; 0: nothing can be pushed that way
-    Lane coupling;              // 1/kg, motion along the tangent by a push along the normal
-    Lane friction;              // the coefficient that counts in this tick
+    Lane coupling;                 // 1/kg, motion along the tangent by a push along the normal
+    Lane friction;                 // the coefficient that counts in this tick
     Lane normalLambda, tangentLambda;  // kg m, accumulated in this tick
     // Of the correction that becomes no velocity.
-    Lane wanted;          // m, by which the gap is to grow, or shrink; 0: neither
-    Lane recoveryLambda;  // kg m, accumulated along the normal
-    Lane driftLambda;     // kg m, along the tangent
+    Lane wanted;                     // m, by which the gap is to grow, or shrink; 0: neither
+    Lane recoveryLambda;             // kg m, accumulated along the normal
+    Lane driftLambda;                // kg m, along the tangent
     std::uint32_t recovers, drifts;  // whether any of the contacts does
 };
 

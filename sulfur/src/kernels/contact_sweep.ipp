@@ -100,7 +100,8 @@ struct Way {
     Lanes x, y;
 };
 inline Way wayOf(Gathered& m, Lanes armX, Lanes armY) {
-    return {m.x() - m.sine() * armY - m.versine() * armX, m.y() + m.sine() * armX - m.versine() * armY};
+    return {m.x() - m.sine() * armY - m.versine() * armX,
+            m.y() + m.sine() * armX - m.versine() * armY};
 }
 
 /// Adds a turn, by the series of sine and cosine; beyond 3 rad in a tick what counts is that they

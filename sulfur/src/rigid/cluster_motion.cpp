@@ -90,8 +90,7 @@ void adoptStirredClusters(State& state) {
 
 void predictClusters(State& state) {
     const AirFriction air(state);
-    forEachCluster(state, state.work.clusters,
-                   [&](Cluster& c) { predictCluster(state, c, air); });
+    forEachCluster(state, state.work.clusters, [&](Cluster& c) { predictCluster(state, c, air); });
 }
 
 void spreadDisplacements(State& state) {

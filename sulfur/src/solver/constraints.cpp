@@ -35,8 +35,8 @@ bool sweepsOthers(const State& state) {
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
-/// All contacts at once along the paths of load, where they are left with an error. Motions are with
-/// the rows before and after.
+/// All contacts at once along the paths of load, where they are left with an error. Motions are
+/// with the rows before and after.
 void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
     rows.giveMotions(state);
     rows.giveMultipliers(state);
@@ -46,8 +46,8 @@ void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
 }
 
 /// Where all contacts are in blocks and nothing else is swept, their motions stay there. The forest
-/// comes first, so that sweeps begin near the solution, and last, for what they have left. One sweep
-/// there is always: errors that are not worth more must not add up from tick to tick.
+/// comes first, so that sweeps begin near the solution, and last, for what they have left. One
+/// sweep there is always: errors that are not worth more must not add up from tick to tick.
 void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) {
     bool anyError = rows.anyError(state);
     if (anyError) solveForest(state, rows, forest);

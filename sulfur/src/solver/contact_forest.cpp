@@ -103,8 +103,7 @@ void ContactForest::chooseEdges() {
     }
     std::sort(byLoad_.begin(), byLoad_.end());
     trees_.reset(nodes_.size());
-    for (const auto& [load, e] : byLoad_)
-        edges_[e].chosen = trees_.unite(edges_[e].a, edges_[e].b);
+    for (const auto& [load, e] : byLoad_) edges_[e].chosen = trees_.unite(edges_[e].a, edges_[e].b);
 }
 
 /// Parents before their children.

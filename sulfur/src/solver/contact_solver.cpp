@@ -115,9 +115,9 @@ void warmStartContacts(State& state) {
     // Only contacts of one particle may want the same memory.
     const std::size_t count = state.contacts.size();
     // (What crosses comes last in the list, out of the order of particles.)
-    const bool inOrder = std::is_sorted(
-        state.contacts.begin(), state.contacts.end(),
-        [](const Contact& a, const Contact& b) { return a.particle < b.particle; });
+    const bool inOrder =
+        std::is_sorted(state.contacts.begin(), state.contacts.end(),
+                       [](const Contact& a, const Contact& b) { return a.particle < b.particle; });
     const std::size_t pieces = inOrder ? piecesOf(state.tasks, count, leastContacts) : 1;
     runPieces(state.tasks, pieces, [&](std::size_t i) {
         const auto start = [&](std::size_t piece) {

@@ -6,9 +6,9 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr int wantedRate = 500;       // Hz, of steps, while something asks for it
-constexpr double calmAfter = 0.5;     // s
-constexpr double fastTravel = 0.1;    // radii in a tick
+constexpr int wantedRate = 500;     // Hz, of steps, while something asks for it
+constexpr double calmAfter = 0.5;   // s
+constexpr double fastTravel = 0.1;  // radii in a tick
 
 int mostSubsteps(const State& state) {
     return (wantedRate + state.settings.tickRate - 1) / state.settings.tickRate;
@@ -45,8 +45,7 @@ void chooseSubsteps(State& state) {
     const int most = mostSubsteps(state);
     const double tick = 1.0 / state.settings.tickRate;
     if (most > 1) {
-        if (state.anyPlaced || !state.entwined.empty() || steps.strained != 0 ||
-            anyFast(state))
+        if (state.anyPlaced || !state.entwined.empty() || steps.strained != 0 || anyFast(state))
             steps.left = calmAfter;
         else
             steps.left = std::max(steps.left - tick, 0.0);
@@ -63,8 +62,8 @@ void noteStrain(State& state, bool leftError) {
         return state.bodies[body].kind == BodyKind::dynamic && !state.bodies[body].asleep;
     };
     const auto asks = [&](const Contact& c) {
-        return c.normalLambda > 0 &&
-               (c.fast || c.rebound > 0 || (c.rough && c.sliding) || (moves(c.bodyA) && moves(c.bodyB)));
+        return c.normalLambda > 0 && (c.fast || c.rebound > 0 || (c.rough && c.sliding) ||
+                                      (moves(c.bodyA) && moves(c.bodyB)));
     };
     if (leftError || std::any_of(state.contacts.begin(), state.contacts.end(), asks))
         state.substeps.strained = 1;

@@ -7,9 +7,10 @@ namespace sulfur::detail {
 
 /// Worlds of fewer ticks a second than the library is tuned for stay accurate because their ticks
 /// are divided when something asks for it: what can touch and moves by more than a tenth of
-/// its radius in a tick, contacts that slide, rebound or that the solver has left with an error, what stands
-/// on something that can move itself, bodies that were put into each other. A while after the last of it, each tick is one step again. Decided before
-/// each tick, from the state alone; sets h, and what the solver remembers follows.
+/// its radius in a tick, contacts that slide, rebound or that the solver has left with an error,
+/// what stands on something that can move itself, bodies that were put into each other. A while
+/// after the last of it, each tick is one step again. Decided before each tick, from the state
+/// alone; sets h, and what the solver remembers follows.
 void chooseSubsteps(State& state);
 
 /// After the contacts of a step are solved: notes what asks for short steps.

@@ -18,8 +18,7 @@ public:
     ~TbbTasks() override;
 
     std::size_t threads() const override;
-    void run(std::size_t count, void (*task)(void* context, std::size_t i),
-             void* context) override;
+    void run(std::size_t count, void (*task)(void* context, std::size_t i), void* context) override;
 
 private:
     struct Arena;
