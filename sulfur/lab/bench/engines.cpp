@@ -6,6 +6,7 @@
 #include <sulfur/version.hpp>
 
 #include "bench/engine.hpp"
+#include "bench/threads.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -125,19 +126,25 @@ bool Engine::offers(Feature feature) const {
     return std::find(features.begin(), features.end(), feature) != features.end();
 }
 
+namespace {
+
+Engine ours() {
+    Engine engine{.key = "sulfur",
+                  .title = "Sulfur",
+                  .ours = true,
+                  .version = version(),
+                  .features = {squares, ropes, blobs},
+                  .make = makeSulfur,
+                  .how = {}};
+    if (hasThreads()) engine.features.push_back(threads);
+    return engine;
+}
+
+}  // namespace
+
 const std::vector<Engine>& engines() {
-    static const std::vector<Engine> all{{.key = "sulfur",
-                                          .title = "Sulfur",
-                                          .ours = true,
-                                          .version = version(),
-                                          .features = {squares, ropes, blobs},
-                                          .make = makeSulfur,
-                                          .how = {}},
-                                         box2dV3(),
-                                         box2dV2(),
-                                         chipmunk(),
-                                         bullet(),
-                                         liquidFun()};
+    static const std::vector<Engine> all{ours(),     box2dV3(), box2dV2(),
+                                         chipmunk(), bullet(),  liquidFun()};
     return all;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "battery/contacts/stage.hpp"
 #include "battery/scenes.hpp"
 #include "bench/clock.hpp"
+#include "bench/threads.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -56,6 +58,20 @@ std::unique_ptr<World> contactsWorld(double size) {
     auto world = std::make_unique<World>(awake());
     lay(*world, static_cast<int>(size / 2));
     return world;
+}
+
+std::unique_ptr<World> threadedWorld(double threads) {
+    auto world = contactsWorld(6000);
+    world->setTasks(tasksFor(static_cast<std::size_t>(threads)));
+    return world;
+}
+
+/// 1, 2, 4 and so on, up to what the machine has, but at least two.
+std::vector<double> threadCounts() {
+    std::vector<double> counts;
+    for (unsigned n = 1; n <= std::max(2u, std::thread::hardware_concurrency()); n *= 2)
+        counts.push_back(n);
+    return counts;
 }
 
 /// 1000 crates that sleep, but for a share that is grabbed anew, which never sleeps.
@@ -170,13 +186,14 @@ void addFieldOptions(std::vector<Option>& all, int bodies) {
 
 }  // namespace
 
-Spread tickTime(World& world, const TickOptions& options) {
+Spread tickTime(World& world, const TickOptions& options, bool onWall) {
+    const auto now = onWall ? wallTime : threadTime;
     for (int i = 0; i < options.warmUp; ++i) world.step();
     std::vector<double> times;
     for (int r = 0; r < options.repeats; ++r) {
-        const double begin = threadTime();
+        const double begin = now();
         for (int i = 0; i < options.ticks; ++i) world.step();
-        times.push_back((threadTime() - begin) / options.ticks);
+        times.push_back((now() - begin) / options.ticks);
     }
     return spreadOf(std::move(times));
 }
@@ -186,16 +203,21 @@ std::vector<Growth> growths(bool quick) {
         if (quick) sizes.resize(3);
         return sizes;
     };
-    return {{"bodies", "bodies in free space", upTo({100, 300, 1000, 3000, 10000}), bodiesWorld},
-            {"joints", "springs in a net", upTo({400, 1600, 6400, 25600, 102400}), jointsWorld},
-            {"contacts", "contacts of crates on a floor", upTo({200, 600, 2000, 6000, 20000}),
-             contactsWorld},
-            {"awake", "share of 1000 crates that is awake", upTo({0.01, 0.03, 0.1, 0.3, 1}),
-             awakeWorld},
-            {"sleepers", "sleeping crates, none awake", upTo({100, 300, 1000, 3000, 25000}),
-             sleepingWorld},
-            {"extent", "extent of a world with 1000 bodies (m)",
-             upTo({64, 640, 6400, 64000, 640000}), extentWorld}};
+    std::vector<Growth> all{
+        {"bodies", "bodies in free space", upTo({100, 300, 1000, 3000, 10000}), bodiesWorld},
+        {"joints", "springs in a net", upTo({400, 1600, 6400, 25600, 102400}), jointsWorld},
+        {"contacts", "contacts of crates on a floor", upTo({200, 600, 2000, 6000, 20000}),
+         contactsWorld},
+        {"awake", "share of 1000 crates that is awake", upTo({0.01, 0.03, 0.1, 0.3, 1}),
+         awakeWorld},
+        {"sleepers", "sleeping crates, none awake", upTo({100, 300, 1000, 3000, 25000}),
+         sleepingWorld},
+        {"extent", "extent of a world with 1000 bodies (m)", upTo({64, 640, 6400, 64000, 640000}),
+         extentWorld}};
+    if (hasThreads())
+        all.push_back({"threads", "threads, for 6000 contacts of crates on a floor", threadCounts(),
+                       threadedWorld, true});
+    return all;
 }
 
 std::vector<Option> options(int bodies) {

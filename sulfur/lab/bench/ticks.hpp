@@ -17,8 +17,8 @@ struct TickOptions {
     int repeats = 5;  ///< measurements, of which the median counts
 };
 
-/// Seconds of processor time for a tick of `world`.
-Spread tickTime(World& world, const TickOptions& options);
+/// Seconds of processor time for a tick of `world`; or on the wall, where threads take part.
+Spread tickTime(World& world, const TickOptions& options, bool onWall = false);
 
 /// Something that can grow, and a world of each size.
 struct Growth {
@@ -26,8 +26,10 @@ struct Growth {
     std::string title;  ///< what grows, with its unit
     std::vector<double> sizes;
     std::function<std::unique_ptr<World>(double size)> make;
+    bool threads = false;  ///< the sizes are threads: to be measured on the wall, on all cores
 };
-/// Bodies, joints, contacts, the share that is awake, sleepers alone, the extent of the world.
+/// Bodies, joints, contacts, the share that is awake, sleepers alone, the extent of the world, and
+/// threads where there are any.
 std::vector<Growth> growths(bool quick);
 
 /// Something that can be on or off.

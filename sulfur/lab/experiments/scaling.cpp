@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bench/clock.hpp"
 #include "bench/plots.hpp"
@@ -25,7 +26,7 @@ class Scaling final : public Experiment {
 public:
     std::string name() const override { return "scaling"; }
     std::string description() const override {
-        return "time of a tick against bodies, joints, contacts, sleepers, extent";
+        return "time of a tick against bodies, joints, contacts, sleepers, extent, threads";
     }
 
     void declare(CLI::App& app) override {
@@ -36,7 +37,6 @@ public:
     }
 
     Report run() override {
-        const bench::Pinned pin;
         const bench::TickOptions options =
             quick_ ? bench::TickOptions{.warmUp = 10, .ticks = 10, .repeats = 3}
                    : bench::TickOptions{};
@@ -45,10 +45,12 @@ public:
             if (!only_.empty() && std::find(only_.begin(), only_.end(), growth.key) == only_.end())
                 continue;
             Measured measured{std::move(growth), {}, {}};
+            std::optional<bench::Pinned> pin;
+            if (!measured.growth.threads) pin.emplace();
             std::vector<std::pair<double, double>> points;
             for (const double size : measured.growth.sizes) {
                 const auto world = measured.growth.make(size);
-                measured.times.push_back(bench::tickTime(*world, options));
+                measured.times.push_back(bench::tickTime(*world, options, measured.growth.threads));
                 points.emplace_back(size, measured.times.back().median);
             }
             measured.law = bench::fitPowerLaw(points);
@@ -65,7 +67,8 @@ private:
     static std::string asText(const std::vector<Measured>& all) {
         std::string out =
             "Time of a tick, microseconds of processor time: the median, and the exponent p of "
-            "time = c size^p\nthrough all sizes. The library uses one thread.\n";
+            "time = c size^p\nthrough all sizes. One thread, but where threads are what grows: "
+            "there on the wall.\n";
         for (const Measured& m : all) {
             out += fmt::format("\n{}: p = {:.2f}\n", m.growth.title, m.law.exponent);
             for (std::size_t i = 0; i < m.times.size(); ++i)

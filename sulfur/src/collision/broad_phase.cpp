@@ -323,6 +323,8 @@ void refreshGrid(State& state, Real lookAhead) {
     // Only ticks choose: the skin that follows from the size decides which contacts there are.
     if (broad.cellSizeStale && !query) chooseCellSize(state);
     if (broad.fixedStale) rasteriseFixed(state);
+    // Where something broke in the last tick, the lists of who is awake are those before it.
+    if (state.structure.stale || state.work.stale) broad.pairsStale = true;
     if (!broad.pairsStale) {
         findLeft(state, lookAhead);
         if (broad.left.empty()) return;

@@ -115,10 +115,11 @@ TEST(ChainBatches, LanesOfDifferentStepsPartAndMeet) {
     expectTheSameBits(plans, 5);
 }
 
+// (One that strains may fall out of its lane, and then goes by itself.)
 TEST(ChainBatches, HeldAtBothEnds) {
     expectTheSameBits(
         {{.links = 5, .pinnedAtTheEnd = true}, {.links = 5}, {.links = 5, .pinnedAtTheEnd = true}},
-        2);
+        1);
 }
 
 TEST(ChainBatches, ChainsOfDifferentLengthsShareNoLanes) {

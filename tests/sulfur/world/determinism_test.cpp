@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 9328966396599631364u);
+    EXPECT_EQ(world.hash(), 17049282244654283312u);
 #else
     EXPECT_EQ(world.hash(), 8078399002803629493u);
 #endif

@@ -5,6 +5,7 @@
 
 #include "battery/scenes.hpp"
 #include "bench/engine.hpp"
+#include "bench/threads.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -18,7 +19,9 @@ public:
         : world_({.gravity = vec2(0, -gravity),
                   .tickRate = setting.rate,
                   .sleeping = false,
-                  .sweeps = setting.iterations}) {}
+                  .sweeps = setting.iterations}) {
+        world_.setTasks(tasksFor(static_cast<std::size_t>(setting.threads)));
+    }
 
     void addFixed(const Point& centre, const Point& half) override {
         Blueprint body =
