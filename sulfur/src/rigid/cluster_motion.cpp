@@ -37,7 +37,7 @@ void adopt(const State& state, Cluster& cluster) {
 /// Calls f for clusters of a list, in pieces: no two have a member in common.
 template <class Function>
 void forEachCluster(State& state, const std::vector<std::uint32_t>& list, Function&& f) {
-    constexpr std::size_t leastPiece = 256;
+    constexpr std::size_t leastPiece = 512;
     inPieces(state.tasks, list.size(), leastPiece, [&](std::size_t first, std::size_t last) {
         for (auto k = first; k < last; ++k) f(state.clusters.list[list[k]]);
     });

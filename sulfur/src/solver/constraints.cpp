@@ -98,7 +98,7 @@ void solveConstraints(State& state) {
     (contactsAlone ? sweepContactsAlone : sweepAll)(state, rows, forest);
     rows.giveMultipliers(state);
     // (Blocks have their motions still.)
-    noteStrain(state, rows.anyError(state));
+    if (mayDivideTicks(state)) noteStrain(state, rows.anyError(state));
     guardContacts(state);
     limitImpacts(state);
     holdBack(state);

@@ -26,8 +26,9 @@ constexpr Real deepError = Real(0.02);
 constexpr unsigned mostColours = 64;
 constexpr std::uint8_t noColourLeft = 0xff;
 
-/// A piece of work for a thread has at least so many.
-constexpr std::size_t leastBlocks = 24;
+/// A piece of work for a thread has at least so many: about 8 microseconds, several times what it
+/// takes to give it away.
+constexpr std::size_t leastBlocks = 128;
 
 /// rad: after a larger turn the series of the kernels is replaced by the exact sine.
 constexpr Real exactBeyond = Real(0.05);

@@ -33,9 +33,10 @@ public:
     void takeMultipliers(const State& state);
     void giveMultipliers(State& state) const;
 
-    /// Once over the contacts in blocks, between takeMotions() and giveMotions().
+    /// Over the contacts in blocks in either direction, `backwards` or forwards last, between
+    /// takeMotions() and giveMotions().
     void sweep(bool backwards);
-    /// Once over all, on the motions in the state.
+    /// The same, and once over all others, on the motions in the state.
     void sweep(State& state, bool backwards);
 
     /// Leads apart what overlaps, and back what has crept from its place, by moving positions.

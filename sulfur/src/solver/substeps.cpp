@@ -56,8 +56,11 @@ void chooseSubsteps(State& state) {
     setStep(state, 1 / static_cast<Real>(state.settings.tickRate) / static_cast<Real>(steps.count));
 }
 
+bool mayDivideTicks(const State& state) {
+    return mostSubsteps(state) > 1;
+}
+
 void noteStrain(State& state, bool leftError) {
-    if (mostSubsteps(state) == 1) return;
     const auto moves = [&](std::uint32_t body) {
         return state.bodies[body].kind == BodyKind::dynamic && !state.bodies[body].asleep;
     };

@@ -13,6 +13,9 @@ namespace sulfur::detail {
 /// alone; sets h, and what the solver remembers follows.
 void chooseSubsteps(State& state);
 
+/// Whether the world has so few ticks a second that it may divide them.
+bool mayDivideTicks(const State& state);
+
 /// After the contacts of a step are solved: notes what asks for short steps.
 void noteStrain(State& state, bool leftError);
 

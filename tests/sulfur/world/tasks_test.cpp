@@ -34,18 +34,20 @@ public:
     }
 };
 
-/// Enough of everything that all stages divide their work.
+/// Enough of everything that all stages divide their work: two colours of contacts with 275 blocks
+/// each, of which two are pieces enough; and a pile, jellies and a rope for what is not divided.
 void build(World& world) {
-    world.add(shapes::ground({.points = {{-40, 30}, {-40, 0}, {40, 0}, {40, 30}}}));
-    constexpr int base = 34;
+    world.add(shapes::ground({.points = {{-2000, 0}, {2000, 0}}}));
+    for (int i = 0; i < 2200; ++i) world.add(shapes::box(), {.position = {-1800 + 1.5 * i, 0.5}});
+    constexpr int base = 12;
     for (int row = 0; row < base; ++row)
         for (int column = 0; column < base - row; ++column)
             world.add(shapes::box(),
-                      {.position = {(column - (base - row) / 2.0) * 1.05, 0.5 + row}});
+                      {.position = {1600 + (column - (base - row) / 2.0) * 1.05, 0.5 + row}});
     for (int i = 0; i < 20; ++i)
         world.add(shapes::jelly({.size = {1, 1}, .columns = 3, .rows = 3}),
-                  {.position = {-30 + 1.2 * (i % 5), 1 + 1.2 * (i / 5)}});
-    world.add(shapes::rope({.from = {22, 10}, .to = {30, 10}, .pinFirst = true}));
+                  {.position = {1700 + 1.2 * (i % 5), 1 + 1.2 * (i / 5)}});
+    world.add(shapes::rope({.from = {1800, 10}, .to = {1808, 10}, .pinFirst = true}));
 }
 
 std::uint64_t play(Tasks* tasks, int ticks) {
