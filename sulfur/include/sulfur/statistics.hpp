@@ -67,7 +67,7 @@ struct MemoryUse {
     std::size_t bytes = 0;  ///< in use; what is reserved for growth is not counted
     bool hot = false;       ///< a tick reads or writes it for everything that is awake
 
-    double perItem() const {
+    double perItem() const {  ///< bytes an item, 0 where there is none
         return items == 0 ? 0 : static_cast<double>(bytes) / static_cast<double>(items);
     }
 };
