@@ -1,6 +1,7 @@
 #include "solver/contact_forest.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/bucket_sort.hpp"
 #include "rigid/grip.hpp"
@@ -16,6 +17,12 @@ constexpr double stiffnessOfPenalty = 1e5;
 
 /// Of the active set, in a sweep.
 constexpr int mostSteps = 2;
+
+/// m/s: a contact that begins, and is not closing by more than minus this, may have to push.
+constexpr Real mostErrorOfNew = Real(5e-5);
+
+/// As shares of an arm: within this, rows ask for the same.
+constexpr double alikeWithin = 1e-2;
 
 using Vector3 = Cholesky3::Vector;
 
@@ -39,6 +46,13 @@ Vector3 jacobian(const Grip& grip, const Vec2& direction) {
     const Point along = direction.cast<double>();
     const double lever = grip.cluster == none ? 0 : cross(grip.arm.cast<double>(), along);
     return {along[0], along[1], lever};
+}
+
+/// Whether two rows mean the same to a node.
+bool areAlike(const Vector3& p, const Vector3& q) {
+    const double lever = std::max(std::abs(p[2]), std::abs(q[2]));
+    return (p.head<2>() - q.head<2>()).squaredNorm() < alikeWithin * alikeWithin &&
+           std::abs(p[2] - q[2]) <= alikeWithin * lever;
 }
 
 }  // namespace
@@ -153,7 +167,6 @@ ContactForest::Row ContactForest::makeRow(const State& state, std::uint32_t edge
     const Contact& c = state.contacts[contact];
     const Vec2 direction = isNormal ? c.normal : tangentOf(c);
     Row row;
-    row.contact = contact;
     row.edge = edge;
     row.isNormal = isNormal;
     const Real w = isNormal ? c.inverseEffectiveMass : c.tangentInverseMass;
@@ -168,14 +181,50 @@ ContactForest::Row ContactForest::makeRow(const State& state, std::uint32_t edge
     return row;
 }
 
+template <class Function>
+void ContactForest::forEachMember(const Row& row, Function&& f) {
+    for (auto m = row.firstMember; m != none; m = members_[m].next) f(members_[m]);
+}
+
+template <class Function>
+void ContactForest::forEachMember(const Row& row, Function&& f) const {
+    for (auto m = row.firstMember; m != none; m = members_[m].next) f(members_[m]);
+}
+
+/// To one that asks for the same, or as a new one.
+void ContactForest::addToRows(const Row& row, std::uint32_t firstOfEdge, std::uint32_t contact) {
+    const bool one = edges_[row.edge].b == none;
+    auto same = std::find_if(rows_.begin() + firstOfEdge, rows_.end(), [&](const Row& other) {
+        return other.isNormal == row.isNormal && areAlike(other.a, row.a) &&
+               (one || areAlike(other.b, row.b));
+    });
+    if (same == rows_.end()) {
+        rows_.push_back(row);
+        same = rows_.end() - 1;
+    }
+    members_.push_back({.contact = contact, .next = same->firstMember});
+    same->firstMember = static_cast<std::uint32_t>(members_.size() - 1);
+}
+
 void ContactForest::collectRows(const State& state) {
     rows_.clear();
+    members_.clear();
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
         if (!edges_[e].chosen) continue;
+        const auto firstOfEdge = static_cast<std::uint32_t>(rows_.size());
         for (auto k = edges_[e].first; k < edges_[e].last; ++k)
-            for (const bool isNormal : {true, false})
-                rows_.push_back(makeRow(state, e, keyed_[k].contact, isNormal));
+            for (const bool isNormal : {true, false}) {
+                const auto contact = keyed_[k].contact;
+                addToRows(makeRow(state, e, contact, isNormal), firstOfEdge, contact);
+            }
     }
+}
+
+/// Whether its normal is part of the step: it pushes, or should.
+bool ContactForest::pushes(const State& state, std::uint32_t contact) const {
+    const Contact& c = state.contacts[contact];
+    if (given_[contact]) return false;
+    return c.normalLambda > 0 || gapLeft(state, c) < (c.inherited ? 0 : mostErrorOfNew * state.h);
 }
 
 bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
@@ -184,22 +233,42 @@ bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
            c.tangentInverseMass > 0;
 }
 
+/// A row with the members that isActive(contact); what they carry tells how they share what is
+/// added.
+template <class IsActive, class Error>
+void ContactForest::activate(const State& state, std::uint32_t index, IsActive&& isActive,
+                             Error&& errorOf) {
+    const Row& row = rows_[index];
+    Real carried = 0, count = 0;
+    forEachMember(row, [&](Member& m) {
+        m.share = isActive(m.contact) ? 1 : 0;
+        count += m.share;
+        carried += m.share * state.contacts[m.contact].normalLambda;
+    });
+    if (count == 0) return;
+    ActiveRow active{.row = index};
+    forEachMember(row, [&](Member& m) {
+        if (m.share == 0) return;
+        const Contact& c = state.contacts[m.contact];
+        m.share = carried > 0 ? c.normalLambda / carried : 1 / count;
+        if (m.share > 0) active.error += static_cast<double>(m.share * errorOf(c));
+    });
+    active_.push_back(active);
+}
+
 /// Normals that push or should, tangents that stick.
 void ContactForest::activateRows(const State& state) {
     active_.clear();
-    for (std::uint32_t r = 0; r < rows_.size(); r += 2) {
+    for (std::uint32_t r = 0; r < rows_.size(); ++r) {
         if (!nodes_[nodes_[edges_[rows_[r].edge].a].root].unfinished) continue;
-        const auto i = rows_[r].contact;
-        const Contact& c = state.contacts[i];
-        const Real gap = gapLeft(state, c);
-        std::uint32_t normal = none;
-        if (!given_[i] && (c.normalLambda > 0 || gap < 0)) {
-            normal = static_cast<std::uint32_t>(active_.size());
-            active_.push_back({.row = r, .error = static_cast<double>(gap)});
-        }
-        if (sticks(state, i))
-            active_.push_back(
-                {.row = r + 1, .normal = normal, .error = static_cast<double>(slipOf(state, c))});
+        if (rows_[r].isNormal)
+            activate(
+                state, r, [&](std::uint32_t contact) { return pushes(state, contact); },
+                [&](const Contact& c) { return gapLeft(state, c); });
+        else
+            activate(
+                state, r, [&](std::uint32_t contact) { return sticks(state, contact); },
+                [&](const Contact& c) { return slipOf(state, c); });
     }
 }
 
@@ -255,29 +324,50 @@ void ContactForest::substitute() {
 
 /// How much each multiplier must change for the solution.
 void ContactForest::findChanges() {
+    std::fill(normalChange_.begin(), normalChange_.end(), Real(0));
     for (ActiveRow& active : active_) {
         const Row& row = rows_[active.row];
         const Edge& e = edges_[row.edge];
         double left = active.error + row.a.dot(nodes_[e.a].motion);
         if (e.b != none) left += row.b.dot(nodes_[e.b].motion);
         active.change = static_cast<Real>(-row.weight * left);
+        if (row.isNormal)
+            forEachMember(row, [&](const Member& m) {
+                normalChange_[m.contact] = m.share * active.change;
+            });
     }
 }
 
-/// The share of the change that a row allows: until a normal would pull, or a tangent would hold
-/// by more than static friction.
-Real ContactForest::allowed(const State& state, const ActiveRow& active) const {
-    const Row& row = rows_[active.row];
-    const Contact& c = state.contacts[row.contact];
-    const auto share = [](Real room, Real change) {
-        return change <= room ? Real(1) : std::max<Real>(room, 0) / change;
-    };
-    if (row.isNormal) return share(c.normalLambda, -active.change);
-    const Real normalChange = active.normal == none ? 0 : active_[active.normal].change;
-    const Real bound = c.staticFriction * c.normalLambda;
-    const Real growth = c.staticFriction * normalChange;
-    return std::min(share(bound - c.tangentLambda, active.change - growth),
-                    share(bound + c.tangentLambda, -active.change - growth));
+namespace {
+
+Real shareOf(Real room, Real change) {
+    return change <= room ? Real(1) : std::max<Real>(room, 0) / change;
+}
+
+}  // namespace
+
+/// The share of the change that a row allows: until a normal would pull ...
+Real ContactForest::allowedAlong(const State& state, const ActiveRow& active) const {
+    Real carried = 0;
+    forEachMember(rows_[active.row], [&](const Member& m) {
+        if (m.share > 0) carried += state.contacts[m.contact].normalLambda;
+    });
+    return shareOf(carried, -active.change);
+}
+
+/// ... or a tangent would hold by more than static friction.
+Real ContactForest::allowedAcross(const State& state, const ActiveRow& active) const {
+    Real allowed = 1;
+    forEachMember(rows_[active.row], [&](const Member& m) {
+        if (m.share == 0) return;
+        const Contact& c = state.contacts[m.contact];
+        const Real bound = c.staticFriction * c.normalLambda;
+        const Real growth = c.staticFriction * normalChange_[m.contact];
+        const Real change = m.share * active.change;
+        allowed = std::min({allowed, shareOf(bound - c.tangentLambda, change - growth),
+                            shareOf(bound + c.tangentLambda, -change - growth)});
+    });
+    return allowed;
 }
 
 /// As far as its rows allow, per tree.
@@ -285,7 +375,9 @@ void ContactForest::findSteps(const State& state) {
     for (Node& node : nodes_) node.step = 1;
     for (ActiveRow& active : active_) {
         Real& step = nodes_[treeOf(active)].step;
-        step = std::min(step, active.allowed = allowed(state, active));
+        active.allowed = rows_[active.row].isNormal ? allowedAlong(state, active)
+                                                    : allowedAcross(state, active);
+        step = std::min(step, active.allowed);
     }
 }
 
@@ -313,12 +405,15 @@ bool ContactForest::takeStep(State& state) {
     for (const ActiveRow& active : active_) {
         const Row& row = rows_[active.row];
         Node& tree = nodes_[treeOf(active)];
-        Contact& c = state.contacts[row.contact];
-        (row.isNormal ? c.normalLambda : c.tangentLambda) += tree.step * active.change;
-        if (tree.step == 1 || active.allowed > tree.step) continue;
-        anyGiven = true;
-        tree.unfinished = true;
-        (row.isNormal ? given_ : slipping_)[row.contact] = 1;
+        const bool givesWay = tree.step < 1 && active.allowed <= tree.step;
+        forEachMember(row, [&](const Member& m) {
+            Contact& c = state.contacts[m.contact];
+            (row.isNormal ? c.normalLambda : c.tangentLambda) +=
+                tree.step * m.share * active.change;
+            if (givesWay && m.share > 0) (row.isNormal ? given_ : slipping_)[m.contact] = 1;
+        });
+        anyGiven |= givesWay;
+        tree.unfinished |= givesWay;
     }
     return anyGiven;
 }
@@ -332,12 +427,14 @@ void ContactForest::forget(const State& state) {
     if (given_.capacity() >= contacts) return;
     given_.reserve(2 * contacts);
     slipping_.reserve(2 * contacts);
+    normalChange_.reserve(2 * contacts);
 }
 
 void ContactForest::solve(State& state) {
     if (!grown_) grow(state);
     given_.assign(state.contacts.size(), 0);
     slipping_.assign(state.contacts.size(), 0);
+    normalChange_.resize(state.contacts.size());
     for (Node& node : nodes_) node.unfinished = true;
     for (int i = 0; i < mostSteps; ++i) {
         activateRows(state);

@@ -49,20 +49,29 @@ private:
         Real carried = 0;                   // kg m
         bool chosen = false;
     };
-    /// A constraint error + a . u_a + b . u_b = 0, held by a penalty.
+    /// A constraint error + a . u_a + b . u_b = 0, held by a penalty. The contacts of an edge that
+    /// ask for the same have it together (both tangents of a face that lies on another, or two
+    /// contacts of one corner): apart, the penalty would make of what rounding has them differ by
+    /// as much as what they carry.
     struct Row {
-        std::uint32_t contact = 0, edge = 0;
+        std::uint32_t edge = 0;
+        std::uint32_t firstMember = none;
         bool isNormal = false;
         Vector3 a, b;
         double weight = 0;  // kg
     };
-    /// One that holds in the present step.
+    /// A contact in a row, and its share of the multiplier while the row is active.
+    struct Member {
+        std::uint32_t contact = 0;
+        std::uint32_t next = none;  // member of the same row
+        Real share = 0;
+    };
+    /// A row that holds in the present step.
     struct ActiveRow {
         std::uint32_t row = 0;
-        std::uint32_t normal = none;  // of a tangent: the active row of the same contact's normal
-        double error = 0;             // m
-        Real change = 0;              // kg m, of the multiplier
-        Real allowed = 1;             // share of it that bounds leave
+        double error = 0;  // m
+        Real change = 0;   // kg m, of the multiplier
+        Real allowed = 1;  // share of it that bounds leave
     };
     /// A contact and the nodes that it holds apart.
     struct Keyed {
@@ -82,13 +91,22 @@ private:
     void orderNodes();
     void collectRows(const State& state);
     Row makeRow(const State& state, std::uint32_t edge, std::uint32_t contact, bool isNormal) const;
+    void addToRows(const Row& row, std::uint32_t firstOfEdge, std::uint32_t contact);
+    template <class Function>
+    void forEachMember(const Row& row, Function&& f);
+    template <class Function>
+    void forEachMember(const Row& row, Function&& f) const;
     void activateRows(const State& state);
+    template <class IsActive, class Error>
+    void activate(const State& state, std::uint32_t row, IsActive&& isActive, Error&& errorOf);
+    bool pushes(const State& state, std::uint32_t contact) const;
     bool sticks(const State& state, std::uint32_t contact) const;
     void assemble(const State& state);
     void eliminate();
     void substitute();
     void findChanges();
-    Real allowed(const State& state, const ActiveRow& active) const;
+    Real allowedAlong(const State& state, const ActiveRow& active) const;
+    Real allowedAcross(const State& state, const ActiveRow& active) const;
     std::uint32_t treeOf(const ActiveRow& active) const {
         return nodes_[edges_[rows_[active.row].edge].a].root;
     }
@@ -98,8 +116,10 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
-    std::vector<Row> rows_;  // of the chosen edges: a contact's normal, then its tangent
+    std::vector<Row> rows_;  // of the chosen edges, in their order
+    std::vector<Member> members_;
     std::vector<ActiveRow> active_;
+    std::vector<Real> normalChange_;  // kg m, per contact: of its normal in this step
     std::vector<Keyed> keyed_, keyedScratch_;
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
     std::vector<std::pair<Real, std::uint32_t>> byLoad_;  // what an edge carries, negative; edge
