@@ -1,6 +1,7 @@
 #include "solver/contact_forest.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/bucket_sort.hpp"
@@ -18,11 +19,35 @@ constexpr double stiffnessOfPenalty = 1e5;
 /// Of the active set, in a sweep.
 constexpr int mostSteps = 2;
 
-/// m/s: a contact that begins, and is not closing by more than minus this, may have to push.
+/// m/s: a contact that begins pushes unless it opens by more than this. (In a stack that begins to
+/// fall as a whole only the lowest contact closes.)
 constexpr Real mostErrorOfNew = Real(5e-5);
+
+/// A tree whose last step was shorter is left to the sweeps for the rest of the tick. (A heap onto
+/// which things drop has some contact that allows next to nothing in nearly every tick.)
+constexpr Real leastStep = Real(0.1);
 
 /// As shares of an arm: within this, rows ask for the same.
 constexpr double alikeWithin = 1e-2;
+
+/// So many contacts of an edge are compared with each.
+constexpr std::uint32_t mostAlike = 16;
+
+/// Of loads: exponents and sixteenths, the upper bits of a float.
+constexpr std::uint32_t loadLevels = 1u << 12;
+
+std::uint32_t loadLevel(Real load) {
+    return std::bit_cast<std::uint32_t>(static_cast<float>(load)) >> 19;
+}
+
+/// In place of a node.
+constexpr std::uint32_t still = none, soft = none - 1, unknown = none - 2;
+
+bool isStill(const State& state, const Grip& grip) {
+    if (grip.cluster == none) return state.particles.inverseMass[grip.particle] == 0;
+    const Cluster& c = state.clusters.list[grip.cluster];
+    return c.inverseMass == 0 && c.inverseInertia == 0;
+}
 
 using Vector3 = Cholesky3::Vector;
 
@@ -57,37 +82,37 @@ bool areAlike(const Vector3& p, const Vector3& q) {
 
 }  // namespace
 
-/// The node of what the grip holds, or none if it does not move, or is part of something soft.
+/// The node of what the grip holds; or `still` if it does not move, `soft` if it is part of
+/// something soft.
 std::uint32_t ContactForest::nodeOf(const State& state, const Grip& grip) {
     const bool rigid = grip.cluster != none;
-    if (rigid) {
-        const Cluster& c = state.clusters.list[grip.cluster];
-        if (c.inverseMass == 0 && c.inverseInertia == 0) return none;
-    } else if (state.particles.inverseMass[grip.particle] == 0) {
-        return none;
-    }
     auto& node = rigid ? nodeOfCluster_[grip.cluster] : nodeOfParticle_[grip.particle];
-    if (node == none) {
-        node = static_cast<std::uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-        nodes_.back().cluster = grip.cluster;
-        nodes_.back().particle = grip.particle;
-    }
+    if (node != unknown) return node;
+    if (isStill(state, grip)) return node = still;
+    if (isSoft(state, grip)) return node = soft;
+    node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_.back().cluster = grip.cluster;
+    nodes_.back().particle = grip.particle;
     return node;
+}
+
+std::uint32_t ContactForest::knownNodeOf(const Grip& grip) const {
+    return grip.cluster != none ? nodeOfCluster_[grip.cluster] : nodeOfParticle_[grip.particle];
 }
 
 void ContactForest::collectContacts(const State& state) {
     nodes_.clear();
     keyed_.clear();
-    nodeOfCluster_.assign(state.clusters.list.size(), none);
-    nodeOfParticle_.assign(state.particles.size(), none);
+    nodeOfCluster_.assign(state.clusters.list.size(), unknown);
+    nodeOfParticle_.assign(state.particles.size(), unknown);
     for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
         const Contact& c = state.contacts[i];
-        if (c.shareB != 0 && (isSoft(state, c.gripOfB) || isSoft(state, c.gripOfA))) continue;
-        if (isSoft(state, c.gripOfParticle) || isSoft(state, c.gripOfA)) continue;
         std::uint64_t a = nodeOf(state, c.gripOfParticle), b = nodeOf(state, c.gripOfA);
+        if (a == soft || b == soft) continue;
+        if (c.shareB != 0 && nodeOf(state, c.gripOfB) == soft) continue;
         if (a > b) std::swap(a, b);
-        if (a != none) keyed_.push_back({a << 32 | b, i});
+        if (a != still) keyed_.push_back({a << 32 | b, i});
     }
     bucketSort(keyed_, keyedScratch_, start_, nodes_.size(),
                [](const Keyed& k) { return static_cast<std::uint32_t>(k.nodes >> 32); });
@@ -100,7 +125,8 @@ void ContactForest::collectEdges(const State& state) {
         if (k == 0 || keyed_[k - 1].nodes != nodes) {
             edges_.emplace_back();
             edges_.back().a = static_cast<std::uint32_t>(nodes >> 32);
-            edges_.back().b = static_cast<std::uint32_t>(nodes);
+            const auto b = static_cast<std::uint32_t>(nodes);
+            edges_.back().b = b == still ? none : b;
             edges_.back().first = k;
         }
         edges_.back().last = k + 1;
@@ -108,16 +134,18 @@ void ContactForest::collectEdges(const State& state) {
     }
 }
 
-/// A spanning forest of those edges that carry most (Kruskal). What does not move closes no cycle.
+/// A spanning forest of those edges that carry most (Kruskal), loads being told apart to a
+/// sixteenth. What does not move closes no cycle.
 void ContactForest::chooseEdges() {
     byLoad_.clear();
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
         edges_[e].chosen = edges_[e].b == none;
-        if (!edges_[e].chosen) byLoad_.push_back({-edges_[e].carried, e});
+        if (!edges_[e].chosen) byLoad_.push_back(e);
     }
-    std::sort(byLoad_.begin(), byLoad_.end());
+    countingSort(byLoad_, byLoadScratch_, start_, loadLevels,
+                 [&](std::uint32_t e) { return loadLevels - 1 - loadLevel(edges_[e].carried); });
     trees_.reset(nodes_.size());
-    for (const auto& [load, e] : byLoad_) edges_[e].chosen = trees_.unite(edges_[e].a, edges_[e].b);
+    for (const auto e : byLoad_) edges_[e].chosen = trees_.unite(edges_[e].a, edges_[e].b);
 }
 
 /// Parents before their children.
@@ -154,12 +182,75 @@ void ContactForest::orderNodes() {
 }
 
 void ContactForest::grow(const State& state) {
+    carried_.assign(state.contacts.size(), {});
     collectContacts(state);
     collectEdges(state);
     chooseEdges();
     orderNodes();
     collectRows(state);
     grown_ = true;
+}
+
+ContactForest::Member ContactForest::makeMember(const State& state, std::uint32_t contact,
+                                                bool isNormal) const {
+    const Contact& c = state.contacts[contact];
+    Member m;
+    m.contact = contact;
+    m.direction = isNormal ? c.normal : tangentOf(c);
+    m.base = isNormal ? std::max<Real>(c.gap - c.slack, 0) - c.rise : c.conveyed;
+    m.shareA = c.shareA;
+    const auto take = [&](const Grip& grip, Real share, Hold& hold) {
+        const auto node = knownNodeOf(grip);
+        if (node == still)
+            m.base += share * m.direction.dot(displacementOf(state, grip));
+        else
+            hold = {node, grip.cluster == none ? Vec2(0, 0) : grip.arm};
+    };
+    take(c.gripOfParticle, 1, m.particle);
+    take(c.gripOfA, -c.shareA, m.capsule);
+    if (c.shareB != 0) {
+        Hold second;
+        take(c.gripOfB, -c.shareB, second);
+        m.entire = second.node == none;
+    }
+    m.pushesBelow = c.inherited ? 0 : mostErrorOfNew * state.h;
+    if (c.rough && !c.sliding && c.tangentInverseMass > 0) m.friction = c.staticFriction;
+    return m;
+}
+
+bool ContactForest::isAlike(const Row& p, const Row& q) const {
+    return areAlike(p.a, q.a) && (edges_[p.edge].b == none || areAlike(p.b, q.b));
+}
+
+/// The rows of an edge along its normals, or across them.
+void ContactForest::collectRowsOf(const State& state, std::uint32_t edge, bool areNormals) {
+    const Edge& e = edges_[edge];
+    const auto isTaken = [&](std::uint32_t contact) { return carried_[contact].given; };
+    for (auto k = e.first; k < e.last; ++k) carried_[keyed_[k].contact].given = false;
+    for (auto k = e.first; k < e.last; ++k) {
+        if (isTaken(keyed_[k].contact)) continue;
+        Row row = makeRow(state, edge, keyed_[k].contact, areNormals);
+        row.first = static_cast<std::uint32_t>(members_.size());
+        for (auto other = k; other < std::min(e.last, k + mostAlike); ++other) {
+            const auto contact = keyed_[other].contact;
+            if (isTaken(contact)) continue;
+            if (other != k && !isAlike(row, makeRow(state, edge, contact, areNormals))) continue;
+            members_.push_back(makeMember(state, contact, areNormals));
+            carried_[contact].given = true;
+        }
+        row.last = static_cast<std::uint32_t>(members_.size());
+        rows_.push_back(row);
+    }
+}
+
+void ContactForest::collectRows(const State& state) {
+    rows_.clear();
+    members_.clear();
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+        if (!edges_[e].chosen) continue;
+        collectRowsOf(state, e, true);
+        collectRowsOf(state, e, false);
+    }
 }
 
 ContactForest::Row ContactForest::makeRow(const State& state, std::uint32_t edge,
@@ -173,104 +264,119 @@ ContactForest::Row ContactForest::makeRow(const State& state, std::uint32_t edge
     row.weight = w > 0 ? stiffnessOfPenalty / static_cast<double>(w) : 0;
     const Vector3 particle = jacobian(c.gripOfParticle, direction);
     const Vector3 capsule = -static_cast<double>(c.shareA) * jacobian(c.gripOfA, direction);
-    const auto node = c.gripOfParticle.cluster != none ? nodeOfCluster_[c.gripOfParticle.cluster]
-                                                       : nodeOfParticle_[c.gripOfParticle.particle];
-    const bool particleFirst = node == edges_[edge].a;
+    const bool particleFirst = knownNodeOf(c.gripOfParticle) == edges_[edge].a;
     row.a = particleFirst ? particle : capsule;
     row.b = particleFirst ? capsule : particle;
     return row;
 }
 
-template <class Function>
-void ContactForest::forEachMember(const Row& row, Function&& f) {
-    for (auto m = row.firstMember; m != none; m = members_[m].next) f(members_[m]);
-}
-
-template <class Function>
-void ContactForest::forEachMember(const Row& row, Function&& f) const {
-    for (auto m = row.firstMember; m != none; m = members_[m].next) f(members_[m]);
-}
-
-/// To one that asks for the same, or as a new one.
-void ContactForest::addToRows(const Row& row, std::uint32_t firstOfEdge, std::uint32_t contact) {
-    const bool one = edges_[row.edge].b == none;
-    auto same = std::find_if(rows_.begin() + firstOfEdge, rows_.end(), [&](const Row& other) {
-        return other.isNormal == row.isNormal && areAlike(other.a, row.a) &&
-               (one || areAlike(other.b, row.b));
-    });
-    if (same == rows_.end()) {
-        rows_.push_back(row);
-        same = rows_.end() - 1;
-    }
-    members_.push_back({.contact = contact, .next = same->firstMember});
-    same->firstMember = static_cast<std::uint32_t>(members_.size() - 1);
-}
-
-void ContactForest::collectRows(const State& state) {
-    rows_.clear();
-    members_.clear();
-    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-        if (!edges_[e].chosen) continue;
-        const auto firstOfEdge = static_cast<std::uint32_t>(rows_.size());
-        for (auto k = edges_[e].first; k < edges_[e].last; ++k)
-            for (const bool isNormal : {true, false}) {
-                const auto contact = keyed_[k].contact;
-                addToRows(makeRow(state, e, contact, isNormal), firstOfEdge, contact);
-            }
+void ContactForest::takeMotions(const State& state) {
+    for (Node& node : nodes_) {
+        if (node.cluster == none) {
+            node.moved.displacement = state.particles.displacement[node.particle];
+            continue;
+        }
+        const Cluster& c = state.clusters.list[node.cluster];
+        node.moved = {c.displacement, c.sine, c.versine};
     }
 }
 
-/// Whether its normal is part of the step: it pushes, or should.
-bool ContactForest::pushes(const State& state, std::uint32_t contact) const {
-    const Contact& c = state.contacts[contact];
-    if (given_[contact]) return false;
-    return c.normalLambda > 0 || gapLeft(state, c) < (c.inherited ? 0 : mostErrorOfNew * state.h);
+void ContactForest::takeMultipliers(const State& state) {
+    for (const Keyed& k : keyed_) {
+        const Contact& c = state.contacts[k.contact];
+        carried_[k.contact] = {.normal = c.normalLambda, .tangent = c.tangentLambda};
+    }
 }
 
-bool ContactForest::sticks(const State& state, std::uint32_t contact) const {
-    const Contact& c = state.contacts[contact];
-    return c.normalLambda > 0 && c.rough && !c.sliding && !slipping_[contact] &&
-           c.tangentInverseMass > 0;
+void ContactForest::giveMultipliers(State& state) const {
+    for (const Keyed& k : keyed_) {
+        Contact& c = state.contacts[k.contact];
+        c.normalLambda = carried_[k.contact].normal;
+        c.tangentLambda = carried_[k.contact].tangent;
+    }
 }
 
-/// A row with the members that isActive(contact); what they carry tells how they share what is
-/// added.
-template <class IsActive, class Error>
-void ContactForest::activate(const State& state, std::uint32_t index, IsActive&& isActive,
-                             Error&& errorOf) {
-    const Row& row = rows_[index];
-    Real carried = 0, count = 0;
-    forEachMember(row, [&](Member& m) {
-        m.share = isActive(m.contact) ? 1 : 0;
-        count += m.share;
-        carried += m.share * state.contacts[m.contact].normalLambda;
-    });
-    if (count == 0) return;
-    ActiveRow active{.row = index};
-    forEachMember(row, [&](Member& m) {
-        if (m.share == 0) return;
+Vec2 ContactForest::wayOf(const Hold& hold) const {
+    const Motion& m = nodes_[hold.node].moved;
+    return m.displacement + m.sine * perpendicular(hold.arm) - m.versine * hold.arm;
+}
+
+Real ContactForest::errorOf(const State& state, const Member& m, bool isNormal) const {
+    if (!m.entire) {
         const Contact& c = state.contacts[m.contact];
-        m.share = carried > 0 ? c.normalLambda / carried : 1 / count;
-        if (m.share > 0) active.error += static_cast<double>(m.share * errorOf(c));
-    });
+        return isNormal ? gapLeft(state, c) : slipOf(state, c);
+    }
+    Vec2 way(0, 0);
+    if (m.particle.node != none) way += wayOf(m.particle);
+    if (m.capsule.node != none) way -= m.shareA * wayOf(m.capsule);
+    return m.base + m.direction.dot(way);
+}
+
+/// Normals that push share what is added as they share what there is; where none does, those that
+/// should push begin alike.
+void ContactForest::activateNormal(const State& state, std::uint32_t index) {
+    const std::span<Member> members = membersOf(rows_[index]);
+    ActiveRow active{.row = index};
+    Real sum = 0;
+    for (Member& m : members) {
+        const Carried& c = carried_[m.contact];
+        m.share = c.given ? 0 : c.normal;
+        sum += m.share;
+    }
+    if (sum == 0)
+        for (Member& m : members) {
+            if (carried_[m.contact].given || errorOf(state, m, true) >= m.pushesBelow) continue;
+            m.share = 1;
+            sum += 1;
+        }
+    if (sum == 0) return;
+    for (Member& m : members) {
+        if (m.share == 0) continue;
+        m.share /= sum;
+        active.error += static_cast<double>(m.share * errorOf(state, m, true));
+    }
     active_.push_back(active);
 }
 
-/// Normals that push or should, tangents that stick.
+/// Tangents that stick share by what their normals carry.
+void ContactForest::activateTangent(const State& state, std::uint32_t index) {
+    const std::span<Member> members = membersOf(rows_[index]);
+    ActiveRow active{.row = index};
+    Real sum = 0;
+    for (Member& m : members) {
+        const Carried& c = carried_[m.contact];
+        m.share = m.friction > 0 && !c.slipping ? c.normal : 0;
+        sum += m.share;
+    }
+    if (sum == 0) return;
+    for (Member& m : members) {
+        if (m.share == 0) continue;
+        m.share /= sum;
+        active.error += static_cast<double>(m.share * errorOf(state, m, false));
+    }
+    active_.push_back(active);
+}
+
 void ContactForest::activateRows(const State& state) {
     active_.clear();
     for (std::uint32_t r = 0; r < rows_.size(); ++r) {
-        if (!nodes_[nodes_[edges_[rows_[r].edge].a].root].unfinished) continue;
+        if (!treeOf(rows_[r]).unfinished) continue;
         if (rows_[r].isNormal)
-            activate(
-                state, r, [&](std::uint32_t contact) { return pushes(state, contact); },
-                [&](const Contact& c) { return gapLeft(state, c); });
+            activateNormal(state, r);
         else
-            activate(
-                state, r, [&](std::uint32_t contact) { return sticks(state, contact); },
-                [&](const Contact& c) { return slipOf(state, c); });
+            activateTangent(state, r);
     }
 }
+
+namespace {
+
+/// Adds weight * v v^T to the lower half.
+void addSquare(Cholesky3::Matrix& lower, const Vector3& v, const Vector3& weighted) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = column; row < 3; ++row) lower(row, column) += weighted[row] * v[column];
+}
+
+}  // namespace
 
 /// (M + sum of weight J^T J) u = - sum of weight J^T error.
 void ContactForest::assemble(const State& state) {
@@ -285,12 +391,12 @@ void ContactForest::assemble(const State& state) {
         const Edge& e = edges_[row.edge];
         Node& a = nodes_[e.a];
         const Vector3 weighted = row.weight * row.a;
-        a.system.noalias() += weighted * row.a.transpose();
+        addSquare(a.system, row.a, weighted);
         a.motion -= active.error * weighted;
         if (e.b == none) continue;
         Node& b = nodes_[e.b];
         const Vector3 other = row.weight * row.b;
-        b.system.noalias() += other * row.b.transpose();
+        addSquare(b.system, row.b, other);
         b.motion -= active.error * other;
         if (a.parent == e.b)
             a.towardsParent.noalias() += weighted * row.b.transpose();
@@ -309,7 +415,9 @@ void ContactForest::eliminate() {
         if (node.parent == none) continue;
         Node& parent = nodes_[node.parent];
         const Matrix3 through = system.solve(node.towardsParent);
-        parent.system.noalias() -= node.towardsParent.transpose().lazyProduct(through);
+        for (int column = 0; column < 3; ++column)
+            for (int row = column; row < 3; ++row)
+                parent.system(row, column) -= node.towardsParent.col(row).dot(through.col(column));
         parent.motion.noalias() -= node.towardsParent.transpose().lazyProduct(node.motion);
         node.towardsParent = through;
     }
@@ -324,17 +432,16 @@ void ContactForest::substitute() {
 
 /// How much each multiplier must change for the solution.
 void ContactForest::findChanges() {
-    std::fill(normalChange_.begin(), normalChange_.end(), Real(0));
+    for (Carried& c : carried_) c.normalChange = 0;
     for (ActiveRow& active : active_) {
         const Row& row = rows_[active.row];
         const Edge& e = edges_[row.edge];
         double left = active.error + row.a.dot(nodes_[e.a].motion);
         if (e.b != none) left += row.b.dot(nodes_[e.b].motion);
         active.change = static_cast<Real>(-row.weight * left);
-        if (row.isNormal)
-            forEachMember(row, [&](const Member& m) {
-                normalChange_[m.contact] = m.share * active.change;
-            });
+        if (!row.isNormal) continue;
+        for (const Member& m : membersOf(row))
+            carried_[m.contact].normalChange = m.share * active.change;
     }
 }
 
@@ -347,43 +454,41 @@ Real shareOf(Real room, Real change) {
 }  // namespace
 
 /// The share of the change that a row allows: until a normal would pull ...
-Real ContactForest::allowedAlong(const State& state, const ActiveRow& active) const {
-    Real carried = 0;
-    forEachMember(rows_[active.row], [&](const Member& m) {
-        if (m.share > 0) carried += state.contacts[m.contact].normalLambda;
-    });
-    return shareOf(carried, -active.change);
+Real ContactForest::allowedAlong(const ActiveRow& active) const {
+    Real sum = 0;
+    for (const Member& m : membersOf(rows_[active.row]))
+        if (m.share > 0) sum += carried_[m.contact].normal;
+    return shareOf(sum, -active.change);
 }
 
 /// ... or a tangent would hold by more than static friction.
-Real ContactForest::allowedAcross(const State& state, const ActiveRow& active) const {
+Real ContactForest::allowedAcross(const ActiveRow& active) const {
     Real allowed = 1;
-    forEachMember(rows_[active.row], [&](const Member& m) {
-        if (m.share == 0) return;
-        const Contact& c = state.contacts[m.contact];
-        const Real bound = c.staticFriction * c.normalLambda;
-        const Real growth = c.staticFriction * normalChange_[m.contact];
+    for (const Member& m : membersOf(rows_[active.row])) {
+        if (m.share == 0) continue;
+        const Carried& c = carried_[m.contact];
+        const Real bound = m.friction * c.normal, growth = m.friction * c.normalChange;
         const Real change = m.share * active.change;
-        allowed = std::min({allowed, shareOf(bound - c.tangentLambda, change - growth),
-                            shareOf(bound + c.tangentLambda, -change - growth)});
-    });
+        allowed = std::min({allowed, shareOf(bound - c.tangent, change - growth),
+                            shareOf(bound + c.tangent, -change - growth)});
+    }
     return allowed;
 }
 
 /// As far as its rows allow, per tree.
-void ContactForest::findSteps(const State& state) {
+void ContactForest::findSteps() {
     for (Node& node : nodes_) node.step = 1;
     for (ActiveRow& active : active_) {
-        Real& step = nodes_[treeOf(active)].step;
-        active.allowed = rows_[active.row].isNormal ? allowedAlong(state, active)
-                                                    : allowedAcross(state, active);
+        const Row& row = rows_[active.row];
+        active.allowed = row.isNormal ? allowedAlong(active) : allowedAcross(active);
+        Real& step = treeOf(row).step;
         step = std::min(step, active.allowed);
     }
 }
 
 /// Moves the nodes by what the impulses of their rows make of them.
-void ContactForest::moveNodes(State& state) const {
-    for (const Node& node : nodes_) {
+void ContactForest::moveNodes(State& state) {
+    for (Node& node : nodes_) {
         const Vector3 motion = static_cast<double>(nodes_[node.root].step) * node.motion;
         const Vec2 displacement = motion.head<2>().cast<Real>();
         if (node.cluster == none) {
@@ -394,24 +499,26 @@ void ContactForest::moveNodes(State& state) const {
         c.displacement += displacement;
         turnBy(c, motion[2]);
     }
+    takeMotions(state);
 }
 
-/// Takes each tree's step, and lets go of those rows that allowed no more. Returns whether there
-/// were any; of a tree in which there were none nothing is active any more.
+/// Takes each tree's step, and lets go of those rows that did not allow all of it: of all at once,
+/// because a large tree has many. Returns whether there were any; of a tree in which there were
+/// none nothing is active any more.
 bool ContactForest::takeStep(State& state) {
-    findSteps(state);
+    findSteps();
     moveNodes(state);
+    for (Node& node : nodes_) node.unfinished = false;
     bool anyGiven = false;
     for (const ActiveRow& active : active_) {
         const Row& row = rows_[active.row];
-        Node& tree = nodes_[treeOf(active)];
-        const bool givesWay = tree.step < 1 && active.allowed <= tree.step;
-        forEachMember(row, [&](const Member& m) {
-            Contact& c = state.contacts[m.contact];
-            (row.isNormal ? c.normalLambda : c.tangentLambda) +=
-                tree.step * m.share * active.change;
-            if (givesWay && m.share > 0) (row.isNormal ? given_ : slipping_)[m.contact] = 1;
-        });
+        Node& tree = treeOf(row);
+        const bool givesWay = active.allowed < 1;
+        for (const Member& m : membersOf(row)) {
+            Carried& c = carried_[m.contact];
+            (row.isNormal ? c.normal : c.tangent) += tree.step * m.share * active.change;
+            if (givesWay && m.share > 0) (row.isNormal ? c.given : c.slipping) = true;
+        }
         anyGiven |= givesWay;
         tree.unfinished |= givesWay;
     }
@@ -422,30 +529,27 @@ void ContactForest::forget(const State& state) {
     grown_ = false;
     nodeOfCluster_.reserve(state.clusters.list.size());
     nodeOfParticle_.reserve(state.particles.size());
-    start_.reserve(state.particles.size() + 1);
+    start_.reserve(std::max<std::size_t>(state.particles.size(), loadLevels) + 1);
     const std::size_t contacts = state.contacts.size();
-    if (given_.capacity() >= contacts) return;
-    given_.reserve(2 * contacts);
-    slipping_.reserve(2 * contacts);
-    normalChange_.reserve(2 * contacts);
+    if (carried_.capacity() < contacts) carried_.reserve(2 * contacts);
 }
 
 void ContactForest::solve(State& state) {
     if (!grown_) grow(state);
-    given_.assign(state.contacts.size(), 0);
-    slipping_.assign(state.contacts.size(), 0);
-    normalChange_.resize(state.contacts.size());
-    for (Node& node : nodes_) node.unfinished = true;
+    takeMotions(state);
+    takeMultipliers(state);
+    for (Node& node : nodes_) node.unfinished = !node.hopeless;
     for (int i = 0; i < mostSteps; ++i) {
         activateRows(state);
-        if (active_.empty()) return;
+        if (active_.empty()) break;
         assemble(state);
         eliminate();
         substitute();
         findChanges();
-        for (Node& node : nodes_) node.unfinished = false;
-        if (!takeStep(state)) return;
+        if (!takeStep(state)) break;
     }
+    for (Node& node : nodes_) node.hopeless |= node.unfinished && node.step < leastStep;
+    giveMultipliers(state);
 }
 
 }  // namespace sulfur::detail

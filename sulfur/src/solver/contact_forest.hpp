@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "core/cholesky3.hpp"
@@ -31,16 +31,24 @@ private:
     using Vector3 = Cholesky3::Vector;
     using Matrix3 = Cholesky3::Matrix;
 
+    /// Where a node goes in this tick, so far.
+    struct Motion {
+        Vec2 displacement{0, 0};     // m
+        Real sine = 0, versine = 0;  // of its turn; 1 - cos
+    };
     /// A rigid component, or a disc that moves by itself (its third freedom is never used).
     struct Node {
         std::uint32_t cluster = none, particle = none;
-        std::uint32_t parent = none;    // node
-        std::uint32_t root = none;      // of its tree
-        Matrix3 system, towardsParent;  // of the linear system, then what elimination makes of it
-        Vector3 motion;                 // the right-hand side, then the solution
+        std::uint32_t parent = none;  // node
+        std::uint32_t root = none;    // of its tree
+        Motion moved;
+        Matrix3 system;         // of the linear system, its lower half only
+        Matrix3 towardsParent;  // its other part, then what elimination makes of it
+        Vector3 motion;         // the right-hand side, then the solution
         // Of a root, for its tree.
         Real step = 1;  // share of the motion that the rows allow
         bool unfinished = true;
+        bool hopeless = false;  // its rows allow next to nothing
     };
     /// All contacts between two nodes, or of one node with what does not move.
     struct Edge {
@@ -49,22 +57,33 @@ private:
         Real carried = 0;                   // kg m
         bool chosen = false;
     };
+    /// One side of a contact: a point of a node, or none of any.
+    struct Hold {
+        std::uint32_t node = none;
+        Vec2 arm{0, 0};  // m
+    };
+    /// A contact in a row: what tells its error, and its share of the multiplier.
+    struct Member {
+        std::uint32_t contact = 0;
+        Hold particle, capsule;
+        Vec2 direction{0, 0};  // the normal or the tangent
+        Real base = 0;         // m, the error but for what the nodes do
+        Real shareA = 0;       // of the capsule's hold
+        Real friction = 0;     // the static coefficient; 0 for what cannot stick
+        Real pushesBelow = 0;  // m, of the error: a normal that carries nothing yet
+        bool entire = true;    // the two holds are all that moves
+        Real share = 0;        // of the row's multiplier, while it is active
+    };
     /// A constraint error + a . u_a + b . u_b = 0, held by a penalty. The contacts of an edge that
     /// ask for the same have it together (both tangents of a face that lies on another, or two
     /// contacts of one corner): apart, the penalty would make of what rounding has them differ by
     /// as much as what they carry.
     struct Row {
         std::uint32_t edge = 0;
-        std::uint32_t firstMember = none;
+        std::uint32_t first = 0, last = 0;  // part of members_
         bool isNormal = false;
         Vector3 a, b;
         double weight = 0;  // kg
-    };
-    /// A contact in a row, and its share of the multiplier while the row is active.
-    struct Member {
-        std::uint32_t contact = 0;
-        std::uint32_t next = none;  // member of the same row
-        Real share = 0;
     };
     /// A row that holds in the present step.
     struct ActiveRow {
@@ -82,50 +101,62 @@ private:
             return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
         }
     };
+    /// What a contact carries, and what it has given up in this call.
+    struct Carried {
+        Real normal = 0, tangent = 0;  // kg m
+        Real normalChange = 0;         // kg m, in this step
+        bool given = false;            // its normal is no longer active
+        bool slipping = false;         // nor its tangent
+    };
 
     void grow(const State& state);
     std::uint32_t nodeOf(const State& state, const Grip& grip);
+    std::uint32_t knownNodeOf(const Grip& grip) const;
     void collectContacts(const State& state);
     void collectEdges(const State& state);
     void chooseEdges();
     void orderNodes();
     void collectRows(const State& state);
+    void collectRowsOf(const State& state, std::uint32_t edge, bool areNormals);
+    Member makeMember(const State& state, std::uint32_t contact, bool isNormal) const;
     Row makeRow(const State& state, std::uint32_t edge, std::uint32_t contact, bool isNormal) const;
-    void addToRows(const Row& row, std::uint32_t firstOfEdge, std::uint32_t contact);
-    template <class Function>
-    void forEachMember(const Row& row, Function&& f);
-    template <class Function>
-    void forEachMember(const Row& row, Function&& f) const;
+    bool isAlike(const Row& p, const Row& q) const;
+    std::span<Member> membersOf(const Row& row) {
+        return std::span(members_).subspan(row.first, row.last - row.first);
+    }
+    std::span<const Member> membersOf(const Row& row) const {
+        return std::span(members_).subspan(row.first, row.last - row.first);
+    }
+    void takeMotions(const State& state);
+    void takeMultipliers(const State& state);
+    void giveMultipliers(State& state) const;
+    Vec2 wayOf(const Hold& hold) const;
+    Real errorOf(const State& state, const Member& m, bool isNormal) const;
     void activateRows(const State& state);
-    template <class IsActive, class Error>
-    void activate(const State& state, std::uint32_t row, IsActive&& isActive, Error&& errorOf);
-    bool pushes(const State& state, std::uint32_t contact) const;
-    bool sticks(const State& state, std::uint32_t contact) const;
+    void activateNormal(const State& state, std::uint32_t row);
+    void activateTangent(const State& state, std::uint32_t row);
     void assemble(const State& state);
     void eliminate();
     void substitute();
     void findChanges();
-    Real allowedAlong(const State& state, const ActiveRow& active) const;
-    Real allowedAcross(const State& state, const ActiveRow& active) const;
-    std::uint32_t treeOf(const ActiveRow& active) const {
-        return nodes_[edges_[rows_[active.row].edge].a].root;
-    }
-    void findSteps(const State& state);
-    void moveNodes(State& state) const;
+    Real allowedAlong(const ActiveRow& active) const;
+    Real allowedAcross(const ActiveRow& active) const;
+    Node& treeOf(const Row& row) { return nodes_[nodes_[edges_[row.edge].a].root]; }
+    void findSteps();
+    void moveNodes(State& state);
     bool takeStep(State& state);
 
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
-    std::vector<Row> rows_;  // of the chosen edges, in their order
+    std::vector<Row> rows_;  // of the chosen edges, in their order: normals, then tangents
     std::vector<Member> members_;
     std::vector<ActiveRow> active_;
-    std::vector<Real> normalChange_;  // kg m, per contact: of its normal in this step
+    std::vector<Carried> carried_;  // by contact
     std::vector<Keyed> keyed_, keyedScratch_;
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
-    std::vector<std::pair<Real, std::uint32_t>> byLoad_;  // what an edge carries, negative; edge
+    std::vector<std::uint32_t> byLoad_, byLoadScratch_;  // edges
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> start_, neighbour_;
-    std::vector<std::uint8_t> given_, slipping_;  // per contact: no longer active
     DisjointSets trees_;
     bool grown_ = false;
 };
