@@ -241,7 +241,9 @@ public:
         launch(world, body, common + way, random.uniform(-50, 50));
         way_ = way.normalized();
         behind_ = rotated(Point(0, -1), turned);
-        ticks = static_cast<int>(std::ceil((distance + after) / speed * setup.tickRate)) + 2;
+        // As long at any rate: what is dragged far on wraps round it.
+        const double seconds = (distance + after) / speed + 2.0 / 500;
+        ticks = static_cast<int>(std::lround(seconds * setup.tickRate));
     }
 
 private:
