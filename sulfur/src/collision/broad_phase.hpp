@@ -26,8 +26,8 @@ struct CoarseGrid {
 /// few tens of cells of the next.
 inline constexpr double coarsening = 64;
 
-/// A candidate, and how far its sides were apart when they were rasterised, beyond where a contact
-/// is made.
+/// A candidate, and how far its sides may leave the places where they were rasterised, both
+/// together, before they can make a contact.
 struct Watch {
     Candidate candidate;
     std::uint32_t a = 0, b = 0;  // the collider's particles
@@ -36,7 +36,8 @@ struct Watch {
     friend bool operator<(const Watch& p, const Watch& q) { return p.candidate < q.candidate; }
 };
 
-/// Two colliders, and how far they may come towards each other before they can cross.
+/// Two colliders, and how far they may leave the places where they were rasterised, both together,
+/// before their axes can cross.
 struct WatchedPair {
     std::uint32_t first = 0, second = 0;
     Real spare = 0;  // m
@@ -130,18 +131,17 @@ struct BroadPhase {
 };
 
 /// Calls f(const Watch&), in their order, for all candidates of some runs whose sides can have come
-/// near enough to each other. What moves by more than its thickness is stopped up to half of that
-/// before it touches: hence twice.
+/// near enough to each other.
 template <class Function>
 void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t firstRun,
                  std::size_t lastRun, Function&& f) {
     const auto& out = outings.ofParticle;
     for (auto r = firstRun; r < lastRun; ++r) {
         const WatchRun& run = broad.watchRuns[r];
-        if (2 * (out[run.one] + outings.ofBody[run.other]) < run.spare) continue;
+        if (out[run.one] + outings.ofBody[run.other] < run.spare) continue;
         for (auto k = run.first; k < run.last; ++k) {
             const Watch& w = broad.watches[k];
-            if (2 * (out[w.candidate.particle] + std::max(out[w.a], out[w.b])) >= w.spare) f(w);
+            if (out[w.candidate.particle] + std::max(out[w.a], out[w.b]) >= w.spare) f(w);
         }
     }
 }
