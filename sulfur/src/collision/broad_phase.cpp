@@ -3,120 +3,13 @@
 
 #include "collision/cell_size.hpp"
 #include "collision/covering.hpp"
+#include "collision/listing.hpp"
 #include "collision/pairs.hpp"
-#include "core/disjoint_sets.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
 
 namespace {
-
-void addCollider(State& state, const Collider& collider) {
-    const bool fixed = state.bodies[collider.body].kind == BodyKind::fixed;
-    (fixed ? state.broad.fixed : state.broad.moving).push_back(collider);
-    state.broad.reach = std::max(state.broad.reach, static_cast<double>(collider.radius));
-}
-
-/// A joint between bodies counts as part of its first particle's body, or of the second's when
-/// the first cannot move.
-std::uint32_t bodyOf(const State& state, std::uint32_t joint) {
-    const Joints& joints = state.joints;
-    if (joints.body[joint] != none) return joints.body[joint];
-    const auto first = state.particles.body[joints.a[joint]];
-    return state.bodies[first].kind == BodyKind::fixed ? state.particles.body[joints.b[joint]]
-                                                       : first;
-}
-
-void collectColliders(State& state) {
-    BroadPhase& broad = state.broad;
-    const auto fixedBefore = broad.fixed;
-    broad.moving.clear();
-    broad.fixed.clear();
-    broad.reach = 0;
-    const Joints& joints = state.joints;
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
-        if (joints.radius[j] > 0)
-            addCollider(state, {joints.a[j], joints.b[j], bodyOf(state, j), j, joints.radius[j]});
-    const Particles& particles = state.particles;
-    for (std::uint32_t i = 0; i < particles.size(); ++i)
-        if (particles.radius[i] > 0)
-            addCollider(state, {i, i, particles.body[i], none, particles.radius[i]});
-    if (broad.fixed != fixedBefore) broad.fixedStale = true;
-}
-
-/// Room for what packed things have, so that the tick in which a heap has grown together takes no
-/// memory: discs in a plane touch six others, each pair makes two candidates.
-void reserveRoom(BroadPhase& broad) {
-    broad.pairs.reserve(8 * broad.moving.size());
-    broad.watches.reserve(16 * broad.moving.size());
-    broad.pairRuns.reserve(broad.pairs.capacity());
-    broad.watchRuns.reserve(broad.watches.capacity());
-}
-
-/// Particles that are tied to another body never collide with that body.
-void collectLinks(State& state) {
-    auto& linked = state.broad.linked;
-    auto& tied = state.broad.tied;
-    linked.clear();
-    tied.clear();
-    const auto& body = state.particles.body;
-    const auto link = [&](std::uint32_t p, std::uint32_t q) {
-        linked.emplace_back(p, body[q]);
-        linked.emplace_back(q, body[p]);
-    };
-    const Joints& joints = state.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        if (joints.body[j] == none) {
-            link(joints.a[j], joints.b[j]);
-            tied.emplace_back(body[joints.a[j]], body[joints.b[j]]);
-        }
-    for (const Attachment& held : state.attachments)
-        for (std::uint32_t k = 0; k < held.count; ++k) link(held.particle, held.support[k]);
-    std::sort(linked.begin(), linked.end());
-    linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
-}
-
-/// Numbers the pieces in the order of their first particles.
-void collectPieces(State& state) {
-    BroadPhase& broad = state.broad;
-    Pieces& pieces = broad.pieces;
-    DisjointSets sets(state.particles.size());
-    pieces.ofParticle.assign(state.particles.size(), none);
-    for (const Collider& c : broad.moving) {
-        sets.unite(c.a, c.b);
-        pieces.ofParticle[c.a] = pieces.ofParticle[c.b] = 0;
-    }
-    std::uint32_t count = 0;
-    // The first particle of a set leads it and comes before its others.
-    for (std::uint32_t p = 0; p < pieces.ofParticle.size(); ++p)
-        if (pieces.ofParticle[p] != none)
-            pieces.ofParticle[p] = sets.find(p) == p ? count++ : pieces.ofParticle[sets.find(p)];
-    const auto list = [&](std::vector<std::uint32_t>& start, std::vector<std::uint32_t>& items,
-                          std::size_t size, auto&& pieceOf) {
-        start.assign(count + 1, 0);
-        for (std::uint32_t i = 0; i < size; ++i)
-            if (pieceOf(i) != none) ++start[pieceOf(i) + 1];
-        for (std::size_t k = 1; k <= count; ++k) start[k] += start[k - 1];
-        items.resize(start[count]);
-        for (auto i = static_cast<std::uint32_t>(size); i-- > 0;)
-            if (pieceOf(i) != none) items[--start[pieceOf(i) + 1]] = i;
-        for (std::size_t k = 0; k < count; ++k) start[k] = start[k + 1];
-        start[count] = static_cast<std::uint32_t>(items.size());
-    };
-    list(pieces.particleStart, pieces.particles, pieces.ofParticle.size(),
-         [&](std::uint32_t p) { return pieces.ofParticle[p]; });
-    list(pieces.colliderStart, pieces.colliders, broad.moving.size(),
-         [&](std::uint32_t i) { return pieces.ofParticle[broad.moving[i].a]; });
-    broad.left.clear();
-    broad.left.reserve(count);
-    broad.hasLeft.assign(count, 0);
-}
-
-void useCellSize(BroadPhase& broad) {
-    broad.baseSkin = static_cast<Real>(0.1 * broad.cellSize);
-    double size = broad.cellSize;
-    for (CoarseGrid& grid : broad.coarse) grid.cellSize = size *= coarsening;
-}
 
 /// The cell size decides how far off contacts are watched, and with that how the world goes on. So
 /// it is chosen by rest lengths and only when bodies or joints have changed, not by when somebody
@@ -130,9 +23,8 @@ void chooseCellSize(State& state) {
     const double size = census.choose(broad.cellSize);
     broad.cellSizeStale = false;
     if (size == broad.cellSize) return;
-    broad.cellSize = size;
+    broad.setCellSize(size);
     broad.fixedStale = broad.pairsStale = true;
-    useCellSize(broad);
 }
 
 /// More cells than this cost too much memory, even for what is rasterised once.
@@ -216,11 +108,12 @@ void rasteriseMoving(State& state) {
         });
     }
     for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).build();
+    broad.drawnPieces = broad.pieces.size();
 }
 
 /// Enters the pieces that have left their skins into the grid once more; where they were entered
 /// before, they are found in vain. Returns false where it is better to begin anew: when much has
-/// left, when much is found in vain already, or when something large has.
+/// left, when as much was entered since the grid was built as then, or when something large has.
 bool rasteriseLeft(State& state) {
     BroadPhase& broad = state.broad;
     const Pieces& pieces = broad.pieces;
@@ -235,7 +128,7 @@ bool rasteriseLeft(State& state) {
         anyLarge |= broad.levelOfMoving[i] > 0;
     });
     if (anyLarge || 4 * count > broad.moving.size()) return false;
-    if (broad.movingGrid.entries().size() > 2 * broad.liveCells) return false;
+    if (2 * broad.movingGrid.added() > broad.movingGrid.entries().size()) return false;
     forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
         broad.reference[p] = state.particles.position[p];
         broad.skin[p] = 0;
@@ -254,6 +147,7 @@ bool rasteriseLeft(State& state) {
             ++broad.liveCells;
         });
     });
+    broad.drawnPieces = pieces.size();
     return true;
 }
 
@@ -276,37 +170,27 @@ void forEachOuting(const State& state, Real lookAhead, Function&& f) {
 }
 
 /// Notes the pieces that have left their skins, and those that soon will: that saves another look
-/// at everything in one of the next ticks.
+/// at everything in one of the next ticks. What was never drawn has left too.
 void findLeft(State& state, Real lookAhead) {
     constexpr Real soon = Real(0.5);
     BroadPhase& broad = state.broad;
     for (const auto piece : broad.left) broad.hasLeft[piece] = 0;
     broad.left.clear();
-    bool any = false;
-    forEachOuting(state, lookAhead, [&](std::uint32_t, Real used2) { any |= used2 > 1; });
-    if (!any) return;
-    forEachOuting(state, lookAhead, [&](std::uint32_t i, Real used2) {
-        const auto piece = broad.pieces.ofParticle[i];
-        if (used2 <= soon * soon || broad.hasLeft[piece] != 0) return;
+    const auto note = [&](std::uint32_t piece) {
+        if (broad.hasLeft[piece] != 0) return;
         broad.hasLeft[piece] = 1;
         broad.left.push_back(piece);
+    };
+    const auto pieceOf = [&](std::uint32_t i) { return broad.pieces.ofParticle[i]; };
+    for (auto piece = broad.drawnPieces; piece < broad.pieces.size(); ++piece) note(piece);
+    bool any = false;
+    forEachOuting(state, lookAhead, [&](std::uint32_t i, Real used2) {
+        any = any || (used2 > 1 && broad.hasLeft[pieceOf(i)] == 0);
     });
-}
-
-/// What follows from bodies and joints alone.
-void collectAnew(State& state) {
-    BroadPhase& broad = state.broad;
-    updateReach(state);
-    collectColliders(state);
-    collectLinks(state);
-    collectPieces(state);
-    broad.outlines.derive(state);
-    findSpokes(state, broad.spokes);
-    listSensors(state);
-    reserveRoom(broad);
-    useCellSize(broad);
-    broad.collidersStale = false;
-    broad.pairsStale = true;
+    if (!any) return;
+    forEachOuting(state, lookAhead, [&](std::uint32_t i, Real used2) {
+        if (used2 > soon * soon) note(pieceOf(i));
+    });
 }
 
 }  // namespace
@@ -314,9 +198,11 @@ void collectAnew(State& state) {
 void refreshGrid(State& state, Real lookAhead) {
     BroadPhase& broad = state.broad;
     const bool query = lookAhead == 0;
+    const bool added = broad.collidersStale && listAdded(state);
     if (broad.collidersStale) {
-        collectAnew(state);
-    } else if (query && broad.queriedTick == state.tick && !broad.fixedStale && !broad.pairsStale) {
+        listAnew(state);
+    } else if (!added && query && broad.queriedTick == state.tick && !broad.fixedStale &&
+               !broad.pairsStale) {
         return;
     }
     broad.queriedTick = query ? state.tick : ~std::uint64_t{0};
@@ -327,7 +213,7 @@ void refreshGrid(State& state, Real lookAhead) {
     if (state.structure.stale || state.work.stale) broad.pairsStale = true;
     if (!broad.pairsStale) {
         findLeft(state, lookAhead);
-        if (broad.left.empty()) return;
+        if (broad.left.empty() && !added) return;
     }
     ++broad.runs;
     if (!broad.pairsStale && rasteriseLeft(state)) return renewPairs(state);

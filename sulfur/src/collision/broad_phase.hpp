@@ -26,8 +26,8 @@ struct CoarseGrid {
 /// few tens of cells of the next.
 inline constexpr double coarsening = 64;
 
-/// A candidate, and how far its sides were apart when they were rasterised, beyond where a contact
-/// is made.
+/// A candidate, and how far its sides may leave the places where they were rasterised, both
+/// together, before they can make a contact.
 struct Watch {
     Candidate candidate;
     std::uint32_t a = 0, b = 0;  // the collider's particles
@@ -36,7 +36,8 @@ struct Watch {
     friend bool operator<(const Watch& p, const Watch& q) { return p.candidate < q.candidate; }
 };
 
-/// Two colliders, and how far they may come towards each other before they can cross.
+/// Two colliders, and how far they may leave the places where they were rasterised, both together,
+/// before their axes can cross.
 struct WatchedPair {
     std::uint32_t first = 0, second = 0;
     Real spare = 0;  // m
@@ -69,7 +70,9 @@ struct Pieces {
     std::vector<std::uint32_t> colliderStart, colliders;  // by pieces
     std::vector<std::uint32_t> particleStart, particles;  // by pieces
 
-    std::size_t size() const { return colliderStart.empty() ? 0 : colliderStart.size() - 1; }
+    std::uint32_t size() const {
+        return colliderStart.empty() ? 0 : static_cast<std::uint32_t>(colliderStart.size()) - 1;
+    }
 };
 
 /// How far everything is at most, or with this tick's displacement will be, from where it was
@@ -77,6 +80,11 @@ struct Pieces {
 struct Outings {
     std::vector<Real> ofParticle;  // m
     std::vector<Real> ofBody;  // m, of its farthest particle; of bodies tied by capsules, of both
+};
+
+/// How many there were when something was derived from them.
+struct Counts {
+    std::uint32_t particles = 0, joints = 0, bodies = 0;
 };
 
 /// The grid and the candidates that came out of it. They stay valid until some collider has left
@@ -102,6 +110,7 @@ struct BroadPhase {
     Pieces pieces;
     std::vector<std::uint32_t> left;     // pieces that have left their skins; scratch
     std::vector<std::uint8_t> hasLeft;   // the same, by pieces
+    std::uint32_t drawnPieces = 0;       // those from here on have never been rasterised
     std::vector<std::uint32_t> cellsOf;  // that each moving collider covers in the grid
     std::size_t liveCells = 0;           // of these, all
     Outings outings;                     // by the predicted displacements
@@ -113,12 +122,30 @@ struct BroadPhase {
     Hollows hollows;                     // for queries, made when one needs it
     std::uint64_t runs = 0;
     std::uint64_t fixedRuns = 0;  // of rasterising fixed geometry
+    Counts listed;                // of which colliders and what follows from them were listed
     bool collidersStale = true;   // bodies or joints changed
+    bool onlyAdded = false;       // they did so by bodies that were added, and in no other way
     bool cellSizeStale = true;    // likewise, since the cell size was chosen
     bool fixedStale = true;
     bool pairsStale = true;
     /// The tick before which a query last found the grid valid.
     std::uint64_t queriedTick = ~std::uint64_t{0};
+
+    /// With the sizes that follow from it.
+    void setCellSize(double size) {
+        cellSize = size;
+        baseSkin = static_cast<Real>(0.1 * size);
+        for (CoarseGrid& grid : coarse) grid.cellSize = size *= coarsening;
+    }
+
+    void bodyAdded() {
+        onlyAdded = onlyAdded || !collidersStale;
+        collidersStale = cellSizeStale = true;
+    }
+    void bodiesChanged() {
+        onlyAdded = false;
+        collidersStale = cellSizeStale = true;
+    }
 
     /// How near things are kept as contacts although nothing predicts that they will touch: what
     /// happens to them within the sweeps may bring them together.
@@ -130,18 +157,17 @@ struct BroadPhase {
 };
 
 /// Calls f(const Watch&), in their order, for all candidates of some runs whose sides can have come
-/// near enough to each other. What moves by more than its thickness is stopped up to half of that
-/// before it touches: hence twice.
+/// near enough to each other.
 template <class Function>
 void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t firstRun,
                  std::size_t lastRun, Function&& f) {
     const auto& out = outings.ofParticle;
     for (auto r = firstRun; r < lastRun; ++r) {
         const WatchRun& run = broad.watchRuns[r];
-        if (2 * (out[run.one] + outings.ofBody[run.other]) < run.spare) continue;
+        if (out[run.one] + outings.ofBody[run.other] < run.spare) continue;
         for (auto k = run.first; k < run.last; ++k) {
             const Watch& w = broad.watches[k];
-            if (2 * (out[w.candidate.particle] + std::max(out[w.a], out[w.b])) >= w.spare) f(w);
+            if (out[w.candidate.particle] + std::max(out[w.a], out[w.b]) >= w.spare) f(w);
         }
     }
 }

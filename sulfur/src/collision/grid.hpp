@@ -53,6 +53,14 @@ public:
     /// How many were added since build().
     std::size_t added() const { return added_.size(); }
 
+    /// Calls f(item), which may change it, for every entry and each copy of it.
+    template <class Function>
+    void renumber(Function&& f) {
+        for (Entry& entry : entries_) f(entry.item);
+        for (Entry& entry : sorted_) f(entry.item);
+        for (Added& one : added_) f(one.entry.item);
+    }
+
     /// Calls f(item) for everything in a cell, in order of insertion, then for what was added.
     template <class Function>
     void forEachIn(Cell cell, Function&& f) const {

@@ -41,15 +41,12 @@ constexpr Real touching = Real(0.02);  // of the thickness: as near as the advan
 
 }  // namespace
 
-Local localise(const Particles& particles, std::uint32_t p, const Collider& c) {
-    const auto& x = particles.position;
-    return {(x[p] - x[c.a]).cast<Real>(), (x[c.b] - x[c.a]).cast<Real>(), particles.displacement[p],
-            particles.displacement[c.a], particles.displacement[c.b]};
+Meeting meetAt(const Local& l, Real along) {
+    return isEnd(along) ? meetEnd(l, along) : meetSide(l, along);
 }
 
 Meeting meet(const Local& l) {
-    const Real along = nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b);
-    return along > 0 && along < 1 ? meetSide(l, along) : meetEnd(l, along);
+    return meetAt(l, nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b));
 }
 
 Meeting meetOnTheWay(const Local& l, Real thickness) {

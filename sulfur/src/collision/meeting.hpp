@@ -20,7 +20,16 @@ struct Local {
     }
 };
 
-Local localise(const Particles& particles, std::uint32_t particle, const Collider& c);
+inline Local localise(const Particles& particles, std::uint32_t p, const Collider& c) {
+    const auto& x = particles.position;
+    return {(x[p] - x[c.a]).cast<Real>(), (x[c.b] - x[c.a]).cast<Real>(), particles.displacement[p],
+            particles.displacement[c.a], particles.displacement[c.b]};
+}
+
+/// Whether a place on an axis (0..1) is one of its ends.
+inline bool isEnd(Real along) {
+    return !(along > 0 && along < 1);
+}
 
 /// The nearest points of a particle and a capsule's axis.
 struct Meeting {
@@ -33,6 +42,9 @@ struct Meeting {
 
 /// For the positions at the start of the tick.
 Meeting meet(const Local& local);
+
+/// The same when the nearest place on the axis is known.
+Meeting meetAt(const Local& local, Real along);
 
 /// For the time in this tick at which the two come within `thickness`, if they do; otherwise for
 /// the start of the tick. Conservative advancement (Mirtich 1996): no step is longer than the

@@ -164,9 +164,14 @@ bool isNew(const Found& found, std::uint32_t particle, std::uint32_t corner) {
     return true;
 }
 
+/// Whether the contact of two corners is that of the other one with this one.
+bool isOtherCorners(std::uint32_t particle, std::uint32_t corner) {
+    return particle >= corner;
+}
+
 bool meetsCorner(const State& state, const Touch& t, std::uint32_t corner, const Found& found) {
     const Real fraction = t.meeting.fraction;
-    return t.particle < corner && isNew(found, t.particle, corner) &&
+    return !isOtherCorners(t.particle, corner) && isNew(found, t.particle, corner) &&
            isNearestAt(state, corner, t.particle, fraction) &&
            isNearestAt(state, t.particle, corner, fraction);
 }
@@ -215,13 +220,24 @@ bool keepOutside(const State& state, Touch& t) {
     return true;
 }
 
-/// Whether they are so far apart that this tick cannot bring them together, and by how much the
-/// fastest part moves against the other.
-bool farApart(const Local& l, Real thickness, Real margin, Real& travel) {
-    travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
-    const Real along = nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b);
-    const Real reach = thickness + margin + travel;
-    return (l.p - along * l.b).squaredNorm() > reach * reach;
+/// A first look at a particle and a capsule.
+struct Look {
+    Real along = 0;   // place on the axis that is nearest at the start of the tick
+    Real travel = 0;  // m, by which the fastest part moves against the other
+    bool far = true;  // this tick cannot bring them together
+};
+
+Look lookAt(const Local& l, Real thickness, Real margin) {
+    Look look;
+    look.travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
+    look.along = nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b);
+    const Real reach = thickness + margin + look.travel;
+    look.far = (l.p - look.along * l.b).squaredNorm() > reach * reach;
+    return look;
+}
+
+std::uint32_t cornerAt(const Collider& c, Real along) {
+    return along < Real(0.5) ? c.a : c.b;
 }
 
 /// Parts of one rigid component never move against each other. (Asked here, not where candidates
@@ -234,20 +250,23 @@ bool moveAsOne(const State& state, std::uint32_t particle, const Collider& c) {
 
 void consider(const State& state, const Candidate& candidate, Found& found) {
     const Collider& c = state.broad.collider(candidate.collider);
-    if (moveAsOne(state, candidate.particle, c)) return;
     const Real thickness = thicknessOf(state, candidate);
     const Local local = localise(state.particles, candidate.particle, c);
-    Real travel = 0;
-    if (farApart(local, thickness, state.broad.watchedGap(thickness), travel)) return;
+    const Look look = lookAt(local, thickness, state.broad.watchedGap(thickness));
+    if (look.far) return;
+    const bool fast = look.travel > thickness;
+    if (!fast && isEnd(look.along) && isOtherCorners(candidate.particle, cornerAt(c, look.along)))
+        return;
+    if (moveAsOne(state, candidate.particle, c)) return;
     Touch t{candidate.particle, c.a, c.b, &c, {}, thickness};
-    t.meeting = travel > thickness ? meetOnTheWay(local, thickness) : meet(local);
+    t.meeting = fast ? meetOnTheWay(local, thickness) : meetAt(local, look.along);
     if (areEntwined(state, state.particles.body[candidate.particle], c.body)) return;
-    if (!keepOutside(state, t)) return;
     if (t.meeting.atEnd) {
-        const auto corner = t.meeting.along < Real(0.5) ? c.a : c.b;
+        const auto corner = cornerAt(c, t.meeting.along);
         if (!meetsCorner(state, t, corner, found)) return;
         t.a = t.b = corner;
     }
+    if (!keepOutside(state, t)) return;  // may search all of an outline: comes last
     if (t.meeting.fraction > 0) {
         // The plane of the impact, seen from the start of the tick.
         const Vec2 offset = t.a == t.b && t.a == c.b ? Vec2(local.p - local.b)
@@ -293,12 +312,20 @@ void findCrossings(const State& state, std::vector<Crossing>& found) {
               [](const Crossing& a, const Crossing& b) { return a.end < b.end; });
 }
 
-bool isCrossing(const std::vector<Crossing>& crossings, const Candidate& candidate) {
-    const auto at = std::lower_bound(
-        crossings.begin(), crossings.end(), candidate,
-        [](const Crossing& crossing, const Candidate& c) { return crossing.end < c; });
-    return at != crossings.end() && at->end == candidate;
-}
+/// Walks along the crossings beside candidates that come in their order.
+class CrossingWalk {
+public:
+    explicit CrossingWalk(const std::vector<Crossing>& crossings)
+        : next_(crossings.begin()), end_(crossings.end()) {}
+
+    bool has(const Candidate& candidate) {
+        while (next_ != end_ && next_->end < candidate) ++next_;
+        return next_ != end_ && next_->end == candidate;
+    }
+
+private:
+    std::vector<Crossing>::const_iterator next_, end_;
+};
 
 void considerCrossing(const State& state, const Crossing& crossing, Found& found) {
     const Collider& c = state.broad.collider(crossing.end.collider);
@@ -340,9 +367,9 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
         const auto start = [&](std::size_t piece) {
             return particleStart(broad.watchRuns, pieceStart(piece, pieces, count));
         };
+        CrossingWalk crossing(crossings);
         forEachNear(broad, broad.outings, start(i), start(i + 1), [&](const Watch& watch) {
-            if (crossings.empty() || !isCrossing(crossings, watch.candidate))
-                consider(state, watch.candidate, found);
+            if (!crossing.has(watch.candidate)) consider(state, watch.candidate, found);
         });
     });
     for (std::size_t i = 1; i < pieces; ++i) {

@@ -33,8 +33,9 @@ struct PlaneGraph {
     std::vector<std::uint32_t> first;                // of each particle, and one past the last
     std::vector<std::array<std::uint32_t, 2>> ends;  // by joint: leaving its a, leaving its b
 
-    explicit PlaneGraph(const State& state) {
-        collect(state);
+    /// Of the joints from `firstJoint` on.
+    PlaneGraph(const State& state, std::uint32_t firstJoint) {
+        collect(state, firstJoint);
         dropCovered();
         index(state);
     }
@@ -51,10 +52,10 @@ struct PlaneGraph {
     }
 
 private:
-    void collect(const State& state) {
+    void collect(const State& state, std::uint32_t firstJoint) {
         const Joints& joints = state.joints;
         const auto& rest = state.particles.rest;
-        for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        for (auto j = firstJoint; j < joints.size(); ++j) {
             if (joints.body[j] == none || !(joints.radius[j] > 0)) continue;
             const auto a = joints.a[j], b = joints.b[j];
             const Point way = rest[b].cast<double>() - rest[a].cast<double>();
@@ -167,10 +168,16 @@ bool isSolid(const State& state, const std::vector<OutlineEdge>& outline,
 }  // namespace
 
 void Outlines::derive(const State& state) {
-    outward_.assign(state.joints.size(), 0);
-    first_.assign(state.bodies.size() + 1, 0);
+    outward_.clear();
+    first_.assign(1, 0);
     edges_.clear();
-    const PlaneGraph graph(state);
+    extend(state, {});
+}
+
+void Outlines::extend(const State& state, const Counts& before) {
+    outward_.resize(state.joints.size(), 0);
+    first_.resize(state.bodies.size() + 1, 0);
+    const PlaneGraph graph(state, before.joints);
     const auto braced = bracedParticles(state);
     std::vector<bool> walked(graph.halves.size(), false);
     std::vector<OutlineEdge> outline;
@@ -182,7 +189,7 @@ void Outlines::derive(const State& state) {
         edges_.insert(edges_.end(), outline.begin(), outline.end());
         first_[state.particles.body[start] + 1] += static_cast<std::uint32_t>(outline.size());
     }
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    for (std::size_t i = before.bodies + 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
 bool encloses(const State& state, std::uint32_t body, const Point& point) {

@@ -8,6 +8,7 @@
 
 namespace sulfur::detail {
 
+struct Counts;
 struct State;
 
 /// A capsule of an outline, in the sense in which one walks round the body counter-clockwise: its
@@ -37,6 +38,9 @@ class Outlines {
 public:
     /// Complexity: linear in particles, n log n in capsules.
     void derive(const State& state);
+    /// The same where bodies were added since it was derived of `before`, and nothing else changed.
+    /// Complexity: linear in particles, n log n in the capsules that were added.
+    void extend(const State& state, const Counts& before);
 
     /// +1 when the outside is to the right of the way from a to b, -1 when it is to the left, 0
     /// when the joint bounds nothing.

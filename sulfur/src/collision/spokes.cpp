@@ -40,9 +40,15 @@ void shareSpots(const State& state, std::vector<Spoke>& spokes) {
 }  // namespace
 
 void findSpokes(const State& state, Spokes& result) {
+    result.start.assign(1, 0);
+    result.end.clear();
+    addSpokes(state, {}, result);
+}
+
+void addSpokes(const State& state, const Counts& before, Spokes& result) {
     const Joints& joints = state.joints;
     std::vector<Spoke> spokes;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
+    for (std::size_t j = before.joints; j < joints.size(); ++j) {
         if (joints.radius[j] <= 0) continue;
         spokes.emplace_back(joints.a[j], joints.b[j]);
         spokes.emplace_back(joints.b[j], joints.a[j]);
@@ -50,13 +56,13 @@ void findSpokes(const State& state, Spokes& result) {
     shareSpots(state, spokes);
     std::sort(spokes.begin(), spokes.end());
     spokes.erase(std::unique(spokes.begin(), spokes.end()), spokes.end());
-    result.start.assign(state.particles.size() + 1, 0);
-    result.end.clear();
+    result.start.resize(state.particles.size() + 1, 0);
     for (const auto& [corner, end] : spokes) {
         ++result.start[corner + 1];
         result.end.push_back(end);
     }
-    for (std::size_t i = 1; i < result.start.size(); ++i) result.start[i] += result.start[i - 1];
+    for (std::size_t i = before.particles + 1; i < result.start.size(); ++i)
+        result.start[i] += result.start[i - 1];
 }
 
 }  // namespace sulfur::detail

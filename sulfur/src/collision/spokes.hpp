@@ -6,6 +6,7 @@
 
 namespace sulfur::detail {
 
+struct Counts;
 struct State;
 
 /// The other ends of the capsules that end in each particle: those of particle i are
@@ -16,5 +17,8 @@ struct Spokes {
 };
 
 void findSpokes(const State& state, Spokes& spokes);
+/// The same where bodies that can move were added since they were found for `before`, and nothing
+/// else changed.
+void addSpokes(const State& state, const Counts& before, Spokes& spokes);
 
 }  // namespace sulfur::detail

@@ -226,7 +226,9 @@ void World::setPosition(ParticleId id, Point position) {
     state.broad.pairsStale = true;
     if (state.bodies[state.particles.body[i]].kind != BodyKind::fixed) return;
     state.broad.fixedStale = true;
-    state.broad.collidersStale = true;  // fixed corners that share a spot are found anew
+    // Fixed corners that share a spot are found anew.
+    state.broad.collidersStale = true;
+    state.broad.onlyAdded = false;
     detail::wakeNear(state, state.particles.body[i]);
 }
 

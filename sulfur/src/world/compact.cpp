@@ -200,8 +200,7 @@ void compact(State& state, Removal& removal) {
     }
     updateReach(state);
     state.structure.stale = true;
-    state.broad.collidersStale = true;
-    state.broad.cellSizeStale = true;
+    state.broad.bodiesChanged();
 }
 
 }  // namespace sulfur::detail

@@ -173,8 +173,7 @@ void restoreInverseMass(State& state, std::uint32_t index) {
 void bodyChanged(State& state) {
     state.structure.stale = true;
     state.work.stale = true;
-    state.broad.collidersStale = true;
-    state.broad.cellSizeStale = true;
+    state.broad.bodiesChanged();
 }
 
 void wakeEnds(State& state, std::uint32_t joint) {
@@ -236,7 +235,8 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     state.bodyIds.push_back(body.id);
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);
-    detail::bodyChanged(state);
+    state.structure.stale = state.work.stale = true;
+    state.broad.bodyAdded();
     // What is fixed looks for nobody: a sleeper in its place must notice by itself.
     if (plan.kind == BodyKind::fixed) detail::wakeNear(state, index);
     return {*this, state.bodyIds.back()};
