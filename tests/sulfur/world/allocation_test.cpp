@@ -118,6 +118,25 @@ TEST(Allocation, NoneByCratesThatLieOnTheFloor) {
     expectNoAllocations(world);
 }
 
+/// In ticks that are divided, events are told by each step.
+TEST(Allocation, NoneByCratesInDividedTicks) {
+    World world({.tickRate = 120, .sleeping = false, .tellPersisting = true});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 5; ++i)
+        world.add(shapes::ball({.material = {.restitution = 1}}), {.position = {3.0 * i - 6, 1}});
+    for (int i = 0; i < 5; ++i) world.add(shapes::box(), {.position = {3.0 * i - 4.5, 0.55}});
+    std::size_t begun = 0, ended = 0;
+    for (int i = 0; i < 200; ++i) {
+        world.step();
+        EXPECT_GT(world.statistics().substeps, 1u);
+        begun += world.events().contactsBegun.size();
+        ended += world.events().contactsEnded.size();
+    }
+    EXPECT_GT(begun, 10u);
+    EXPECT_GT(ended, 5u);
+    expectNoAllocations(world);
+}
+
 TEST(Allocation, NoneByCratesInFreeFall) {
     World world;
     for (int i = 0; i < 5; ++i) world.add(shapes::box(), {.position = {3.0 * i, 0}});
