@@ -214,12 +214,13 @@ namespace {
 /// than what this makes of a tick. Less is what sweeps leave of contacts that share a load.
 constexpr Real slidingStarts = Real(0.25);
 
-void judgeSliding(const State& state, Contact& c) {
+/// `restSlip`: m, see slipOfRest().
+void judgeSliding(const State& state, Contact& c, Real restSlip) {
     const Real slip = slipOf(state, c);
     const Real most = frictionOf(c) * c.normalLambda;
     const bool slips = std::abs(slip) > slidingStarts * state.h * state.h;
     const bool givesAll = std::abs(c.tangentLambda) > Real(0.9) * most;
-    c.sliding = (slips && givesAll) || std::abs(slip) > slipOfRest(state);
+    c.sliding = (slips && givesAll) || std::abs(slip) > restSlip;
     const bool sticks = c.normalLambda > 0 && !c.sliding;
     c.drift = sticks ? c.drift - driftRecovered(state, c) + slip : 0;
 }
@@ -227,10 +228,11 @@ void judgeSliding(const State& state, Contact& c) {
 }  // namespace
 
 void finishContacts(State& state) {
+    const Real restSlip = slipOfRest(state);
     inPieces(state.tasks, state.contacts.size(), leastContacts,
              [&](std::size_t first, std::size_t last) {
                  for (auto i = first; i < last; ++i)
-                     if (state.contacts[i].rough) judgeSliding(state, state.contacts[i]);
+                     if (state.contacts[i].rough) judgeSliding(state, state.contacts[i], restSlip);
              });
     rememberContacts(state);
 }

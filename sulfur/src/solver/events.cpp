@@ -15,7 +15,16 @@ BodyPair pairOf(const State& state, const Contact& c) {
 /// All contacts of two bodies, as one.
 struct Touch {
     std::uint32_t strongest = none;  // contact
+    Real most = 0;                   // N s, its impulse
     Real impulse = 0;                // N s, of all
+
+    /// One contact more, in the order of contacts.
+    void add(std::uint32_t contact, Real itsImpulse) {
+        impulse += itsImpulse;
+        if (strongest != none && !(itsImpulse > most)) return;
+        strongest = contact;
+        most = itsImpulse;
+    }
 };
 
 /// Two bodies that did not touch in the last tick.
@@ -39,14 +48,6 @@ Point placeOf(const State& state, const Contact& c) {
     return p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
 }
 
-/// One contact more, in the order of contacts.
-void add(const State& state, Touch& touch, std::uint32_t contact) {
-    const auto of = [&](std::uint32_t c) { return impulseOf(state, state.contacts[c]); };
-    const Real impulse = of(contact);
-    touch.impulse += impulse;
-    if (touch.strongest == none || impulse > of(touch.strongest)) touch.strongest = contact;
-}
-
 /// Who touches in this tick: who did in the last one is found there, so that only new pairs must be
 /// sorted. Holds scratch memory only.
 class Touches {
@@ -66,12 +67,13 @@ public:
             any = true;
             if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
             const BodyPair pair = pairOf(state, c);
+            const Real impulse = impulseOf(state, c);
             if (Touch* touch = find(state, pair))
-                add(state, *touch, i);
+                touch->add(i, impulse);
             else
-                begun.push_back({pair, {i, impulseOf(state, c)}});
+                begun.push_back({pair, {i, impulse, impulse}});
         }
-        if (!begun.empty()) mergeBegun(state);
+        if (!begun.empty()) mergeBegun(state.bodySlots.slots());
     }
 
 private:
@@ -82,21 +84,24 @@ private:
         for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
     }
 
+    /// Neighbours in the list of contacts are mostly of the same two bodies.
     Touch* find(const State& state, const BodyPair& pair) {
+        if (last_ < old.size() && state.touching[last_] == pair) return &old[last_];
         const auto all = state.touching.begin();
-        const auto last = all + start_[pair.a.index + 1];
-        const auto found = std::lower_bound(all + start_[pair.a.index], last, pair);
-        return found != last && *found == pair ? &old[static_cast<std::size_t>(found - all)]
-                                               : nullptr;
+        const auto end = all + start_[pair.a.index + 1];
+        const auto found = std::lower_bound(all + start_[pair.a.index], end, pair);
+        if (found == end || *found != pair) return nullptr;
+        last_ = static_cast<std::size_t>(found - all);
+        return &old[last_];
     }
 
-    void mergeBegun(const State& state) {
-        bucketSort(begun, scratch_, start_, state.bodySlots.slots() + 1,
+    void mergeBegun(std::size_t slots) {
+        bucketSort(begun, scratch_, start_, slots + 1,
                    [](const NewTouch& t) { return t.pair.a.index; });
         std::size_t kept = 0;
         for (const NewTouch& next : begun) {
             if (kept > 0 && begun[kept - 1].pair == next.pair)
-                add(state, begun[kept - 1].touch, next.touch.strongest);
+                begun[kept - 1].touch.add(next.touch.strongest, next.touch.impulse);
             else
                 begun[kept++] = next;
         }
@@ -104,6 +109,7 @@ private:
     }
 
     std::vector<std::uint32_t> start_;
+    std::size_t last_ = 0;
     std::vector<NewTouch> scratch_;
 };
 
