@@ -142,8 +142,9 @@ void collectEvents(State& state) {
     state.events.contactsBegun.clear();
     state.events.contactsPersisted.clear();
     state.events.contactsEnded.clear();
-    thread_local Touches touches;
+    thread_local Touches scratch;
     thread_local std::vector<BodyPair> now;
+    Touches& touches = scratch;
     if (state.contacts.empty() && state.touchingFrozen && !state.structure.stale) return;
     touches.collect(state);
     if (!touches.any && state.touchingFrozen && !state.structure.stale) return;

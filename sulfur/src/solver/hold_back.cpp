@@ -263,7 +263,8 @@ private:
 void holdBack(State& state) {
     lostWays().clear();
     if (state.broad.watches.empty()) return;
-    thread_local Courses courses;
+    thread_local Courses scratch;
+    Courses& courses = scratch;
     if (!courses.find(state) || !anyFast(state)) return;
     Brakes brakes(state);
     for (int round = 0; round < rounds; ++round) {
