@@ -76,7 +76,8 @@ inline Units unitVectors(Lanes angle) {
     const Lanes q = turns - 4 * below;
     const auto odd = (q == 1) | (q == 3);
     const Lanes x = odd ? s : c, y = odd ? c : s;
-    return {(q == 1) | (q == 2) ? -x : x, q >= 2 ? -y : y};
+    const auto left = (q == 1) | (q == 2);
+    return {left ? -x : x, q >= 2 ? -y : y};
 }
 
 void turnMany(const double* angle, double* headingX, double* headingY, std::size_t count) {
