@@ -57,22 +57,26 @@ public:
     bool any = false;
 
     void collect(State& state) {
-        any = false;
         begun.clear();
         old.assign(state.touching.size(), {});
         findStarts(state);
+        const Contact* before = nullptr;  // and, if it is an old one, its touch:
+        Touch* touch = nullptr;
         for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
             const Contact& c = state.contacts[i];
             if (c.normalLambda <= 0) continue;
-            any = true;
             if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
-            const BodyPair pair = pairOf(state, c);
             const Real impulse = impulseOf(state, c);
-            if (Touch* touch = find(state, pair))
+            // Neighbours in the list are mostly of the same two bodies.
+            if (!touch || before->bodyA != c.bodyA || before->bodyB != c.bodyB)
+                touch = find(state, pairOf(state, c));
+            if (touch)
                 touch->add(i, impulse);
             else
-                begun.push_back({pair, {i, impulse, impulse}});
+                begun.push_back({pairOf(state, c), {i, impulse, impulse}});
+            before = &c;
         }
+        any = before != nullptr;
         if (!begun.empty()) mergeBegun(state.bodySlots.slots());
     }
 
@@ -84,15 +88,12 @@ private:
         for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
     }
 
-    /// Neighbours in the list of contacts are mostly of the same two bodies.
     Touch* find(const State& state, const BodyPair& pair) {
-        if (last_ < old.size() && state.touching[last_] == pair) return &old[last_];
         const auto all = state.touching.begin();
         const auto end = all + start_[pair.a.index + 1];
         const auto found = std::lower_bound(all + start_[pair.a.index], end, pair);
-        if (found == end || *found != pair) return nullptr;
-        last_ = static_cast<std::size_t>(found - all);
-        return &old[last_];
+        return found != end && *found == pair ? &old[static_cast<std::size_t>(found - all)]
+                                              : nullptr;
     }
 
     void mergeBegun(std::size_t slots) {
@@ -109,7 +110,6 @@ private:
     }
 
     std::vector<std::uint32_t> start_;
-    std::size_t last_ = 0;
     std::vector<NewTouch> scratch_;
 };
 

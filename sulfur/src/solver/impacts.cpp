@@ -107,11 +107,17 @@ void Impacts::unite(const State& state) {
     traits_.assign(state.bodies.size(), 0);
     roles_.resize(state.bodies.size());
     std::transform(state.bodies.begin(), state.bodies.end(), roles_.begin(), roleOf);
-    const auto mark = [&](std::uint32_t body, std::uint32_t other) {
+    const auto lean = [&](std::uint32_t body, std::uint32_t other) {
         if (roles_[other] != Role::moved)
             traits_[body] |= roles_[other] == Role::kinematic ? driven : anchored;
-        else if (roles_[body] == Role::moved)
-            sets_.unite(body, other);
+    };
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        if (roles_[a] == Role::moved && roles_[b] == Role::moved) {
+            sets_.unite(a, b);
+            return;
+        }
+        lean(a, b);
+        lean(b, a);
     };
     for (const Contact& c : state.contacts) {
         if (c.normalLambda <= 0) continue;
@@ -119,15 +125,11 @@ void Impacts::unite(const State& state) {
         if (c.conveyed != 0) trait |= driven;
         traits_[c.bodyA] |= trait;
         traits_[c.bodyB] |= trait;
-        mark(c.bodyA, c.bodyB);
-        mark(c.bodyB, c.bodyA);
+        join(c.bodyA, c.bodyB);
     }
     const auto& bodyOf = state.particles.body;
     for (const Attachment& a : state.attachments)
-        for (std::uint32_t k = 0; k < a.count; ++k) {
-            mark(bodyOf[a.particle], bodyOf[a.support[k]]);
-            mark(bodyOf[a.support[k]], bodyOf[a.particle]);
-        }
+        for (std::uint32_t k = 0; k < a.count; ++k) join(bodyOf[a.particle], bodyOf[a.support[k]]);
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             traits_[bodyOf[state.particleSlots.dense(grab.support[k])]] |= driven;
