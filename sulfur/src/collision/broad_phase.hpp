@@ -119,6 +119,7 @@ struct BroadPhase {
     Outlines outlines;
     Spokes spokes;
     std::vector<std::uint32_t> surface;  // per particle: the joint whose surface it shows, or none
+    std::vector<Real> thinnest;          // m, per body: the least radius of its colliders
     Hollows hollows;                     // for queries, made when one needs it
     std::uint64_t runs = 0;
     std::uint64_t fixedRuns = 0;  // of rasterising fixed geometry

@@ -30,12 +30,17 @@ bool isWorthRemembering(const Contact& c) {
     return c.normalLambda > 0 || c.gap < c.thickness / 2;
 }
 
-/// What the contact goes on to carry: all but the blow that stopped an approach faster than what
-/// falls onto its support in a tick, which the next tick does not need.
-Real sustained(const State& state, const Contact& c) {
-    const Real h = state.h;
-    const Real blow = c.approach - 2 * h * state.settings.gravity.norm();
-    return std::max<Real>(c.normalLambda - std::max<Real>(blow, 0) * h / c.inverseEffectiveMass, 0);
+/// m/s: no blow stops an approach that is slower, that of what falls onto its support in a tick.
+Real slowestBlow(const State& state) {
+    return 2 * state.h * state.settings.gravity.norm();
+}
+
+/// What the contact goes on to carry: all but the blow that stopped an approach, which the next
+/// tick does not need.
+Real sustained(const Contact& c, Real h, Real slowest) {
+    const Real blow = c.approach - slowest;
+    if (!(blow > 0)) return std::max<Real>(c.normalLambda, 0);
+    return std::max<Real>(c.normalLambda - blow * h / c.inverseEffectiveMass, 0);
 }
 
 }  // namespace
@@ -61,11 +66,16 @@ const ContactMemory* recall(const State& state, std::uint32_t particle, std::uin
 
 void rememberContacts(State& state) {
     auto& memory = state.contactMemory;
-    std::erase_if(memory, [&](const ContactMemory& m) { return !isFrozen(state, m); });
+    if (state.work.sleepers == 0)
+        memory.clear();
+    else
+        std::erase_if(memory, [&](const ContactMemory& m) { return !isFrozen(state, m); });
+    const Real h = state.h, slowest = slowestBlow(state);
     for (const Contact& c : state.contacts)
         if (isWorthRemembering(c))
             memory.push_back({c.particle, c.a, c.b, c.normal, c.normalLambda, c.tangentLambda,
-                              sustained(state, c), c.drift, static_cast<std::uint8_t>(c.sliding)});
+                              sustained(c, h, slowest), c.drift,
+                              static_cast<std::uint8_t>(c.sliding)});
     if (!std::is_sorted(memory.begin(), memory.end(), byParticle))
         std::stable_sort(memory.begin(), memory.end(), byParticle);
 }

@@ -80,9 +80,29 @@ void classifyJoints(State& state) {
     }
 }
 
+namespace {
+
+/// For each body the least radius of what of it collides, also in joints with other bodies;
+/// infinite where nothing does.
+void findThinnest(const State& state, std::vector<Real>& thinnest) {
+    const Particles& particles = state.particles;
+    const Joints& joints = state.joints;
+    thinnest.assign(state.bodies.size(), infinite);
+    const auto note = [&](std::uint32_t particle, Real radius) {
+        Real& least = thinnest[particles.body[particle]];
+        if (radius > 0) least = std::min(least, radius);
+    };
+    for (std::uint32_t i = 0; i < particles.size(); ++i) note(i, particles.radius[i]);
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        for (const auto p : {joints.a[j], joints.b[j]}) note(p, joints.radius[j]);
+}
+
+}  // namespace
+
 void updateReach(State& state) {
     Particles& particles = state.particles;
     particles.reach = particles.radius;
+    findThinnest(state, state.broad.thinnest);
     auto& surface = state.broad.surface;
     surface.assign(particles.size(), none);
     const Joints& joints = state.joints;

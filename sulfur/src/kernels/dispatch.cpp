@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "kernels/chain_lanes.hpp"
+#include "kernels/cluster_motion.hpp"
 #include "kernels/contact_sweep.hpp"
 #include "kernels/joint_sweep.hpp"
 #include "kernels/particle_motion.hpp"
@@ -55,6 +56,13 @@ const MotionKernels& motionKernels() {
     if (mayUse(Instructions::avx2)) return avx2Motion;
 #endif
     return baselineMotion;
+}
+
+const ClusterKernels& clusterKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Clusters;
+#endif
+    return baselineClusters;
 }
 
 const ChainKernels& chainKernels() {

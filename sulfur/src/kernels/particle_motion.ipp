@@ -1,5 +1,8 @@
 // The kernels of particle_motion.hpp, for the vectors of MOTION_BYTES that the including file has
 // set: one or two particles at once.
+#if defined(__SSE2__)
+#include <immintrin.h>  // its functions are always inlined
+#endif
 
 namespace sulfur::detail {
 
@@ -28,7 +31,11 @@ inline Narrow narrowed(Lanes value) {
     return __builtin_convertvector(value, Narrow);
 }
 inline Lanes widened(Narrow value) {
+#if defined(__AVX__) && !defined(SULFUR_REAL_DOUBLE) && MOTION_BYTES == 32
+    return _mm256_cvtps_pd(value);  // compilers that are asked to convert do it by halves
+#else
     return __builtin_convertvector(value, Lanes);
+#endif
 }
 
 /// A value for x and one for y, for each particle.
@@ -40,11 +47,26 @@ inline Lanes both(double x, double y) {
 #endif
 }
 inline Lanes masses(const SweepReal* w) {
-#if MOTION_BYTES == 32
+#if defined(__AVX__) && !defined(SULFUR_REAL_DOUBLE) && MOTION_BYTES == 32
+    const __m128 two = _mm_castsi128_ps(_mm_loadu_si64(w));
+    return _mm256_cvtps_pd(_mm_unpacklo_ps(two, two));
+#elif MOTION_BYTES == 32
     const double first = static_cast<double>(w[0]), second = static_cast<double>(w[1]);
     return Lanes{first, first, second, second};
 #else
     return both(static_cast<double>(w[0]), static_cast<double>(w[0]));
+#endif
+}
+/// Whether any is not 0.
+inline bool anyOf(Lanes v) {
+#if defined(__AVX__) && MOTION_BYTES == 32
+    return _mm256_movemask_pd(reinterpret_cast<Lanes>(v != 0)) != 0;
+#elif defined(__SSE2__)
+    return _mm_movemask_pd(reinterpret_cast<Lanes>(v != 0)) != 0;
+#else
+    bool any = false;
+    for (std::size_t k = 0; k < 2 * together; ++k) any |= v[k] != 0;
+    return any;
 #endif
 }
 inline Lanes limited(Lanes v, Lanes most) {
@@ -54,7 +76,9 @@ inline Lanes limited(Lanes v, Lanes most) {
 
 /// Runs `whole` on full vectors. What is left over is done in a copy that is as long as a vector.
 template <class Function>
-inline void forEach(const MotionView& view, std::size_t first, std::size_t last, Function&& whole) {
+inline void forEach(const MotionView& arrays, std::size_t first, std::size_t last,
+                    Function&& whole) {
+    const MotionView view = arrays;  // which nothing that is written can be part of
     std::size_t i = first;
     for (; i + together <= last; i += together)
         whole(view.position + 2 * i, view.velocity + 2 * i, view.force + 2 * i,
@@ -106,7 +130,9 @@ void takeUpMany(const MotionView& view, const Kick& kick, std::size_t first, std
                 const Lanes before = load(velocity);
                 const Narrow predicted = narrowed(duration * before);
                 const Lanes change = widened(loadNarrow(displacement) - predicted);
-                const Lanes after = limited(before + change / duration, most);
+                // Mostly nothing was changed, and a division costs more than all else here.
+                const Lanes more = anyOf(change) ? change / duration : change;
+                const Lanes after = limited(before + more, most);
                 store(velocity, masses(inverseMass) != zero ? after : before);
             });
 }

@@ -1,10 +1,12 @@
 #include "rigid/cluster_motion.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/limits.hpp"
 #include "core/pieces.hpp"
 #include "core/trigonometry.hpp"
+#include "kernels/cluster_motion.hpp"
 #include "rigid/grip.hpp"
 
 namespace sulfur::detail {
@@ -54,13 +56,100 @@ struct AirFriction {
     double keep, push;
 };
 
+/// All but its sine and versine.
 void predictCluster(State& state, Cluster& c, const AirFriction& air) {
     const ClusterLoad load = loadOf(state, c);
     c.velocity = limited(air.keep * c.velocity + air.push * load.acceleration);
     c.spin = limitedSpin(c, air.keep * c.spin + air.push * load.turning);
     c.displacement = c.predicted = (static_cast<double>(state.h) * c.velocity).cast<Real>();
     c.angle = c.predictedAngle = static_cast<double>(state.h) * c.spin;
-    updateTurn(c);
+}
+
+/// Neighbours in a list of clusters, as many as kernels take at once.
+class Block {
+public:
+    Block(State& state, const std::uint32_t* indices, std::size_t count)
+        : state_(state), indices_(indices), count_(count) {}
+
+    std::size_t size() const { return count_; }
+    Cluster& operator[](std::size_t k) const { return state_.clusters.list[indices_[k]]; }
+
+private:
+    State& state_;
+    const std::uint32_t* indices_;
+    std::size_t count_;
+};
+
+/// A number for each cluster of a block, and zeros behind them.
+template <class Number>
+using PerCluster = std::array<Number, clusterBlock>;
+
+/// Calls f(const Block&) for the clusters of a list, in pieces.
+template <class Function>
+void forEachBlock(State& state, const std::vector<std::uint32_t>& list, Function&& f) {
+    constexpr std::size_t leastPiece = 512;
+    inPieces(state.tasks, list.size(), leastPiece, [&](std::size_t first, std::size_t last) {
+        for (; first < last; first += clusterBlock)
+            f(Block(state, list.data() + first, std::min(clusterBlock, last - first)));
+    });
+}
+
+/// After angles were set: their sines and versines.
+void updateTurns(const Block& block) {
+    PerCluster<double> half{};
+    PerCluster<Real> sine, versine;
+    for (std::size_t k = 0; k < block.size(); ++k) half[k] = block[k].angle / 2;
+    clusterKernels().sines(half.data(), sine.data(), versine.data(), block.size());
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        block[k].sine = sine[k];
+        block[k].versine = versine[k];
+    }
+}
+
+MemberView membersOf(State& state) {
+    Particles& p = state.particles;
+    return {p.position.data()->data(),
+            p.velocity.data()->data(),
+            p.force.data()->data(),
+            p.displacement.data()->data(),
+            p.arm.data()->data(),
+            state.clusters.members.data(),
+            state.clusters.places.data()->data()};
+}
+
+/// Headings at the end of the tick.
+void turn(const Block& block) {
+    PerCluster<double> angle{}, x{}, y{};
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        const Cluster& c = block[k];
+        angle[k] = c.angle + c.twist;
+        x[k] = c.heading[0];
+        y[k] = c.heading[1];
+    }
+    clusterKernels().turn(angle.data(), x.data(), y.data(), block.size());
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        block[k].heading = Point(x[k], y[k]);
+        block[k].twist = 0;
+    }
+}
+
+/// Centres at the end of the tick.
+void move(const Block& block) {
+    for (std::size_t k = 0; k < block.size(); ++k) {
+        Cluster& c = block[k];
+        c.centre += c.displacement.cast<double>() + c.shift.cast<double>();
+        c.centre = c.centre.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
+        c.shift = Vec2(0, 0);
+    }
+}
+
+ClusterPose poseOf(const Cluster& c) {
+    return {c.first,      c.last,        c.centre[0],   c.centre[1], c.heading[0],
+            c.heading[1], c.velocity[0], c.velocity[1], c.spin};
+}
+
+ClusterWay wayOf(const Cluster& c) {
+    return {c.first, c.last, c.displacement[0], c.displacement[1], c.sine, c.versine};
 }
 
 }  // namespace
@@ -90,18 +179,17 @@ void adoptStirredClusters(State& state) {
 
 void predictClusters(State& state) {
     const AirFriction air(state);
-    forEachCluster(state, state.work.clusters, [&](Cluster& c) { predictCluster(state, c, air); });
+    forEachBlock(state, state.work.clusters, [&](const Block& block) {
+        for (std::size_t k = 0; k < block.size(); ++k) predictCluster(state, block[k], air);
+        updateTurns(block);
+    });
 }
 
 void spreadDisplacements(State& state) {
-    Particles& p = state.particles;
-    forEachCluster(state, state.work.awakeClusters, [&](const Cluster& c) {
-        for (std::uint32_t k = c.first; k < c.last; ++k) {
-            const auto m = state.clusters.members[k];
-            const Vec2& arm = p.arm[m];
-            p.displacement[m] = c.displacement + c.sine * Vec2(-arm[1], arm[0]) - c.versine * arm;
-            p.force[m] = Point(0, 0);
-        }
+    forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
+        PerCluster<ClusterWay> ways;
+        for (std::size_t k = 0; k < block.size(); ++k) ways[k] = wayOf(block[k]);
+        clusterKernels().spread(membersOf(state), ways.data(), block.size());
     });
 }
 
@@ -126,23 +214,12 @@ void placeMembers(State& state, std::uint32_t index) {
 }
 
 void moveClusters(State& state) {
-    Particles& p = state.particles;
-    forEachCluster(state, state.work.awakeClusters, [&](Cluster& c) {
-        const double angle = c.angle + c.twist;
-        if (angle != 0) c.heading = turned(unitVector(angle), c.heading).normalized();
-        c.centre += c.displacement.cast<double>() + c.shift.cast<double>();
-        c.centre = c.centre.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
-        c.shift = Vec2(0, 0);
-        c.twist = 0;
-        for (std::uint32_t k = c.first; k < c.last; ++k) {
-            const auto i = state.clusters.members[k];
-            const Point arm = turned(c.heading, state.clusters.places[k]);
-            const Point place = c.centre + arm;
-            p.displacement[i] = (place - p.position[i]).cast<Real>();
-            p.position[i] = place;
-            p.arm[i] = arm.cast<Real>();
-            p.velocity[i] = limited(c.velocity + c.spin * perpendicular(arm));
-        }
+    forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
+        turn(block);
+        move(block);
+        PerCluster<ClusterPose> poses;
+        for (std::size_t k = 0; k < block.size(); ++k) poses[k] = poseOf(block[k]);
+        clusterKernels().place(membersOf(state), poses.data(), block.size(), maxSpeed);
     });
 }
 

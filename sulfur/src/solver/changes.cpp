@@ -138,6 +138,19 @@ void listJoints(State& state) {
     batchJoints(state, work.rigidJoints, work.rigidSweep);
 }
 
+void listSprings(State& state) {
+    auto& springs = state.work.springs;
+    auto& start = state.work.springStart;
+    springs.clear();
+    start.assign(1, 0);
+    for (const BodyRecord& body : state.bodies) {
+        for (const JointId id : body.joints)
+            if (const auto j = state.jointSlots.dense(id); !isRigid(state.joints, j))
+                springs.push_back(j);
+        start.push_back(static_cast<std::uint32_t>(springs.size()));
+    }
+}
+
 void listAttachments(State& state) {
     WorkLists& work = state.work;
     work.attachments.clear();
@@ -218,6 +231,7 @@ void applyChanges(State& state) {
     listAwakeParticles(state);
     listClusters(state);
     listJoints(state);
+    listSprings(state);
     listAttachments(state);
     listStrained(state);
     count(state);

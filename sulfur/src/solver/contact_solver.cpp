@@ -96,34 +96,64 @@ std::size_t particleStart(const State& state, std::size_t i) {
 
 }  // namespace
 
+namespace {
+
+/// Which memories have an heir already: each has one.
+class Heirs {
+public:
+    explicit Heirs(State& state) : state_(state) { taken().assign(state.contactMemory.size(), 0); }
+
+    /// Contacts [first, last) go on from where they were: first those whose place is the same to
+    /// the end, then, from what is left, those that have an end in common with what they were.
+    void inherit(std::size_t first, std::size_t last) {
+        thread_local std::vector<std::uint32_t> others;
+        others.clear();
+        for (auto i = static_cast<std::uint32_t>(first); i < last; ++i)
+            if (!inherit(i, true)) others.push_back(i);
+        for (const auto i : others) inherit(i, false);
+    }
+
+private:
+    bool inherit(std::uint32_t i, bool exactly) {
+        Contact& c = state_.contacts[i];
+        if (c.inherited) return true;
+        const ContactMemory* before = recall(state_, c.particle, c.a, c.b);
+        if (!before) return true;  // nor will it find any later
+        if ((before->a == c.a && before->b == c.b) != exactly) return false;
+        auto& isTaken = taken_[static_cast<std::size_t>(before - state_.contactMemory.data())];
+        if (isTaken || before->normal.dot(c.normal) < Real(0.9)) return false;
+        isTaken = c.inherited = true;
+        warmStart(state_, c, *before);
+        return true;
+    }
+
+    static std::vector<std::uint8_t>& taken() {
+        thread_local std::vector<std::uint8_t> scratch;
+        return scratch;
+    }
+
+    State& state_;
+    std::vector<std::uint8_t>& taken_ = taken();  // of the calling thread, for all pieces
+};
+
+}  // namespace
+
 void warmStartContacts(State& state) {
-    thread_local std::vector<std::uint8_t> scratch;
-    std::vector<std::uint8_t>& taken = scratch;  // of the memories, each has one heir
-    taken.assign(state.contactMemory.size(), 0);
-    const auto inherit = [&](bool exactly, std::size_t first, std::size_t last) {
-        for (auto i = first; i < last; ++i) {
-            Contact& c = state.contacts[i];
-            if (c.inherited) continue;
-            const ContactMemory* before = recall(state, c.particle, c.a, c.b);
-            if (!before || (before->a == c.a && before->b == c.b) != exactly) continue;
-            auto& isTaken = taken[static_cast<std::size_t>(before - state.contactMemory.data())];
-            if (isTaken || before->normal.dot(c.normal) < Real(0.9)) continue;
-            isTaken = c.inherited = true;
-            warmStart(state, c, *before);
-        }
+    Heirs heirs(state);
+    // Only contacts of one particle may want the same memory. (What crosses comes last in the list,
+    // out of the order of particles.)
+    const auto byParticle = [](const Contact& a, const Contact& b) {
+        return a.particle < b.particle;
     };
-    // Only contacts of one particle may want the same memory.
     const std::size_t count = state.contacts.size();
-    // (What crosses comes last in the list, out of the order of particles.)
-    const bool inOrder =
-        std::is_sorted(state.contacts.begin(), state.contacts.end(),
-                       [](const Contact& a, const Contact& b) { return a.particle < b.particle; });
-    const std::size_t pieces = inOrder ? piecesOf(state.tasks, count, leastContacts) : 1;
+    std::size_t pieces = piecesOf(state.tasks, count, leastContacts);
+    if (pieces > 1 && !std::is_sorted(state.contacts.begin(), state.contacts.end(), byParticle))
+        pieces = 1;
     runPieces(state.tasks, pieces, [&](std::size_t i) {
         const auto start = [&](std::size_t piece) {
             return particleStart(state, pieceStart(piece, pieces, count));
         };
-        for (const bool exactly : {true, false}) inherit(exactly, start(i), start(i + 1));
+        heirs.inherit(start(i), start(i + 1));
     });
 }
 
@@ -184,12 +214,13 @@ namespace {
 /// than what this makes of a tick. Less is what sweeps leave of contacts that share a load.
 constexpr Real slidingStarts = Real(0.25);
 
-void judgeSliding(const State& state, Contact& c) {
+/// `restSlip`: m, see slipOfRest().
+void judgeSliding(const State& state, Contact& c, Real restSlip) {
     const Real slip = slipOf(state, c);
     const Real most = frictionOf(c) * c.normalLambda;
     const bool slips = std::abs(slip) > slidingStarts * state.h * state.h;
     const bool givesAll = std::abs(c.tangentLambda) > Real(0.9) * most;
-    c.sliding = (slips && givesAll) || std::abs(slip) > slipOfRest(state);
+    c.sliding = (slips && givesAll) || std::abs(slip) > restSlip;
     const bool sticks = c.normalLambda > 0 && !c.sliding;
     c.drift = sticks ? c.drift - driftRecovered(state, c) + slip : 0;
 }
@@ -197,10 +228,11 @@ void judgeSliding(const State& state, Contact& c) {
 }  // namespace
 
 void finishContacts(State& state) {
+    const Real restSlip = slipOfRest(state);
     inPieces(state.tasks, state.contacts.size(), leastContacts,
              [&](std::size_t first, std::size_t last) {
                  for (auto i = first; i < last; ++i)
-                     if (state.contacts[i].rough) judgeSliding(state, state.contacts[i]);
+                     if (state.contacts[i].rough) judgeSliding(state, state.contacts[i], restSlip);
              });
     rememberContacts(state);
 }

@@ -9,17 +9,31 @@ namespace sulfur::detail {
 namespace {
 
 BodyPair pairOf(const State& state, const Contact& c) {
-    return BodyPair::of(state.bodies[c.bodyA].id, state.bodies[c.bodyB].id);
+    return BodyPair::of(state.bodyIds[c.bodyA], state.bodyIds[c.bodyB]);
 }
 
 /// All contacts of two bodies, as one.
-struct Touching {
-    BodyPair pair;
-    std::uint32_t strongest = 0;  // contact
-    Real impulse = 0;             // N s, of all
+struct Touch {
+    std::uint32_t strongest = none;  // contact
+    Real most = 0;                   // N s, its impulse
+    Real impulse = 0;                // N s, of all
 
-    friend bool operator<(const Touching& p, const Touching& q) {
-        return p.pair != q.pair ? p.pair < q.pair : p.strongest < q.strongest;
+    /// One contact more, in the order of contacts.
+    void add(std::uint32_t contact, Real itsImpulse) {
+        impulse += itsImpulse;
+        if (strongest != none && !(itsImpulse > most)) return;
+        strongest = contact;
+        most = itsImpulse;
+    }
+};
+
+/// Two bodies that did not touch in the last tick.
+struct NewTouch {
+    BodyPair pair;
+    Touch touch;
+
+    friend bool operator<(const NewTouch& p, const NewTouch& q) {
+        return p.pair != q.pair ? p.pair < q.pair : p.touch.strongest < q.touch.strongest;
     }
 };
 
@@ -34,41 +48,79 @@ Point placeOf(const State& state, const Contact& c) {
     return p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
 }
 
-/// Contacts that push, by pairs of bodies, sorted.
-void collectTouching(State& state, std::vector<Touching>& found) {
-    found.clear();
-    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
-        const Contact& c = state.contacts[i];
-        if (c.normalLambda <= 0) continue;
-        found.push_back({pairOf(state, c), i, impulseOf(state, c)});
-        if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
-    }
-    thread_local std::vector<Touching> scratch;
-    thread_local std::vector<std::uint32_t> start;
-    bucketSort(found, scratch, start, state.bodySlots.slots() + 1,
-               [](const Touching& t) { return t.pair.a.index; });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        if (kept == 0 || found[kept - 1].pair != found[i].pair) {
-            found[kept++] = found[i];
-            continue;
-        }
-        Touching& pair = found[kept - 1];
-        pair.impulse += found[i].impulse;
-        const auto of = [&](std::uint32_t c) { return impulseOf(state, state.contacts[c]); };
-        if (of(found[i].strongest) > of(pair.strongest)) pair.strongest = found[i].strongest;
-    }
-    found.resize(kept);
-}
+/// Who touches in this tick: who did in the last one is found there, so that only new pairs must be
+/// sorted. Holds scratch memory only.
+class Touches {
+public:
+    std::vector<Touch> old;       // of the pairs in State::touching; of none, who parted
+    std::vector<NewTouch> begun;  // sorted
+    bool any = false;
 
-void tellBegun(State& state, const Touching& t) {
+    void collect(State& state) {
+        begun.clear();
+        old.assign(state.touching.size(), {});
+        findStarts(state);
+        const Contact* before = nullptr;  // and, if it is an old one, its touch:
+        Touch* touch = nullptr;
+        for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
+            const Contact& c = state.contacts[i];
+            if (c.normalLambda <= 0) continue;
+            if (c.staticFriction > 0) ++state.statistics.rubbingContacts;
+            const Real impulse = impulseOf(state, c);
+            // Neighbours in the list are mostly of the same two bodies.
+            if (!touch || before->bodyA != c.bodyA || before->bodyB != c.bodyB)
+                touch = find(state, pairOf(state, c));
+            if (touch)
+                touch->add(i, impulse);
+            else
+                begun.push_back({pairOf(state, c), {i, impulse, impulse}});
+            before = &c;
+        }
+        any = before != nullptr;
+        if (!begun.empty()) mergeBegun(state.bodySlots.slots());
+    }
+
+private:
+    /// Where in State::touching the pairs of each smaller handle begin.
+    void findStarts(const State& state) {
+        start_.assign(state.bodySlots.slots() + 2, 0);
+        for (const BodyPair& pair : state.touching) ++start_[pair.a.index + 1];
+        for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
+    }
+
+    Touch* find(const State& state, const BodyPair& pair) {
+        const auto all = state.touching.begin();
+        const auto end = all + start_[pair.a.index + 1];
+        const auto found = std::lower_bound(all + start_[pair.a.index], end, pair);
+        return found != end && *found == pair ? &old[static_cast<std::size_t>(found - all)]
+                                              : nullptr;
+    }
+
+    void mergeBegun(std::size_t slots) {
+        bucketSort(begun, scratch_, start_, slots + 1,
+                   [](const NewTouch& t) { return t.pair.a.index; });
+        std::size_t kept = 0;
+        for (const NewTouch& next : begun) {
+            if (kept > 0 && begun[kept - 1].pair == next.pair)
+                begun[kept - 1].touch.add(next.touch.strongest, next.touch.impulse);
+            else
+                begun[kept++] = next;
+        }
+        begun.resize(kept);
+    }
+
+    std::vector<std::uint32_t> start_;
+    std::vector<NewTouch> scratch_;
+};
+
+void tellBegun(State& state, const Touch& t) {
     const Contact& c = state.contacts[t.strongest];
     state.events.contactsBegun.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                                           placeOf(state, c), c.normal,
                                           std::max<Real>(c.approach, 0), t.impulse});
 }
 
-void tellPersisted(State& state, const Touching& t) {
+void tellPersisted(State& state, const Touch& t) {
     const Contact& c = state.contacts[t.strongest];
     state.events.contactsPersisted.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                                               placeOf(state, c), c.normal, t.impulse});
@@ -90,33 +142,35 @@ void collectEvents(State& state) {
     state.events.contactsBegun.clear();
     state.events.contactsPersisted.clear();
     state.events.contactsEnded.clear();
-    thread_local std::vector<Touching> found;
+    thread_local Touches scratch;
     thread_local std::vector<BodyPair> now;
-    collectTouching(state, found);
-    if (found.empty() && state.touchingFrozen && !state.structure.stale) return;
+    Touches& touches = scratch;
+    if (state.contacts.empty() && state.touchingFrozen && !state.structure.stale) return;
+    touches.collect(state);
+    if (!touches.any && state.touchingFrozen && !state.structure.stale) return;
     now.clear();
-    // Both lists are sorted: one walk along both tells what is new and what is gone.
-    auto before = state.touching.cbegin();
-    const auto passUntil = [&](const Touching* next) {
-        for (; before != state.touching.cend() && (!next || *before < next->pair); ++before)
-            if (isFrozen(state, *before))
-                now.push_back(*before);
-            else
-                state.events.contactsEnded.push_back({before->a, before->b});
+    // Both lists are sorted: one walk along both keeps the order.
+    auto begun = touches.begun.cbegin();
+    const auto beginUntil = [&](const BodyPair* next) {
+        for (; begun != touches.begun.cend() && (!next || begun->pair < *next); ++begun) {
+            now.push_back(begun->pair);
+            tellBegun(state, begun->touch);
+        }
     };
-    for (const Touching& t : found) {
-        passUntil(&t);
-        now.push_back(t.pair);
-        if (before == state.touching.cend() || *before != t.pair) {
-            tellBegun(state, t);
+    for (std::size_t k = 0; k < state.touching.size(); ++k) {
+        const BodyPair& pair = state.touching[k];
+        const Touch& touch = touches.old[k];
+        beginUntil(&pair);
+        if (touch.strongest == none && !isFrozen(state, pair)) {
+            state.events.contactsEnded.push_back({pair.a, pair.b});
             continue;
         }
-        ++before;
-        if (state.settings.tellPersisting) tellPersisted(state, t);
+        now.push_back(pair);
+        if (touch.strongest != none && state.settings.tellPersisting) tellPersisted(state, touch);
     }
-    passUntil(nullptr);
+    beginUntil(nullptr);
     std::swap(state.touching, now);
-    state.touchingFrozen = found.empty();
+    state.touchingFrozen = !touches.any;
 }
 
 }  // namespace sulfur::detail

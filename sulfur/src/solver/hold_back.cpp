@@ -1,11 +1,11 @@
 #include "solver/hold_back.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "collision/entwined.hpp"
 #include "collision/meeting.hpp"
-#include "collision/pairs.hpp"
 #include "rigid/grip.hpp"
 
 namespace sulfur::detail {
@@ -17,45 +17,140 @@ constexpr int rounds = 5;
 /// This much of the thickness may be pressed in on the way.
 constexpr Real pressed = Real(0.5);
 
-/// Where the particles go in this tick, as the constraints left it, and how far that is from where
-/// they were rasterised.
-struct Ways {
-    std::vector<Vec2> displacements;  // m
-    Outings outings;
+/// What stays below this share of what could cross is not looked at. Less than 1, for rounding.
+constexpr Real calmBelow = Real(0.98);
 
-    void find(const State& state) {
-        displacements = state.particles.displacement;
+/// Where a particle goes in this tick, as the constraints left it.
+Vec2 wayOf(const State& state, std::uint32_t particle) {
+    const Particles& p = state.particles;
+    const bool led = p.cluster[particle] != none && state.movable(p.body[particle]);
+    return led ? displacementOf(state, gripOf(state, particle)) : p.displacement[particle];
+}
+
+/// Where the bodies go, roughly: which particle of one can cross which capsule of another.
+class Courses {
+public:
+    /// Returns whether anything moves so far that it could cross something that stays.
+    bool find(const State& state) {
+        courses_.assign(state.bodies.size(), {});
+        for (std::size_t i = 0; i < courses_.size(); ++i)
+            courses_[i].room = calmBelow * pressed * state.broad.thinnest[i];
+        addClusters(state);
+        addParticles(state);
+        for (const auto& [one, other] : state.broad.tied) merge(courses_[one], courses_[other]);
+        return std::any_of(courses_.begin(), courses_.end(),
+                           [](const Course& c) { return c.way.lpNorm<1>() + c.spread >= c.room; });
+    }
+
+    /// Whether nothing of the two can move past the other by as much as may be pressed in.
+    bool stayApart(std::uint32_t one, std::uint32_t other) const {
+        const Course &a = courses_[one], &b = courses_[other];
+        return (a.way - b.way).lpNorm<1>() + (a.spread + b.spread) < a.room + b.room;
+    }
+
+private:
+    /// All of a body goes along `way`, but for `spread` at most (the sum of both coordinates).
+    struct Course {
+        Vec2 way{0, 0};   // m
+        Real spread = 0;  // m
+        Real room = 0;    // m, the way that is too short to cross anything that stays
+        bool known = false;
+    };
+
+    static void add(Course& course, const Vec2& way, Real spread) {
+        if (!course.known) {
+            course.way = way;
+            course.spread = spread;
+            course.known = true;
+            return;
+        }
+        course.spread = std::max(course.way.lpNorm<1>() + course.spread, way.lpNorm<1>() + spread);
+        course.way = Vec2(0, 0);
+    }
+
+    /// Bodies that a capsule joins: it is part of both.
+    static void merge(Course& a, Course& b) {
+        add(a, b.way, b.spread);
+        a.room = std::min(a.room, b.room);
+        b = a;
+    }
+
+    void addClusters(const State& state) {
+        constexpr Real diagonal = Real(1.4143);  // the sum of a vector's coordinates by its length
         for (const auto i : state.work.awakeClusters) {
             const Cluster& c = state.clusters.list[i];
-            for (auto k = c.first; k < c.last; ++k) {
-                const auto m = state.clusters.members[k];
-                displacements[m] = displacementOf(state, gripOf(state, m));
-            }
+            const Real turn = std::abs(c.sine) + std::abs(c.versine);
+            add(courses_[c.body], c.displacement, diagonal * turn * static_cast<Real>(c.reach));
         }
-        measureOutings(state, displacements, outings);
     }
+
+    void addParticles(const State& state) {
+        const Particles& p = state.particles;
+        for (const Range range : state.work.points)
+            for (auto i = range.first; i < range.last; ++i)
+                add(courses_[p.body[i]], p.displacement[i], 0);
+    }
+
+    std::vector<Course> courses_;  // by body
 };
 
-/// The share of the tick after which they meet, 1 if they do not, or did before it began.
-Real meetingTime(const State& state, const Ways& ways, const Watch& watch) {
-    const auto particle = watch.candidate.particle;
+/// A particle and a collider, with their ways.
+struct Crossers {
+    Local local;
+    Real thickness = 0;  // m
+    Real travel = 0;     // m, past each other at most
+};
+
+Crossers crossersOf(const State& state, const Watch& watch) {
     const Collider& c = state.broad.collider(watch.candidate.collider);
+    Crossers found;
+    found.local.dp = wayOf(state, watch.candidate.particle);
+    found.local.da = wayOf(state, c.a);
+    found.local.db = c.b == c.a ? found.local.da : wayOf(state, c.b);
+    const Local& l = found.local;
+    found.thickness = state.particles.reach[watch.candidate.particle] + c.radius;
+    found.travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
+    return found;
+}
+
+/// How far a particle will be from where it was rasterised.
+Real outingOf(const State& state, std::uint32_t particle, const Vec2& way) {
+    const Point& from = state.broad.reference[particle];
+    return (state.particles.position[particle] - from).cast<Real>().norm() + way.norm();
+}
+
+/// Whether the sides can have come near enough to each other, as in forEachNear().
+bool mayMeet(const State& state, const Watch& watch, const Local& l) {
+    const Real out = outingOf(state, watch.candidate.particle, l.dp);
+    const Real outA = outingOf(state, watch.a, l.da), outB = outingOf(state, watch.b, l.db);
+    return 2 * (out + std::max(outA, outB)) >= watch.spare;
+}
+
+/// The share of the tick after which they meet, 1 if they do not, or did before it began.
+Real meetingTime(const State& state, const Watch& watch) {
+    Crossers found = crossersOf(state, watch);
+    const Real most = pressed * found.thickness;
+    if (found.travel < most || !mayMeet(state, watch, found.local)) return 1;
     const auto& x = state.particles.position;
-    Local l;
-    l.dp = ways.displacements[particle];
-    l.da = ways.displacements[c.a];
-    l.db = ways.displacements[c.b];
-    const Real thickness = state.particles.reach[particle] + c.radius;
-    const Real travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
-    if (travel < pressed * thickness) return 1;
-    l.p = (x[particle] - x[c.a]).cast<Real>();
-    l.b = (x[c.b] - x[c.a]).cast<Real>();
-    if (meet(l).distance <= pressed * thickness) return 1;
-    const Meeting m = meetOnTheWay(l, pressed * thickness);
+    Local& l = found.local;
+    l.p = (x[watch.candidate.particle] - x[watch.a]).cast<Real>();
+    l.b = (x[watch.b] - x[watch.a]).cast<Real>();
+    if (meet(l).distance <= most) return 1;
+    const Meeting m = meetOnTheWay(l, most);
     return m.fraction > 0 ? m.fraction : 1;
 }
 
-/// Whether anything moves so fast that it could pass a surface within the tick.
+/// Calls f(const Watch&) for the candidates of all bodies that may move past each other.
+template <class Function>
+void forEachCrossing(const State& state, const Courses& courses, Function&& f) {
+    const BroadPhase& broad = state.broad;
+    for (const WatchRun& run : broad.watchRuns) {
+        if (courses.stayApart(state.particles.body[run.one], run.other)) continue;
+        for (auto k = run.first; k < run.last; ++k) f(broad.watches[k]);
+    }
+}
+
+/// Whether anything was predicted to move so fast that it could pass a surface within the tick.
 bool anyFast(const State& state) {
     for (const Range range : state.work.awake)
         for (auto i = range.first; i < range.last; ++i) {
@@ -167,14 +262,16 @@ private:
 
 void holdBack(State& state) {
     lostWays().clear();
-    if (state.broad.watches.empty() || !anyFast(state)) return;
-    thread_local Ways ways;
+    if (state.broad.watches.empty()) return;
+    thread_local Courses scratch;
+    Courses& courses = scratch;
+    if (!courses.find(state) || !anyFast(state)) return;
     Brakes brakes(state);
     for (int round = 0; round < rounds; ++round) {
-        state.statistics.heldBack += static_cast<std::uint32_t>(state.broad.watches.size());
-        ways.find(state);
-        forEachNear(state.broad, ways.outings, [&](const Watch& watch) {
-            const Real share = meetingTime(state, ways, watch);
+        if (round > 0) courses.find(state);
+        forEachCrossing(state, courses, [&](const Watch& watch) {
+            ++state.statistics.heldBack;
+            const Real share = meetingTime(state, watch);
             if (share >= 1) return;
             const auto body = state.particles.body[watch.candidate.particle];
             const auto other = state.broad.collider(watch.candidate.collider).body;

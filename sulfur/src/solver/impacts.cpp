@@ -21,9 +21,11 @@ double square(double x) {
 
 enum Trait : std::uint8_t { fast = 1, anchored = 2, driven = 4 };
 
-bool isMoved(const State& state, std::uint32_t body) {
-    const BodyRecord& b = state.bodies[body];
-    return b.kind == BodyKind::dynamic && !b.asleep;
+enum class Role : std::uint8_t { still, moved, kinematic };
+
+Role roleOf(const BodyRecord& body) {
+    if (body.kind == BodyKind::kinematic) return Role::kinematic;
+    return body.kind == BodyKind::dynamic && !body.asleep ? Role::moved : Role::still;
 }
 
 /// Where chains that move by themselves were led without contacts.
@@ -74,6 +76,9 @@ private:
 
     bool findGroups(const State& state);
     void unite(const State& state);
+    void gatherBodies();
+    template <class Visit>
+    void forEachHit(Visit&& visit);
     void addParts(const State& state, Group& group);
     template <class MotionOf>
     Motion rigidMotion(const Group& group, MotionOf&& motionOf) const;
@@ -81,6 +86,8 @@ private:
     double energyOfDisplacements(const State& state, const Group& group) const;
     double energyBefore(const State& state, const Group& group);
     void takeBackForces(const State& state, const Group& group);
+    template <class Visit>
+    void forEachSpring(const State& state, const Group& group, Visit&& visit) const;
     template <class PlaceOf, class VelocityOf>
     double elasticEnergy(const State& state, const Group& group, PlaceOf&& placeOf,
                          VelocityOf&& velocityOf) const;
@@ -88,19 +95,29 @@ private:
     std::vector<Group> groups_;
     std::vector<Part> parts_;
     std::vector<std::uint32_t> bodies_;
-    std::vector<Point> before_;         // m/s, by particle
-    std::vector<std::uint8_t> traits_;  // of bodies; of the first of each set, those of all
+    std::vector<std::uint32_t> groupOf_;  // of the first body of each set
+    std::vector<Point> before_;           // m/s, by particle; of those that were asked for
+    std::vector<Role> roles_;             // of bodies
+    std::vector<std::uint8_t> traits_;    // of bodies; of the first of each set, those of all
     DisjointSets sets_;
 };
 
 void Impacts::unite(const State& state) {
     sets_.reset(state.bodies.size());
     traits_.assign(state.bodies.size(), 0);
-    const auto mark = [&](std::uint32_t body, std::uint32_t other) {
-        if (!isMoved(state, other))
-            traits_[body] |= state.bodies[other].kind == BodyKind::kinematic ? driven : anchored;
-        else if (isMoved(state, body))
-            sets_.unite(body, other);
+    roles_.resize(state.bodies.size());
+    std::transform(state.bodies.begin(), state.bodies.end(), roles_.begin(), roleOf);
+    const auto lean = [&](std::uint32_t body, std::uint32_t other) {
+        if (roles_[other] != Role::moved)
+            traits_[body] |= roles_[other] == Role::kinematic ? driven : anchored;
+    };
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        if (roles_[a] == Role::moved && roles_[b] == Role::moved) {
+            sets_.unite(a, b);
+            return;
+        }
+        lean(a, b);
+        lean(b, a);
     };
     for (const Contact& c : state.contacts) {
         if (c.normalLambda <= 0) continue;
@@ -108,45 +125,58 @@ void Impacts::unite(const State& state) {
         if (c.conveyed != 0) trait |= driven;
         traits_[c.bodyA] |= trait;
         traits_[c.bodyB] |= trait;
-        mark(c.bodyA, c.bodyB);
-        mark(c.bodyB, c.bodyA);
+        join(c.bodyA, c.bodyB);
     }
     const auto& bodyOf = state.particles.body;
     for (const Attachment& a : state.attachments)
-        for (std::uint32_t k = 0; k < a.count; ++k) {
-            mark(bodyOf[a.particle], bodyOf[a.support[k]]);
-            mark(bodyOf[a.support[k]], bodyOf[a.particle]);
-        }
+        for (std::uint32_t k = 0; k < a.count; ++k) join(bodyOf[a.particle], bodyOf[a.support[k]]);
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             traits_[bodyOf[state.particleSlots.dense(grab.support[k])]] |= driven;
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) traits_[sets_.find(i)] |= traits_[i];
 }
 
+/// Calls visit(body, the first of its set) for all in sets that something fast has hit and nothing
+/// drives.
+template <class Visit>
+void Impacts::forEachHit(Visit&& visit) {
+    for (std::uint32_t i = 0; i < roles_.size(); ++i) {
+        if (roles_[i] != Role::moved) continue;
+        const auto first = sets_.find(i);
+        if ((traits_[first] & fast) != 0 && (traits_[first] & driven) == 0) visit(i, first);
+    }
+}
+
+/// The bodies of each group one after the other: groups in the order of their first bodies. (Those
+/// are the smallest of their sets, so that they come first here too.)
+void Impacts::gatherBodies() {
+    groupOf_.resize(roles_.size());
+    forEachHit([&](std::uint32_t body, std::uint32_t first) {
+        if (body == first) {
+            groupOf_[body] = static_cast<std::uint32_t>(groups_.size());
+            groups_.emplace_back();
+            groups_.back().anchored = (traits_[body] & anchored) != 0;
+        }
+        ++groups_[groupOf_[first]].lastBody;  // only counted so far
+    });
+    std::uint32_t next = 0;
+    for (Group& group : groups_) {
+        group.firstBody = next;
+        next += std::exchange(group.lastBody, next);
+    }
+    bodies_.resize(next);
+    forEachHit([&](std::uint32_t body, std::uint32_t first) {
+        bodies_[groups_[groupOf_[first]].lastBody++] = body;
+    });
+}
+
 bool Impacts::findGroups(const State& state) {
     groups_.clear();
     parts_.clear();
-    bodies_.clear();
     const auto isFast = [](const Contact& c) { return c.fast && c.normalLambda > 0; };
     if (std::none_of(state.contacts.begin(), state.contacts.end(), isFast)) return false;
     unite(state);
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        const auto traits = traits_[sets_.find(i)];
-        if (isMoved(state, i) && (traits & fast) != 0 && (traits & driven) == 0)
-            bodies_.push_back(i);
-    }
-    std::sort(bodies_.begin(), bodies_.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(sets_.find(a), a) < std::pair(sets_.find(b), b);
-    });
-    for (std::uint32_t k = 0; k < bodies_.size(); ++k) {
-        const auto set = sets_.find(bodies_[k]);
-        if (k == 0 || set != sets_.find(bodies_[k - 1])) {
-            groups_.emplace_back();
-            groups_.back().firstBody = k;
-            groups_.back().anchored = (traits_[set] & anchored) != 0;
-        }
-        groups_.back().lastBody = k + 1;
-    }
+    gatherBodies();
     for (Group& group : groups_) addParts(state, group);
     return true;
 }
@@ -233,6 +263,15 @@ void Impacts::scale(State& state, const Group& group, const Motion& common, doub
     }
 }
 
+/// Calls visit(joint) for all joints of the group that are not rigid.
+template <class Visit>
+void Impacts::forEachSpring(const State& state, const Group& group, Visit&& visit) const {
+    const auto& start = state.work.springStart;
+    for (auto k = group.firstBody; k < group.lastBody; ++k)
+        for (auto s = start[bodies_[k]]; s < start[bodies_[k] + 1]; ++s)
+            visit(state.work.springs[s]);
+}
+
 /// What the springs hold in a tick: the part that acts as a force in the tick's middle, where the
 /// velocities stand and where leapfrog keeps energy; the rest at most in the middle or at the end.
 template <class PlaceOf, class VelocityOf>
@@ -241,20 +280,17 @@ double Impacts::elasticEnergy(const State& state, const Group& group, PlaceOf&& 
     const Joints& joints = state.joints;
     const double half = static_cast<double>(state.h) / 2;
     double sum = 0;
-    for (auto k = group.firstBody; k < group.lastBody; ++k)
-        for (const JointId id : state.bodies[bodies_[k]].joints) {
-            const auto j = state.jointSlots.dense(id);
-            if (isRigid(joints, j)) continue;
-            const auto a = joints.a[j], b = joints.b[j];
-            const Point end = placeOf(b) - placeOf(a);
-            const Point middle = end - half * (velocityOf(b) - velocityOf(a));
-            const double rest = static_cast<double>(joints.restLength[j]);
-            const double whole = static_cast<double>(joints.stiffness[j]);
-            const double force = static_cast<double>(joints.explicitStiffness[j]);
-            const double inMiddle = square(middle.norm() - rest);
-            const double most = std::max(inMiddle, square(end.norm() - rest));
-            sum += (force * inMiddle + (whole - force) * most) / 2;
-        }
+    forEachSpring(state, group, [&](std::uint32_t j) {
+        const auto a = joints.a[j], b = joints.b[j];
+        const Point end = placeOf(b) - placeOf(a);
+        const Point middle = end - half * (velocityOf(b) - velocityOf(a));
+        const double rest = static_cast<double>(joints.restLength[j]);
+        const double whole = static_cast<double>(joints.stiffness[j]);
+        const double force = static_cast<double>(joints.explicitStiffness[j]);
+        const double inMiddle = square(middle.norm() - rest);
+        const double most = std::max(inMiddle, square(end.norm() - rest));
+        sum += (force * inMiddle + (whole - force) * most) / 2;
+    });
     return sum;
 }
 
@@ -284,32 +320,29 @@ double Impacts::energyOfDisplacements(const State& state, const Group& group) co
                      [&](std::uint32_t i) { return Point(moved(i) / h); });
 }
 
-/// Leaves in before_ the velocities of the group's particles in the middle of the tick before: the
-/// predicted ones without what explicit springs have added to them.
+/// Leaves in before_ the velocities in the middle of the tick before, of the group's particles that
+/// move by themselves or hang on springs: the predicted ones without what explicit springs have
+/// added to them.
 void Impacts::takeBackForces(const State& state, const Group& group) {
     const Particles& p = state.particles;
     const Joints& joints = state.joints;
     before_.resize(p.size());
-    const auto forEachBody = [&](auto&& visit) {
-        for (auto k = group.firstBody; k < group.lastBody; ++k) visit(state.bodies[bodies_[k]]);
-    };
-    forEachBody([&](const BodyRecord& body) {
-        for (auto i = body.firstParticle; i < body.firstParticle + body.particles.size(); ++i)
-            before_[i] = p.velocity[i];
+    for (auto i = group.firstPart; i < group.lastPart; ++i)
+        if (const auto particle = parts_[i].particle; particle != none)
+            before_[particle] = p.velocity[particle];
+    forEachSpring(state, group, [&](std::uint32_t j) {
+        for (const auto end : {joints.a[j], joints.b[j]}) before_[end] = p.velocity[end];
     });
-    forEachBody([&](const BodyRecord& body) {
-        for (const JointId id : body.joints) {
-            const auto j = state.jointSlots.dense(id);
-            const auto a = joints.a[j], b = joints.b[j];
-            const Point apart = p.position[b] - p.position[a];
-            const double length = apart.norm();
-            if (joints.explicitStiffness[j] == 0 || length == 0) continue;
-            const double stretch = length - static_cast<double>(joints.restLength[j]);
-            const Point impulse = static_cast<double>(state.h * joints.explicitStiffness[j]) *
-                                  stretch / length * apart;
-            if (p.cluster[a] == none) before_[a] -= static_cast<double>(p.inverseMass[a]) * impulse;
-            if (p.cluster[b] == none) before_[b] += static_cast<double>(p.inverseMass[b]) * impulse;
-        }
+    forEachSpring(state, group, [&](std::uint32_t j) {
+        const auto a = joints.a[j], b = joints.b[j];
+        const Point apart = p.position[b] - p.position[a];
+        const double length = apart.norm();
+        if (joints.explicitStiffness[j] == 0 || length == 0) return;
+        const double stretch = length - static_cast<double>(joints.restLength[j]);
+        const Point impulse =
+            static_cast<double>(state.h * joints.explicitStiffness[j]) * stretch / length * apart;
+        if (p.cluster[a] == none) before_[a] -= static_cast<double>(p.inverseMass[a]) * impulse;
+        if (p.cluster[b] == none) before_[b] += static_cast<double>(p.inverseMass[b]) * impulse;
     });
 }
 

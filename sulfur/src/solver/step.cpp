@@ -1,6 +1,7 @@
 // One tick, from top to bottom.
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "solver/stages.hpp"
 #include "solver/substeps.hpp"
@@ -115,7 +116,18 @@ void append(Events& events, Events& more) {
     append(events.particlesLost, more.particlesLost);
     append(events.sensorsEntered, more.sensorsEntered);
     append(events.sensorsLeft, more.sensorsLeft);
-    events.contactsPersisted = std::move(more.contactsPersisted);
+    std::swap(events.contactsPersisted, more.contactsPersisted);
+}
+
+void clear(Events& events) {
+    events.contactsBegun.clear();
+    events.contactsPersisted.clear();
+    events.contactsEnded.clear();
+    events.jointsBroken.clear();
+    events.bodiesSplit.clear();
+    events.particlesLost.clear();
+    events.sensorsEntered.clear();
+    events.sensorsLeft.clear();
 }
 
 /// Who began to touch in an earlier step of the tick may be gone since.
@@ -124,14 +136,33 @@ void dropGone(const State& state, std::vector<ContactBegun>& begun) {
     std::erase_if(begun, [&](const ContactBegun& e) { return !exists(e.a) || !exists(e.b); });
 }
 
-/// Each pair once, the first time that it was told, in the order of pairs.
+/// Each pair once, the first time that it was told, in the order of pairs. (A stable sort would
+/// take memory.)
 template <class Event>
 void orderPairs(std::vector<Event>& events) {
-    const auto pairOf = [](const Event& e) { return BodyPair::of(e.a, e.b); };
-    std::stable_sort(events.begin(), events.end(),
-                     [&](const Event& p, const Event& q) { return pairOf(p) < pairOf(q); });
-    const auto same = [&](const Event& p, const Event& q) { return pairOf(p) == pairOf(q); };
-    events.erase(std::unique(events.begin(), events.end(), same), events.end());
+    thread_local std::vector<std::pair<BodyPair, std::uint32_t>> order;
+    thread_local std::vector<Event> ordered;
+    order.clear();
+    ordered.clear();
+    for (const Event& e : events)
+        order.emplace_back(BodyPair::of(e.a, e.b), static_cast<std::uint32_t>(order.size()));
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (i == 0 || order[i].first != order[i - 1].first)
+            ordered.push_back(events[order[i].second]);
+    std::swap(events, ordered);
+}
+
+void runDivided(State& state) {
+    clear(state.told);
+    for (; state.substeps.done < state.substeps.count; ++state.substeps.done) {
+        runStep(state);
+        append(state.told, state.events);
+    }
+    std::swap(state.events, state.told);
+    dropGone(state, state.events.contactsBegun);
+    orderPairs(state.events.contactsBegun);
+    orderPairs(state.events.contactsEnded);
 }
 
 }  // namespace
@@ -139,17 +170,12 @@ void orderPairs(std::vector<Event>& events) {
 void step(State& state) {
     clearStatistics(state.statistics);
     chooseSubsteps(state);
-    Events told;
     state.substeps.done = 0;
-    for (; state.substeps.done < state.substeps.count; ++state.substeps.done) {
-        runStep(state);
-        if (state.substeps.count > 1) append(told, state.events);
-    }
     if (state.substeps.count > 1) {
-        state.events = std::move(told);
-        dropGone(state, state.events.contactsBegun);
-        orderPairs(state.events.contactsBegun);
-        orderPairs(state.events.contactsEnded);
+        runDivided(state);
+    } else {
+        runStep(state);
+        state.substeps.done = 1;
     }
     ++state.tick;
 }

@@ -76,7 +76,7 @@ MemoryUse ofWorkLists(const State& state) {
         .add(w.awake, w.points, w.free, w.awakeClusters, w.clusters, w.watchedClusters,
              w.lonelyTrees, w.tiedTrees, w.lines, w.explicitJoints, w.implicitJoints, w.rigidJoints,
              w.stiffJoints, w.breakableJoints, w.attachments, w.hinges, w.heldNodes, w.bodies,
-             w.kinematic, w.strained, w.tiedJoints)
+             w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart)
         .as("lists of what is awake", w.awakeParticles, true);
 }
 
@@ -101,7 +101,8 @@ MemoryUse ofColliders(const State& state) {
     const auto& b = state.broad;
     return Sum()
         .add(b.moving, b.fixed, b.reference, b.skin, b.largeMoving, b.largeFixed, b.levelOfMoving,
-             b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked, b.tied, b.surface)
+             b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked, b.tied, b.surface,
+             b.thinnest)
         .as("colliders", b.moving.size() + b.fixed.size(), true);
 }
 

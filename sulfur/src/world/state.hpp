@@ -76,6 +76,8 @@ struct WorkLists {
     SweptJoints implicitSweep, rigidSweep;                                   // their batches
     std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
     std::vector<std::uint32_t> breakableJoints;
+    // All joints that are not rigid, body by body, asleep or not; where those of each body begin.
+    std::vector<std::uint32_t> springs, springStart;
     std::vector<std::uint32_t> attachments, hinges;  // swept
     std::vector<std::uint32_t> bodies;      // that move: awake dynamic ones and kinematic ones
     std::vector<std::uint32_t> kinematic;   // of these
@@ -141,6 +143,7 @@ struct State {
     std::vector<std::uint32_t> knocked;        // sleepers that something ran into, dense indices
     Sensing sensing;
     Events events;
+    Events told;  // by earlier steps of a divided tick; scratch
     Statistics statistics;
     bool profiling = false;
     Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
@@ -182,8 +185,8 @@ void restoreInverseMass(State& state, std::uint32_t body);
 /// The inverse mass that a particle has while its body is awake, 0 if nothing moves it then.
 Real inverseMassAwake(const State& state, std::uint32_t particle);
 
-/// Derives how each joint is solved; the collision radius of particles, and whose surface they
-/// show: that of the thickest capsule that ends there.
+/// Derives how each joint is solved; the collision radius of particles, whose surface they show,
+/// that of the thickest capsule that ends there, and how thin bodies are.
 void classifyJoints(State& state);
 void updateReach(State& state);
 

@@ -206,6 +206,8 @@ std::string validateContacts(const State& state) {
     }
     if (!std::is_sorted(state.touching.begin(), state.touching.end()))
         return "touching out of order";
+    if (!state.touching.empty() && state.touching.back().a.index > state.bodySlots.slots())
+        return "touching of what never was";
     if (!std::is_sorted(state.entwined.begin(), state.entwined.end()))
         return "entwined bodies out of order";
     return std::is_sorted(state.vetoes.begin(), state.vetoes.end()) ? "" : "vetoes out of order";

@@ -253,6 +253,39 @@ TEST(Skipping, FastMoversAreHeldBackOnlyWhereSomeAre) {
     EXPECT_GT(fast, 0u);
 }
 
+/// Candidates of what stays, and of what falls side by side, are left alone.
+TEST(Skipping, OnlyWhatMovesPastSomethingIsHeldBack) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-5, 0}, {45, 0}));
+    for (int i = 0; i < 10; ++i) world.add(shapes::box(), {.position = {4.0 * i, 0.54}});
+    for (const double x : {1.0, 2.04}) {
+        const Body crate = world.add(shapes::box(), {.position = {x, 60}});
+        world.setVelocity(crate, Vec2(0, -30));
+    }
+    std::uint32_t most = 0, least = ~0u;
+    for (int i = 0; i < 500; ++i) {
+        world.step();
+        const Statistics& statistics = world.statistics();
+        EXPECT_LE(2 * statistics.heldBack, statistics.candidates) << i;
+        most = std::max(most, statistics.heldBack);
+        least = std::min(least, statistics.heldBack);
+    }
+    EXPECT_EQ(least, 0u);
+    EXPECT_GT(world.statistics().candidates, 30u);
+
+    Blueprint wall = shapes::floor({-3, 0}, {-3, 40});
+    world.add(wall);
+    const Body shot = world.add(shapes::ball({.radius = Real(0.1)}), {.position = {20, 20}});
+    world.setVelocity(shot, Vec2(-200, 0));
+    for (int i = 0; i < 100; ++i) {
+        world.step();
+        most = std::max(most, world.statistics().heldBack);
+        EXPECT_LT(2 * world.statistics().heldBack, world.statistics().candidates) << i;
+    }
+    EXPECT_GT(most, 0u);
+    EXPECT_GT(world.position(shot[0]).x(), -3);
+}
+
 TEST(Skipping, FastMoversWakeOthersOnlyWhereSomebodySleeps) {
     const auto flying = flight(200, false);
     World& world = *flying;

@@ -118,6 +118,31 @@ TEST(Allocation, NoneByCratesThatLieOnTheFloor) {
     expectNoAllocations(world);
 }
 
+/// In ticks that are divided, as they are while crates lie on crates, each step tells events.
+TEST(Allocation, NoneByBallsThatBounceInDividedTicks) {
+    World world({.tickRate = 120, .sleeping = false, .tellPersisting = true});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 5; ++i)
+        world.add(shapes::ball({.material = {.restitution = 1}}), {.position = {3.0 * i - 6, 3}});
+    for (int i = 0; i < 10; ++i)
+        world.add(shapes::box(), {.position = {3.0 * (i / 2) - 4.5, 0.55 + i % 2}});
+    for (int i = 0; i < 1000; ++i) world.step();
+    std::size_t divided = 0, begun = 0, persisted = 0, ended = 0;
+    const std::size_t before = allocations;
+    for (int i = 0; i < 500; ++i) {
+        world.step();
+        divided += world.statistics().substeps > 1;
+        begun += world.events().contactsBegun.size();
+        persisted += world.events().contactsPersisted.size();
+        ended += world.events().contactsEnded.size();
+    }
+    EXPECT_EQ(allocations - before, 0u);
+    EXPECT_EQ(divided, 500u);
+    EXPECT_GT(begun, 5u);
+    EXPECT_GT(persisted, 500u);
+    EXPECT_GT(ended, 5u);
+}
+
 TEST(Allocation, NoneByCratesInFreeFall) {
     World world;
     for (int i = 0; i < 5; ++i) world.add(shapes::box(), {.position = {3.0 * i, 0}});
