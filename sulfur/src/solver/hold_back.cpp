@@ -70,6 +70,7 @@ private:
 
     /// Bodies that a capsule joins: it is part of both.
     static void merge(Course& a, Course& b) {
+        a.known = b.known = true;  // that they stay, where nothing moves them
         add(a, b.way, b.spread);
         a.room = std::min(a.room, b.room);
         b = a;
