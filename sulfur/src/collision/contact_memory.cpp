@@ -46,6 +46,7 @@ Real sustained(const Contact& c, Real h, Real slowest) {
 }  // namespace
 
 void indexMemory(State& state) {
+    if (state.contactMemory.empty()) return;
     auto& start = state.memoryStart;
     start.assign(state.particles.size() + 1, 0);
     for (const ContactMemory& m : state.contactMemory) ++start[m.particle + 1];
@@ -54,6 +55,7 @@ void indexMemory(State& state) {
 
 const ContactMemory* recall(const State& state, std::uint32_t particle, std::uint32_t a,
                             std::uint32_t b) {
+    if (state.contactMemory.empty()) return nullptr;
     const ContactMemory* neighbour = nullptr;
     for (auto k = state.memoryStart[particle]; k < state.memoryStart[particle + 1]; ++k) {
         const ContactMemory& m = state.contactMemory[k];

@@ -229,8 +229,10 @@ void ContactRows::collect(const State& state) {
     movers_.assign(1, Mover{});
     owners_.assign(1, Owner{});
     taken_.assign(1, 0);
-    ofCluster_.assign(state.clusters.list.size(), none);
-    ofParticle_.assign(state.particles.size(), none);
+    if (!state.contacts.empty()) {
+        ofCluster_.assign(state.clusters.list.size(), none);
+        ofParticle_.assign(state.particles.size(), none);
+    }
     colourContacts(state);
     placeContacts(state);
 }
