@@ -27,6 +27,9 @@ constexpr Real mostErrorOfNew = Real(5e-5);
 /// which things drop has some contact that allows next to nothing in nearly every tick.)
 constexpr Real leastStep = Real(0.1);
 
+/// It is left at once when more rows than these give way, and more than one in so many.
+constexpr std::uint32_t leastGiving = 16, mostGiving = 5;
+
 /// As shares of an arm: within this, rows ask for the same.
 constexpr double alikeWithin = 1e-2;
 
@@ -502,13 +505,22 @@ void ContactForest::moveNodes(State& state) {
     takeMotions(state);
 }
 
+/// Whether so many rows give way that one step more would not bring it far either.
+bool ContactForest::isHopeless(const Node& tree) {
+    return tree.step < leastStep && tree.givingRows > leastGiving &&
+           mostGiving * tree.givingRows > tree.activeRows;
+}
+
 /// Takes each tree's step, and lets go of those rows that did not allow all of it: of all at once,
 /// because a large tree has many. Returns whether there were any; of a tree in which there were
 /// none nothing is active any more.
 bool ContactForest::takeStep(State& state) {
     findSteps();
     moveNodes(state);
-    for (Node& node : nodes_) node.unfinished = false;
+    for (Node& node : nodes_) {
+        node.unfinished = false;
+        node.activeRows = node.givingRows = 0;
+    }
     bool anyGiven = false;
     for (const ActiveRow& active : active_) {
         const Row& row = rows_[active.row];
@@ -521,6 +533,13 @@ bool ContactForest::takeStep(State& state) {
         }
         anyGiven |= givesWay;
         tree.unfinished |= givesWay;
+        ++tree.activeRows;
+        tree.givingRows += givesWay ? 1 : 0;
+    }
+    for (Node& node : nodes_) {
+        if (!node.unfinished || !isHopeless(node)) continue;
+        node.unfinished = false;
+        node.hopeless = true;
     }
     return anyGiven;
 }

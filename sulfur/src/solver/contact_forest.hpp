@@ -48,7 +48,8 @@ private:
         // Of a root, for its tree.
         Real step = 1;  // share of the motion that the rows allow
         bool unfinished = true;
-        bool hopeless = false;  // its rows allow next to nothing
+        std::uint32_t activeRows = 0, givingRows = 0;  // in its last step
+        bool hopeless = false;                         // its rows allow next to nothing
     };
     /// All contacts between two nodes, or of one node with what does not move.
     struct Edge {
@@ -144,6 +145,7 @@ private:
     Node& treeOf(const Row& row) { return nodes_[nodes_[edges_[row.edge].a].root]; }
     void findSteps();
     void moveNodes(State& state);
+    static bool isHopeless(const Node& tree);
     bool takeStep(State& state);
 
     std::vector<Node> nodes_;
