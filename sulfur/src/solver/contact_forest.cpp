@@ -28,7 +28,7 @@ constexpr Real mostErrorOfNew = Real(5e-5);
 constexpr Real leastStep = Real(0.1);
 
 /// It is left at once when more rows than these give way, and more than one in so many.
-constexpr std::uint32_t leastGiving = 16, mostGiving = 5;
+constexpr std::uint32_t leastGiving = 48, mostGiving = 5;
 
 /// As shares of an arm: within this, rows ask for the same.
 constexpr double alikeWithin = 1e-2;
@@ -567,7 +567,9 @@ void ContactForest::solve(State& state) {
         findChanges();
         if (!takeStep(state)) break;
     }
-    for (Node& node : nodes_) node.hopeless |= node.unfinished && node.step < leastStep;
+    for (Node& node : nodes_)
+        node.hopeless |=
+            node.unfinished && node.step < leastStep && node.givingRows > leastGiving;
     giveMultipliers(state);
 }
 
