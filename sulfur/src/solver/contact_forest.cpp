@@ -553,6 +553,13 @@ void ContactForest::forget(const State& state) {
     if (carried_.capacity() < contacts) carried_.reserve(2 * contacts);
 }
 
+bool ContactForest::wasInVain() const {
+    const auto isTree = [](const Node& n) { return n.parent == none && n.activeRows > 0; };
+    return grown_ && std::any_of(nodes_.begin(), nodes_.end(), isTree) &&
+           std::none_of(nodes_.begin(), nodes_.end(),
+                        [&](const Node& n) { return isTree(n) && !n.hopeless; });
+}
+
 void ContactForest::solve(State& state) {
     if (!grown_) grow(state);
     takeMotions(state);

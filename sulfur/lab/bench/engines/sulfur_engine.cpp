@@ -31,7 +31,9 @@ public:
     }
 
     void addSquare(const Point& centre, double angle, const Point& velocity) override {
-        static const Blueprint plan = shapes::box({.material = surface});
+        // Overlaps are measured between sharp squares, beyond which a round corner reaches by 0.41
+        // radii when it touches a face.
+        static const Blueprint plan = shapes::box({.radius = Real(0.01), .material = surface});
         squares_.push_back(world_.add(plan, {.position = centre, .angle = angle}));
         if (!velocity.isZero()) world_.setVelocity(squares_.back(), velocity.cast<Real>());
     }
