@@ -35,13 +35,9 @@ bool sweepsOthers(const State& state) {
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
-/// For so many steps, when it was in vain: a heap onto which things drop stays one for a while.
-constexpr std::uint8_t pauseOfForest = 4;
-
 /// All contacts at once along the paths of load, where they are left with an error. Motions are
 /// with the rows before and after.
 void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
-    if (state.forestPause > 0) return;
     rows.giveMotions(state);
     rows.giveMultipliers(state);
     forest.solve(state);
@@ -103,10 +99,6 @@ void solveConstraints(State& state) {
     rows.giveMultipliers(state);
     // (Blocks have their motions still.)
     if (mayDivideTicks(state)) noteStrain(state, rows.anyError(state));
-    if (state.forestPause > 0)
-        --state.forestPause;
-    else if (forest.wasInVain())
-        state.forestPause = pauseOfForest;
     guardContacts(state);
     limitImpacts(state);
     holdBack(state);

@@ -28,7 +28,7 @@ constexpr Real mostErrorOfNew = Real(5e-5);
 constexpr Real leastStep = Real(0.1);
 
 /// It is left at once when more rows than these give way, and more than one in so many.
-constexpr std::uint32_t leastGiving = 48, mostGiving = 5;
+constexpr std::uint32_t leastGiving = 96, mostGiving = 5;
 
 /// As shares of an arm: within this, rows ask for the same.
 constexpr double alikeWithin = 1e-2;
@@ -553,13 +553,6 @@ void ContactForest::forget(const State& state) {
     if (carried_.capacity() < contacts) carried_.reserve(2 * contacts);
 }
 
-bool ContactForest::wasInVain() const {
-    const auto isTree = [](const Node& n) { return n.parent == none && n.activeRows > 0; };
-    return grown_ && std::any_of(nodes_.begin(), nodes_.end(), isTree) &&
-           std::none_of(nodes_.begin(), nodes_.end(),
-                        [&](const Node& n) { return isTree(n) && !n.hopeless; });
-}
-
 void ContactForest::solve(State& state) {
     if (!grown_) grow(state);
     takeMotions(state);
@@ -574,9 +567,7 @@ void ContactForest::solve(State& state) {
         findChanges();
         if (!takeStep(state)) break;
     }
-    for (Node& node : nodes_)
-        node.hopeless |=
-            node.unfinished && node.step < leastStep && node.givingRows > leastGiving;
+    for (Node& node : nodes_) node.hopeless |= node.unfinished && node.step < leastStep;
     giveMultipliers(state);
 }
 

@@ -26,8 +26,6 @@ public:
     void forget(const State& state);
     /// Changes multipliers and displacements so that the active constraints of each tree hold.
     void solve(State& state);
-    /// Whether there were trees in this tick, and all of them were left to the sweeps.
-    bool wasInVain() const;
 
 private:
     using Vector3 = Cholesky3::Vector;

@@ -72,7 +72,6 @@ void idle(State& state) {
     events.jointsBroken.clear();
     events.bodiesSplit.clear();
     events.particlesLost.clear();
-    if (state.forestPause > 0) --state.forestPause;
     ++state.statistics.idleTicks;
 }
 

@@ -107,7 +107,6 @@ struct State {
     Real h = 0;           // s, the step: a tick, or one of its substeps
     double lastTick = 0;  // s, the step before: the velocities stand in its middle
     Substeps substeps;
-    std::uint8_t forestPause = 0;  // steps for which contacts are solved by sweeps alone
     std::uint64_t tick = 0;
     // When the rate was set last: the clock counts from there.
     std::uint64_t rateTick = 0;
