@@ -38,12 +38,12 @@ void takeHold(const State& state, Contact& c) {
     c.shareB = 0;
 }
 
-Real inverseMassAlong(const State& state, const Contact& c, const Vec2& direction) {
-    Real w = detail::inverseMassAlong(state, c.gripOfParticle, direction) +
-             c.shareA * c.shareA * detail::inverseMassAlong(state, c.gripOfA, direction);
-    if (c.shareB != 0)
-        w += c.shareB * c.shareB * detail::inverseMassAlong(state, c.gripOfB, direction);
-    return w;
+/// Adds what pushes along the normal and the tangent meet at one of the contact's grips.
+[[gnu::always_inline]] inline void addInverseMasses(const State& state, const Grip& grip,
+                                                    Real share, Contact& c) {
+    const Real share2 = share * share;
+    c.inverseEffectiveMass += share2 * inverseMassAlong(state, grip, c.normal);
+    c.tangentInverseMass += share2 * inverseMassAlong(state, grip, perpendicular(c.normal));
 }
 
 /// A particle and what it is held off: a point of a capsule, or the corner `a` (then a == b).
@@ -54,8 +54,8 @@ struct Touch {
     Real thickness = 0;
 };
 
-Contact makeContact(const State& state, const Touch& t) {
-    Contact contact;
+/// All but what depends on how it moves. (In its place: to copy a contact takes as long as this.)
+void fillContact(const State& state, const Touch& t, Contact& contact) {
     contact.particle = t.particle;
     contact.a = t.a;
     contact.b = t.b;
@@ -68,10 +68,10 @@ Contact makeContact(const State& state, const Touch& t) {
     contact.thickness = t.thickness;
     contact.gap = t.meeting.distance - t.thickness;
     takeHold(state, contact);
-    contact.inverseEffectiveMass = inverseMassAlong(state, contact, contact.normal);
-    contact.tangentInverseMass = inverseMassAlong(state, contact, perpendicular(contact.normal));
+    addInverseMasses(state, contact.gripOfParticle, 1, contact);
+    addInverseMasses(state, contact.gripOfA, contact.shareA, contact);
+    if (contact.shareB != 0) addInverseMasses(state, contact.gripOfB, contact.shareB, contact);
     giveSurface(state, contact);
-    return contact;
 }
 
 Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
@@ -118,14 +118,18 @@ void keepIfNear(const State& state, const Touch& t, Found& found) {
     const Real closing = t.meeting.normal.dot(moved);
     const Real gap = t.meeting.distance - t.thickness;
     if (gap + std::min<Real>(closing, 0) > state.broad.watchedGap(t.thickness)) return;
-    Contact contact = makeContact(state, t);
-    if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing, found);
+    static const Contact blank;  // to copy it is faster than to clear a new one
+    Contact& contact = found.contacts.emplace_back(blank);
+    fillContact(state, t, contact);
+    if (contact.inverseEffectiveMass == 0) {
+        knock(state, contact, closing, found);
+        return found.contacts.pop_back();
+    }
     contact.approach = -closing / state.h;
     contact.slack = slackOf(state, contact);
     contact.sliding = comesSliding(state, contact, moved);
     contact.fast = isFast(contact, closing, moved);
     if (mayRebound(contact)) planRebound(state, contact);
-    found.contacts.push_back(contact);
 }
 
 Real thicknessOf(const State& state, const Candidate& candidate) {
