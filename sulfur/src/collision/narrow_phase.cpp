@@ -82,10 +82,9 @@ Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
 
 /// What rests may stand this much off the surface: as far as four times the earth's gravity moves
 /// it in a tick from rest, but no more than a share of the thickness. Within it a contact only
-/// stops what closes it, so that no sweep's remainder sets a stack rocking. What rebounds does so
-/// at the surface itself.
+/// stops what closes it, so that no sweep's remainder sets a stack rocking. (What rebounds does so
+/// at the surface itself, and has none.)
 Real slackOf(const State& state, const Contact& c) {
-    if (mayRebound(c)) return 0;
     return std::min<Real>(Real(0.005) * c.thickness, Real(40) * state.h * state.h);
 }
 
@@ -99,10 +98,19 @@ bool isFast(const Contact& c, Real closing, const Vec2& moved) {
     return -closing > Real(0.05) * c.thickness || moved.norm() > Real(0.25) * c.thickness;
 }
 
+/// How a particle is inside of a body. Candidates of the same two come one after the other, so that
+/// the answer for the last one is mostly that for the next.
+struct Inside {
+    std::uint32_t particle = none, body = none;
+    bool enclosed = false;
+    std::uint32_t nearest = none;  // edge of its outline, by joint; none until somebody asks
+};
+
 /// What a piece of the stage finds.
 struct Found {
     std::vector<Contact>& contacts;
     std::vector<std::uint32_t>& knocked;  // sleepers that something ran into
+    Inside inside{};                      // what was asked last
 };
 
 /// A kinematic body that runs into a sleeper can only wake it in this tick.
@@ -126,10 +134,11 @@ void keepIfNear(const State& state, const Touch& t, Found& found) {
         return found.contacts.pop_back();
     }
     contact.approach = -closing / state.h;
-    contact.slack = slackOf(state, contact);
+    const bool rebounds = mayRebound(contact);
+    contact.slack = rebounds ? 0 : slackOf(state, contact);
     contact.sliding = comesSliding(state, contact, moved);
     contact.fast = isFast(contact, closing, moved);
-    if (mayRebound(contact)) planRebound(state, contact);
+    if (rebounds) planRebound(state, contact);
 }
 
 Real thicknessOf(const State& state, const Candidate& candidate) {
@@ -206,10 +215,22 @@ std::uint32_t nearestEdge(const State& state, std::uint32_t body, const Point& p
     return joint;
 }
 
+bool isEnclosed(const State& state, std::uint32_t particle, std::uint32_t body, Inside& inside) {
+    if (inside.particle != particle || inside.body != body)
+        inside = {particle, body, encloses(state, body, state.particles.position[particle]), none};
+    return inside.enclosed;
+}
+
+std::uint32_t nearestOf(const State& state, Inside& inside) {
+    if (inside.nearest == none)
+        inside.nearest = nearestEdge(state, inside.body, state.particles.position[inside.particle]);
+    return inside.nearest;
+}
+
 /// A capsule of an outline pushes to its outer side only. What is behind it without being inside of
 /// the body is in front of another one; what is inside leaves through the nearest. Returns false
 /// when this capsule has nothing to say.
-bool keepOutside(const State& state, Touch& t) {
+bool keepOutside(const State& state, Touch& t, Found& found) {
     const Collider& c = *t.collider;
     if (c.joint == none || state.particles.body[t.particle] == c.body) return true;
     const int outward = state.broad.outlines.outwardOf(c.joint);
@@ -217,8 +238,8 @@ bool keepOutside(const State& state, Touch& t) {
     const auto& x = state.particles.position;
     const Point along = x[c.b] - x[c.a], offset = x[t.particle] - x[c.a];
     if (outward * cross(along, offset) <= 0) return true;  // to the right of a->b: outside
-    if (!encloses(state, c.body, x[t.particle])) return false;
-    if (t.meeting.atEnd || nearestEdge(state, c.body, x[t.particle]) != c.joint) return false;
+    if (!isEnclosed(state, t.particle, c.body, found.inside) || t.meeting.atEnd) return false;
+    if (nearestOf(state, found.inside) != c.joint) return false;
     t.meeting.normal = -t.meeting.normal;
     t.meeting.distance = -t.meeting.distance;
     return true;
@@ -270,7 +291,7 @@ void consider(const State& state, const Candidate& candidate, Found& found) {
         if (!meetsCorner(state, t, corner, found)) return;
         t.a = t.b = corner;
     }
-    if (!keepOutside(state, t)) return;  // may search all of an outline: comes last
+    if (!keepOutside(state, t, found)) return;  // may search all of an outline: comes last
     if (t.meeting.fraction > 0) {
         // The plane of the impact, seen from the start of the tick.
         const Vec2 offset = t.a == t.b && t.a == c.b ? Vec2(local.p - local.b)
