@@ -60,6 +60,7 @@ public:
 
     void collect(State& state) {
         begun.clear();
+        start_.reserve(state.bodySlots.slots() + 2);  // not only when something new is first seen
         old.assign(state.touching.size(), {});
         hasStarts_ = false;
         asker_ = none;
@@ -180,6 +181,7 @@ void collectEvents(State& state) {
     touches.collect(state);
     if (!touches.any && state.touchingFrozen && !state.structure.stale) return;
     state.touchingFrozen = !touches.any;
+    now.reserve(state.touching.size());  // likewise
     if (touches.same) return tellAllPersisted(state, touches.old);
     now.clear();
     // Both lists are sorted: one walk along both keeps the order.
