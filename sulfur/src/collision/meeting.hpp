@@ -40,11 +40,40 @@ struct Meeting {
     Real fraction = 0;   // of the tick at which they are so
 };
 
-/// For the positions at the start of the tick.
-Meeting meet(const Local& local);
+/// Beside the axis: the normal is the axis' own, on the particle's side.
+inline Meeting meetSide(const Local& l, Real along) {
+    Meeting m;
+    m.along = along;
+    m.normal = Vec2(-l.b[1], l.b[0]) / l.b.norm();
+    m.distance = m.normal.dot(l.p);
+    if (m.distance < 0) {
+        m.normal = -m.normal;
+        m.distance = -m.distance;
+    }
+    return m;
+}
 
-/// The same when the nearest place on the axis is known.
-Meeting meetAt(const Local& local, Real along);
+/// At an end of the axis: the normal points from that end to the particle.
+inline Meeting meetEnd(const Local& l, Real along) {
+    Meeting m;
+    m.along = along;
+    m.atEnd = true;
+    const Vec2 offset = l.p - along * l.b;
+    m.distance = offset.norm();
+    if (m.distance > 0)
+        m.normal = offset / m.distance;
+    else
+        m.normal = l.b.norm() > 0 ? Vec2(Vec2(-l.b[1], l.b[0]).normalized()) : Vec2(0, 1);
+    return m;
+}
+
+/// For the positions at the start of the tick, where `along` is the nearest place on the axis.
+inline Meeting meetAt(const Local& l, Real along) {
+    return isEnd(along) ? meetEnd(l, along) : meetSide(l, along);
+}
+
+/// The same when that place is not known.
+Meeting meet(const Local& local);
 
 /// For the time in this tick at which the two come within `thickness`, if they do; otherwise for
 /// the start of the tick. Conservative advancement (Mirtich 1996): no step is longer than the

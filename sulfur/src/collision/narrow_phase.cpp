@@ -38,12 +38,12 @@ void takeHold(const State& state, Contact& c) {
     c.shareB = 0;
 }
 
-Real inverseMassAlong(const State& state, const Contact& c, const Vec2& direction) {
-    Real w = detail::inverseMassAlong(state, c.gripOfParticle, direction) +
-             c.shareA * c.shareA * detail::inverseMassAlong(state, c.gripOfA, direction);
-    if (c.shareB != 0)
-        w += c.shareB * c.shareB * detail::inverseMassAlong(state, c.gripOfB, direction);
-    return w;
+/// Adds what pushes along the normal and the tangent meet at one of the contact's grips.
+[[gnu::always_inline]] inline void addInverseMasses(const State& state, const Grip& grip,
+                                                    Real share, Contact& c) {
+    const Real share2 = share * share;
+    c.inverseEffectiveMass += share2 * inverseMassAlong(state, grip, c.normal);
+    c.tangentInverseMass += share2 * inverseMassAlong(state, grip, perpendicular(c.normal));
 }
 
 /// A particle and what it is held off: a point of a capsule, or the corner `a` (then a == b).
@@ -54,8 +54,8 @@ struct Touch {
     Real thickness = 0;
 };
 
-Contact makeContact(const State& state, const Touch& t) {
-    Contact contact;
+/// All but what depends on how it moves. (In its place: to copy a contact takes as long as this.)
+void fillContact(const State& state, const Touch& t, Contact& contact) {
     contact.particle = t.particle;
     contact.a = t.a;
     contact.b = t.b;
@@ -68,10 +68,10 @@ Contact makeContact(const State& state, const Touch& t) {
     contact.thickness = t.thickness;
     contact.gap = t.meeting.distance - t.thickness;
     takeHold(state, contact);
-    contact.inverseEffectiveMass = inverseMassAlong(state, contact, contact.normal);
-    contact.tangentInverseMass = inverseMassAlong(state, contact, perpendicular(contact.normal));
+    addInverseMasses(state, contact.gripOfParticle, 1, contact);
+    addInverseMasses(state, contact.gripOfA, contact.shareA, contact);
+    if (contact.shareB != 0) addInverseMasses(state, contact.gripOfB, contact.shareB, contact);
     giveSurface(state, contact);
-    return contact;
 }
 
 Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
@@ -82,10 +82,9 @@ Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
 
 /// What rests may stand this much off the surface: as far as four times the earth's gravity moves
 /// it in a tick from rest, but no more than a share of the thickness. Within it a contact only
-/// stops what closes it, so that no sweep's remainder sets a stack rocking. What rebounds does so
-/// at the surface itself.
+/// stops what closes it, so that no sweep's remainder sets a stack rocking. (What rebounds does so
+/// at the surface itself, and has none.)
 Real slackOf(const State& state, const Contact& c) {
-    if (mayRebound(c)) return 0;
     return std::min<Real>(Real(0.005) * c.thickness, Real(40) * state.h * state.h);
 }
 
@@ -99,10 +98,19 @@ bool isFast(const Contact& c, Real closing, const Vec2& moved) {
     return -closing > Real(0.05) * c.thickness || moved.norm() > Real(0.25) * c.thickness;
 }
 
+/// How a particle is inside of a body. Candidates of the same two come one after the other, so that
+/// the answer for the last one is mostly that for the next.
+struct Inside {
+    std::uint32_t particle = none, body = none;
+    bool enclosed = false;
+    std::uint32_t nearest = none;  // edge of its outline, by joint; none until somebody asks
+};
+
 /// What a piece of the stage finds.
 struct Found {
     std::vector<Contact>& contacts;
     std::vector<std::uint32_t>& knocked;  // sleepers that something ran into
+    Inside inside{};                      // what was asked last
 };
 
 /// A kinematic body that runs into a sleeper can only wake it in this tick.
@@ -118,14 +126,19 @@ void keepIfNear(const State& state, const Touch& t, Found& found) {
     const Real closing = t.meeting.normal.dot(moved);
     const Real gap = t.meeting.distance - t.thickness;
     if (gap + std::min<Real>(closing, 0) > state.broad.watchedGap(t.thickness)) return;
-    Contact contact = makeContact(state, t);
-    if (contact.inverseEffectiveMass == 0) return knock(state, contact, closing, found);
+    static const Contact blank;  // to copy it is faster than to clear a new one
+    Contact& contact = found.contacts.emplace_back(blank);
+    fillContact(state, t, contact);
+    if (contact.inverseEffectiveMass == 0) {
+        knock(state, contact, closing, found);
+        return found.contacts.pop_back();
+    }
     contact.approach = -closing / state.h;
-    contact.slack = slackOf(state, contact);
+    const bool rebounds = mayRebound(contact);
+    contact.slack = rebounds ? 0 : slackOf(state, contact);
     contact.sliding = comesSliding(state, contact, moved);
     contact.fast = isFast(contact, closing, moved);
-    if (mayRebound(contact)) planRebound(state, contact);
-    found.contacts.push_back(contact);
+    if (rebounds) planRebound(state, contact);
 }
 
 Real thicknessOf(const State& state, const Candidate& candidate) {
@@ -202,10 +215,22 @@ std::uint32_t nearestEdge(const State& state, std::uint32_t body, const Point& p
     return joint;
 }
 
+bool isEnclosed(const State& state, std::uint32_t particle, std::uint32_t body, Inside& inside) {
+    if (inside.particle != particle || inside.body != body)
+        inside = {particle, body, encloses(state, body, state.particles.position[particle]), none};
+    return inside.enclosed;
+}
+
+std::uint32_t nearestOf(const State& state, Inside& inside) {
+    if (inside.nearest == none)
+        inside.nearest = nearestEdge(state, inside.body, state.particles.position[inside.particle]);
+    return inside.nearest;
+}
+
 /// A capsule of an outline pushes to its outer side only. What is behind it without being inside of
 /// the body is in front of another one; what is inside leaves through the nearest. Returns false
 /// when this capsule has nothing to say.
-bool keepOutside(const State& state, Touch& t) {
+bool keepOutside(const State& state, Touch& t, Found& found) {
     const Collider& c = *t.collider;
     if (c.joint == none || state.particles.body[t.particle] == c.body) return true;
     const int outward = state.broad.outlines.outwardOf(c.joint);
@@ -213,8 +238,8 @@ bool keepOutside(const State& state, Touch& t) {
     const auto& x = state.particles.position;
     const Point along = x[c.b] - x[c.a], offset = x[t.particle] - x[c.a];
     if (outward * cross(along, offset) <= 0) return true;  // to the right of a->b: outside
-    if (!encloses(state, c.body, x[t.particle])) return false;
-    if (t.meeting.atEnd || nearestEdge(state, c.body, x[t.particle]) != c.joint) return false;
+    if (!isEnclosed(state, t.particle, c.body, found.inside) || t.meeting.atEnd) return false;
+    if (nearestOf(state, found.inside) != c.joint) return false;
     t.meeting.normal = -t.meeting.normal;
     t.meeting.distance = -t.meeting.distance;
     return true;
@@ -266,7 +291,7 @@ void consider(const State& state, const Candidate& candidate, Found& found) {
         if (!meetsCorner(state, t, corner, found)) return;
         t.a = t.b = corner;
     }
-    if (!keepOutside(state, t)) return;  // may search all of an outline: comes last
+    if (!keepOutside(state, t, found)) return;  // may search all of an outline: comes last
     if (t.meeting.fraction > 0) {
         // The plane of the impact, seen from the start of the tick.
         const Vec2 offset = t.a == t.b && t.a == c.b ? Vec2(local.p - local.b)

@@ -1,5 +1,6 @@
 // After the solver: which bodies began to touch, go on touching, no longer touch.
 #include <algorithm>
+#include <array>
 
 #include "core/bucket_sort.hpp"
 #include "solver/stages.hpp"
@@ -55,11 +56,16 @@ public:
     std::vector<Touch> old;       // of the pairs in State::touching; of none, who parted
     std::vector<NewTouch> begun;  // sorted
     bool any = false;
+    bool same = false;  // the pairs are those in State::touching
 
     void collect(State& state) {
         begun.clear();
+        start_.reserve(state.bodySlots.slots() + 2);  // not only when something new is first seen
         old.assign(state.touching.size(), {});
-        findStarts(state);
+        hasStarts_ = false;
+        asker_ = none;
+        if (places_.size() < state.particles.size()) places_.resize(state.particles.size());
+        std::size_t touched = 0;
         const Contact* before = nullptr;  // and, if it is an old one, its touch:
         Touch* touch = nullptr;
         for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
@@ -69,14 +75,17 @@ public:
             const Real impulse = impulseOf(state, c);
             // Neighbours in the list are mostly of the same two bodies.
             if (!touch || before->bodyA != c.bodyA || before->bodyB != c.bodyB)
-                touch = find(state, pairOf(state, c));
-            if (touch)
+                touch = find(state, c);
+            if (touch) {
+                if (touch->strongest == none) ++touched;
                 touch->add(i, impulse);
-            else
+            } else {
                 begun.push_back({pairOf(state, c), {i, impulse, impulse}});
+            }
             before = &c;
         }
         any = before != nullptr;
+        same = begun.empty() && touched == old.size();
         if (!begun.empty()) mergeBegun(state.bodySlots.slots());
     }
 
@@ -86,14 +95,29 @@ private:
         start_.assign(state.bodySlots.slots() + 2, 0);
         for (const BodyPair& pair : state.touching) ++start_[pair.a.index + 1];
         for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
+        hasStarts_ = true;
     }
 
-    Touch* find(const State& state, const BodyPair& pair) {
+    /// What lies goes on touching the same: a pair is looked for first where the one of the same
+    /// particle was found last.
+    Touch* find(const State& state, const Contact& c) {
+        const BodyPair pair = pairOf(state, c);
+        // Most touch at most two bodies.
+        const std::size_t which = asker_ == c.particle ? 1 : 0;
+        asker_ = c.particle;
+        std::uint32_t& place = places_[c.particle][which];
+        if (place >= old.size() || state.touching[place] != pair) place = search(state, pair);
+        return place < old.size() ? &old[place] : nullptr;
+    }
+
+    /// Its place in State::touching, or one past the last.
+    std::uint32_t search(const State& state, const BodyPair& pair) {
+        if (!hasStarts_) findStarts(state);
         const auto all = state.touching.begin();
         const auto end = all + start_[pair.a.index + 1];
         const auto found = std::lower_bound(all + start_[pair.a.index], end, pair);
-        return found != end && *found == pair ? &old[static_cast<std::size_t>(found - all)]
-                                              : nullptr;
+        return static_cast<std::uint32_t>(found != end && *found == pair ? found - all
+                                                                         : std::ssize(old));
     }
 
     void mergeBegun(std::size_t slots) {
@@ -110,6 +134,9 @@ private:
     }
 
     std::vector<std::uint32_t> start_;
+    bool hasStarts_ = false;
+    std::vector<std::array<std::uint32_t, 2>> places_;  // by particle, where its pairs were found
+    std::uint32_t asker_ = none;                        // the particle whose pair was sought last
     std::vector<NewTouch> scratch_;
 };
 
@@ -124,6 +151,11 @@ void tellPersisted(State& state, const Touch& t) {
     const Contact& c = state.contacts[t.strongest];
     state.events.contactsPersisted.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                                               placeOf(state, c), c.normal, t.impulse});
+}
+
+void tellAllPersisted(State& state, const std::vector<Touch>& touches) {
+    if (!state.settings.tellPersisting) return;
+    for (const Touch& touch : touches) tellPersisted(state, touch);
 }
 
 /// Whether neither of two bodies takes part, so that what touched still touches.
@@ -148,6 +180,9 @@ void collectEvents(State& state) {
     if (state.contacts.empty() && state.touchingFrozen && !state.structure.stale) return;
     touches.collect(state);
     if (!touches.any && state.touchingFrozen && !state.structure.stale) return;
+    state.touchingFrozen = !touches.any;
+    now.reserve(state.touching.size());  // likewise
+    if (touches.same) return tellAllPersisted(state, touches.old);
     now.clear();
     // Both lists are sorted: one walk along both keeps the order.
     auto begun = touches.begun.cbegin();
@@ -170,7 +205,6 @@ void collectEvents(State& state) {
     }
     beginUntil(nullptr);
     std::swap(state.touching, now);
-    state.touchingFrozen = !touches.any;
 }
 
 }  // namespace sulfur::detail

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <tuple>
+#include <vector>
 
 #include "helpers.hpp"
 
@@ -288,6 +290,51 @@ TEST(ContactEvents, ComeOncePerPairInAFixedOrder) {
     }
     EXPECT_GT(begun, 30u);
     EXPECT_EQ(begun - ended, touching.size());
+}
+
+/// A heap of as many crates, with as many handles free below theirs.
+struct Heap {
+    World world{telling()};
+
+    Heap(int crates, int freed) {
+        std::vector<Body> removed;
+        for (int i = 0; i < freed; ++i)
+            removed.push_back(world.add(shapes::ball(), {.position = {20.0 + i, 5}}));
+        world.add(shapes::floor({-5, 0}, {5, 0}));
+        for (int i = 0; i < crates; ++i)
+            world.add(shapes::box({.size = {Real(0.5), Real(0.3)}}),
+                      {.position = {0.3 * (i % 3) - 0.3, 0.4 + 0.5 * i}});
+        for (const Body& body : removed) world.remove(body);
+    }
+};
+
+/// All that a tick tells of contacts.
+std::vector<std::tuple<int, BodyId, BodyId, Real>> toldBy(World& world) {
+    world.step();
+    std::vector<std::tuple<int, BodyId, BodyId, Real>> told;
+    for (const auto& e : world.events().contactsBegun) told.emplace_back(0, e.a, e.b, e.impulse);
+    for (const auto& e : world.events().contactsPersisted)
+        told.emplace_back(1, e.a, e.b, e.impulse);
+    for (const auto& e : world.events().contactsEnded) told.emplace_back(2, e.a, e.b, 0);
+    return told;
+}
+
+/// What is kept from tick to tick to find who touched already only saves work: another world's,
+/// with the same particles in other bodies, does no harm.
+TEST(ContactEvents, WorldsThatTakeTurnsTellWhatEachTellsAlone) {
+    constexpr int ticks = 600;
+    Heap alone(6, 0), otherAlone(9, 3);
+    std::vector<std::vector<std::tuple<int, BodyId, BodyId, Real>>> told, otherTold;
+    for (int i = 0; i < ticks; ++i) told.push_back(toldBy(alone.world));
+    for (int i = 0; i < ticks; ++i) otherTold.push_back(toldBy(otherAlone.world));
+    Heap one(6, 0), other(9, 3);
+    std::size_t events = 0;
+    for (std::size_t i = 0; i < ticks; ++i) {
+        EXPECT_EQ(toldBy(one.world), told[i]) << "tick " << i;
+        EXPECT_EQ(toldBy(other.world), otherTold[i]) << "tick " << i;
+        events += told[i].size() + otherTold[i].size();
+    }
+    EXPECT_GT(events, 5000u);
 }
 
 /// The pieces of what breaks take its contacts over or begin their own; none is left dangling.
