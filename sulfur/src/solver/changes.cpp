@@ -193,6 +193,7 @@ void deriveStructure(State& state) {
     updateClusters(state);
     classifyJoints(state);
     buildTrees(state);
+    state.triangles.stale = true;
     state.structure.stale = false;
     state.work.stale = true;
 }
@@ -234,6 +235,7 @@ void applyChanges(State& state) {
     listSprings(state);
     listAttachments(state);
     listStrained(state);
+    listTriangles(state);
     count(state);
     state.touchingFrozen = false;
     state.work.stale = false;

@@ -36,6 +36,7 @@ void noteItems(State& state) {
     state.looked(Stage::constraints,
                  state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +
                      work.attachments.size() + work.hinges.size() + work.lines.size() +
+                     state.triangles.pressed.size() +
                      state.trees.touchedAlone.size() + state.influences.grabs.size());
 }
 
