@@ -37,9 +37,9 @@ struct Triangles {
     bool stale = true;                     // all of them must be found again
 };
 
-/// Finds all triangles of joints that a body has, but for what is flat at rest and what is rigid:
-/// that turns over nothing. A body with more than four triangles a joint is no lattice (everything
-/// hangs on everything there) and has none.
+/// Finds the triangles of joints in dynamic bodies, but for those that are flat at rest, rigid, or
+/// part of a chain that moves alone. A body with more than four triangles a joint is no lattice
+/// (everything hangs on everything there) and has none.
 void findTriangles(State& state);
 
 /// Derives which of them are awake.

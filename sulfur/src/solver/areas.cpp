@@ -10,9 +10,10 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Shares of the area at rest: what a triangle may be pressed to, and where it begins to be looked
-/// at in all sweeps of a tick.
-constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3);
+/// Shares of the area at rest: what a triangle may be pressed to, where it begins to be looked at
+/// in all sweeps of a tick, and to where what is flatter is led back, after which its springs open
+/// it. (Leading it farther would work against a heap that presses on it.)
+constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare = Real(0.05);
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -105,8 +106,8 @@ std::vector<Recovery>& recoveriesOf(const State& state) {
     list.clear();
     for (const PressedTriangle& t : state.triangles.pressed) {
         const auto [toB, toC] = sidesOf(state, t);
-        const Real lacks = leastShare * t.rest - cross(toB, toC);
-        // (Rounding, and what sweeps leave.)
+        const Real lacks = recoveredShare * t.rest - cross(toB, toC);
+        // (Less is rounding, and what sweeps leave.)
         if (!(lacks > Real(0.01) * t.rest)) continue;
         Recovery recovery{&t, slopesOf(toB, toC), 0, 0};
         recovery.response = response(state, t, recovery.slopes, recovery.slopes);
@@ -164,8 +165,12 @@ void recoverAreas(State& state) {
     std::vector<Recovery>& recoveries = recoveriesOf(state);
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
         for (Recovery& r : recoveries) recover(state, r);
-    for (const Recovery& r : recoveries)
+    for (const Recovery& r : recoveries) {
         for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
+        // It must not fall asleep as it is.
+        const auto body = state.particles.body[r.triangle->corners[0].particle];
+        state.bodies[body].restingTime = 0;
+    }
 }
 
 }  // namespace sulfur::detail

@@ -217,6 +217,7 @@ void count(State& state) {
     for (const auto j : state.work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
+    statistics.triangles = size(state.triangles.awake);
     statistics.sweptJoints = size(state.work.implicitJoints) + size(state.work.rigidJoints);
 }
 

@@ -22,6 +22,10 @@ namespace sulfur::detail {
 /// links then move by more than they are long, and each sweep is a step of Newton's method.
 constexpr int mostForTrees = 24;
 
+/// And of contacts and areas, where contacts have pressed soft bodies too flat since the tick
+/// began.
+constexpr int mostForAreas = 8;
+
 /// And of contacts alone, where sweeps leave something pressed into something else.
 constexpr int mostForDepth = 16;
 
@@ -32,7 +36,8 @@ bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;
     const auto isTouched = [&](std::uint32_t tree) { return state.trees.touched[tree] != 0; };
     return !work.implicitJoints.empty() || !work.rigidJoints.empty() || !work.attachments.empty() ||
-           !work.hinges.empty() || !state.triangles.pressed.empty() || !work.lines.empty() || !state.influences.grabs.empty() ||
+           !work.hinges.empty() || !state.triangles.pressed.empty() || !work.lines.empty() ||
+           !state.influences.grabs.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
@@ -78,6 +83,10 @@ void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
         rows.sweep(state, i % 2 != 0);
         solveAttachments(state);
         sweepTrees(state);
+    }
+    for (int i = 0; i < mostForAreas && (i > 0 || morePressed(state)); ++i) {
+        solveAreas(state);
+        rows.sweep(state, i % 2 != 0);
     }
     rows.takeMotions(state);
     for (int i = 0; i < mostForDepth && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
