@@ -32,7 +32,8 @@ void clearStatistics(Statistics& statistics) {
 /// What the stages of collision and constraints loop over.
 void noteItems(State& state) {
     const WorkLists& work = state.work;
-    state.statistics.pressedTriangles = static_cast<std::uint32_t>(state.triangles.pressed.size());
+    std::uint32_t& pressed = state.statistics.pressedTriangles;  // the most in any step of the tick
+    pressed = std::max(pressed, static_cast<std::uint32_t>(state.triangles.pressed.size()));
     state.looked(Stage::broadPhase, work.awakeSurfaces);
     state.looked(Stage::narrowPhase, state.broad.watches.size());
     state.looked(Stage::constraints,
