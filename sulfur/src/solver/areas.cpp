@@ -145,6 +145,7 @@ void startAreas(State& state) {
 }
 
 bool morePressed(State& state) {
+    if (state.contacts.empty()) return false;
     Triangles& triangles = state.triangles;
     const std::size_t before = triangles.pressed.size();
     for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
