@@ -29,31 +29,33 @@ const char* name(Stage stage);
 
 /// What the last tick did. Times are filled only while World::setProfiling is on.
 struct Statistics {
-    std::uint32_t particles = 0;        ///< in the world
-    std::uint32_t joints = 0;           ///< in the world
-    std::uint32_t bodies = 0;           ///< in the world
-    std::uint32_t awakeParticles = 0;   ///< of bodies that move
-    std::uint32_t explicitJoints = 0;   ///< elastic, integrated by NSV alone
-    std::uint32_t implicitJoints = 0;   ///< elastic, at least in part beyond the explicit range
-    std::uint32_t rigidJoints = 0;      ///< solved as constraints: none inside a rigid component
-    std::uint32_t sweptJoints = 0;      ///< of the implicit and rigid ones, those in no tree
-    std::uint32_t clusters = 0;         ///< rigid components awake, each moved as one
-    std::uint32_t trees = 0;            ///< chains and trees awake that are solved directly
-    std::uint32_t chainSteps = 0;       ///< steps that these took in the last tick, in all
-    std::uint32_t chainsInLanes = 0;    ///< of these trees, those that went side by side in lanes
-    std::uint32_t chainFallbacks = 0;   ///< of these, those that had to give up SHAKE directions
-    std::uint32_t candidates = 0;       ///< pairs that the narrow phase looked at
-    std::uint32_t contacts = 0;         ///< that the narrow phase found
-    std::uint64_t broadPhases = 0;      ///< since the world was made
-    std::uint64_t fixedRebuilds = 0;    ///< of fixed geometry in the grid, likewise
-    std::uint32_t gridCells = 0;        ///< that moving colliders cover, each counting its own
-    std::uint32_t substeps = 0;         ///< into which the last tick was divided, 1 if it was not
-    std::uint32_t dampedJoints = 0;     ///< of the explicit ones, those that brake
-    std::uint32_t breakableJoints = 0;  ///< awake ones that have a strength
-    std::uint32_t rubbingContacts = 0;  ///< of those that push, the ones that have friction
-    std::uint32_t fastBodies = 0;       ///< that crossed half their thickness, while others slept
-    std::uint32_t heldBack = 0;         ///< candidates looked at again because something is fast
-    std::uint64_t idleTicks = 0;        ///< since the world was made: all rested, no stage ran
+    std::uint32_t particles = 0;         ///< in the world
+    std::uint32_t joints = 0;            ///< in the world
+    std::uint32_t bodies = 0;            ///< in the world
+    std::uint32_t awakeParticles = 0;    ///< of bodies that move
+    std::uint32_t explicitJoints = 0;    ///< elastic, integrated by NSV alone
+    std::uint32_t implicitJoints = 0;    ///< elastic, at least in part beyond the explicit range
+    std::uint32_t rigidJoints = 0;       ///< solved as constraints: none inside a rigid component
+    std::uint32_t sweptJoints = 0;       ///< of the implicit and rigid ones, those in no tree
+    std::uint32_t clusters = 0;          ///< rigid components awake, each moved as one
+    std::uint32_t trees = 0;             ///< chains and trees awake that are solved directly
+    std::uint32_t chainSteps = 0;        ///< steps that these took in the last tick, in all
+    std::uint32_t chainsInLanes = 0;     ///< of these trees, those that went side by side in lanes
+    std::uint32_t chainFallbacks = 0;    ///< of these, those that had to give up SHAKE directions
+    std::uint32_t triangles = 0;         ///< of soft bodies awake, which keep their side
+    std::uint32_t pressedTriangles = 0;  ///< of these, those that were nearly flat or turned over
+    std::uint32_t candidates = 0;        ///< pairs that the narrow phase looked at
+    std::uint32_t contacts = 0;          ///< that the narrow phase found
+    std::uint64_t broadPhases = 0;       ///< since the world was made
+    std::uint64_t fixedRebuilds = 0;     ///< of fixed geometry in the grid, likewise
+    std::uint32_t gridCells = 0;         ///< that moving colliders cover, each counting its own
+    std::uint32_t substeps = 0;          ///< into which the last tick was divided, 1 if it was not
+    std::uint32_t dampedJoints = 0;      ///< of the explicit ones, those that brake
+    std::uint32_t breakableJoints = 0;   ///< awake ones that have a strength
+    std::uint32_t rubbingContacts = 0;   ///< of those that push, the ones that have friction
+    std::uint32_t fastBodies = 0;        ///< that crossed half their thickness, while others slept
+    std::uint32_t heldBack = 0;          ///< candidates looked at again because something is fast
+    std::uint64_t idleTicks = 0;         ///< since the world was made: all rested, no stage ran
     /// By Stage: bodies, particles, joints, candidates that it looked at; 0 had nothing to do.
     std::array<std::uint32_t, static_cast<std::size_t>(Stage::count)> items{};
     /// By Stage; zero unless profiling is on.

@@ -193,6 +193,7 @@ void deriveStructure(State& state) {
     updateClusters(state);
     classifyJoints(state);
     buildTrees(state);
+    state.triangles.stale = true;
     state.structure.stale = false;
     state.work.stale = true;
 }
@@ -216,6 +217,7 @@ void count(State& state) {
     for (const auto j : state.work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
+    statistics.triangles = size(state.triangles.awake);
     statistics.sweptJoints = size(state.work.implicitJoints) + size(state.work.rigidJoints);
 }
 
@@ -234,6 +236,7 @@ void applyChanges(State& state) {
     listSprings(state);
     listAttachments(state);
     listStrained(state);
+    listTriangles(state);
     count(state);
     state.touchingFrozen = false;
     state.work.stale = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rigid/loads.hpp"
+#include "solver/areas.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_forest.hpp"
 #include "solver/contact_rows.hpp"
@@ -21,6 +22,10 @@ namespace sulfur::detail {
 /// links then move by more than they are long, and each sweep is a step of Newton's method.
 constexpr int mostForTrees = 24;
 
+/// And of contacts and areas, where contacts have pressed soft bodies too flat since the tick
+/// began.
+constexpr int mostForAreas = 8;
+
 /// And of contacts alone, where sweeps leave something pressed into something else.
 constexpr int mostForDepth = 16;
 
@@ -31,7 +36,8 @@ bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;
     const auto isTouched = [&](std::uint32_t tree) { return state.trees.touched[tree] != 0; };
     return !work.implicitJoints.empty() || !work.rigidJoints.empty() || !work.attachments.empty() ||
-           !work.hinges.empty() || !work.lines.empty() || !state.influences.grabs.empty() ||
+           !work.hinges.empty() || !state.triangles.pressed.empty() || !work.lines.empty() ||
+           !state.influences.grabs.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
@@ -64,6 +70,7 @@ void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
     const int last = state.settings.sweeps - 1;
     for (int sweep = 0; sweep <= last; ++sweep) {
         solveImplicitJoints(state);
+        solveAreas(state);
         rows.sweep(state, sweep % 2 != 0);
         rows.takeMotions(state);
         if ((last - sweep) % 2 == 0 && rows.anyError(state)) solveForest(state, rows, forest);
@@ -76,6 +83,10 @@ void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
         rows.sweep(state, i % 2 != 0);
         solveAttachments(state);
         sweepTrees(state);
+    }
+    for (int i = 0; i < mostForAreas && (i > 0 || morePressed(state)); ++i) {
+        solveAreas(state);
+        rows.sweep(state, i % 2 != 0);
     }
     rows.takeMotions(state);
     for (int i = 0; i < mostForDepth && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
@@ -90,6 +101,7 @@ void solveConstraints(State& state) {
     clearMultipliers(state);
     startGrabs(state);
     touchTrees(state);
+    startAreas(state);
     warmStartContacts(state);
     forest.forget(state);
     rows.collect(state);
@@ -104,6 +116,7 @@ void solveConstraints(State& state) {
     holdBack(state);
     finishContacts(state);
     rows.recover(state);
+    recoverAreas(state);
     recordTreeForces(state);
     recordForces(state);
     recoverLoads(state);

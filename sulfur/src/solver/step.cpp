@@ -26,17 +26,21 @@ void clearStatistics(Statistics& statistics) {
     statistics.items.fill(0);
     statistics.seconds.fill(0);
     statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
+    statistics.pressedTriangles = 0;
 }
 
 /// What the stages of collision and constraints loop over.
 void noteItems(State& state) {
     const WorkLists& work = state.work;
+    std::uint32_t& pressed = state.statistics.pressedTriangles;  // the most in any step of the tick
+    pressed = std::max(pressed, static_cast<std::uint32_t>(state.triangles.pressed.size()));
     state.looked(Stage::broadPhase, work.awakeSurfaces);
     state.looked(Stage::narrowPhase, state.broad.watches.size());
     state.looked(Stage::constraints,
                  state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +
                      work.attachments.size() + work.hinges.size() + work.lines.size() +
-                     state.trees.touchedAlone.size() + state.influences.grabs.size());
+                     state.triangles.pressed.size() + state.trees.touchedAlone.size() +
+                     state.influences.grabs.size());
 }
 
 /// Whether somebody drives a body that physics does not move.

@@ -80,6 +80,13 @@ MemoryUse ofWorkLists(const State& state) {
         .as("lists of what is awake", w.awakeParticles, true);
 }
 
+MemoryUse ofTriangles(const State& state) {
+    const auto& t = state.triangles;
+    return Sum()
+        .add(t.all, t.awake, t.pressed, t.isPressed)
+        .as("triangles of soft bodies", t.all.size(), true);
+}
+
 MemoryUse ofClusters(const State& state) {
     const auto& c = state.clusters;
     return Sum()
@@ -135,7 +142,7 @@ std::vector<MemoryUse> World::memory() const {
     std::vector<MemoryUse> uses;
     for (const auto use :
          {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints, ofSweptJoints, ofWorkLists,
-          ofClusters, ofTrees, ofColliders, ofCandidates, ofContacts, ofBodies})
+          ofTriangles, ofClusters, ofTrees, ofColliders, ofCandidates, ofContacts, ofBodies})
         uses.push_back(use(state));
     return uses;
 }

@@ -13,6 +13,7 @@
 #include "collision/contact.hpp"
 #include "core/slots.hpp"
 #include "joints/joints.hpp"
+#include "joints/triangles.hpp"
 #include "particles/particles.hpp"
 #include "rigid/clusters.hpp"
 #include "solver/sensing.hpp"
@@ -132,6 +133,7 @@ struct State {
 
     Structure structure;
     WorkLists work;
+    Triangles triangles;
     BroadPhase broad;
     std::vector<Contact> contacts;
     std::vector<Vec2> loads;                   // N on members of watched clusters in this tick

@@ -1,0 +1,144 @@
+#include "joints/triangles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Beyond, a body is no lattice.
+constexpr std::size_t mostToJoint = 4;
+
+/// Flatter ones have no side that could be told from the other: twice the area over the sum of the
+/// squares of the sides, which is 0.29 for three equal ones and 0.25 for half a square.
+constexpr double flattest = 0.01;
+
+/// A joint from its particle of the smaller index.
+struct Link {
+    std::uint32_t low = none, high = none, joint = none;
+
+    friend bool operator<(const Link& p, const Link& q) {
+        return p.low != q.low ? p.low < q.low : p.high < q.high;
+    }
+};
+
+class Finder {
+public:
+    explicit Finder(State& state) : state_(state) {}
+
+    void find(const BodyRecord& body) {
+        collectLinks(body);
+        std::vector<Triangle>& all = state_.triangles.all;
+        const std::size_t before = all.size(), most = mostToJoint * links_.size();
+        for (const Link& link : links_) {
+            const auto fromHigh = linksFrom(link.high);
+            if (fromHigh.empty()) continue;
+            for (const Link& other : linksFrom(link.low))
+                if (link.high < other.high) close(link, other, fromHigh);
+            if (all.size() - before <= most) continue;
+            all.resize(before);
+            return;
+        }
+    }
+
+private:
+    /// Each pair of particles once.
+    void collectLinks(const BodyRecord& body) {
+        const Joints& joints = state_.joints;
+        links_.clear();
+        for (const JointId id : body.joints) {
+            const auto j = state_.jointSlots.dense(id);
+            const auto [low, high] = std::minmax(joints.a[j], joints.b[j]);
+            links_.push_back({low, high, j});
+        }
+        std::stable_sort(links_.begin(), links_.end());
+        const auto same = [](const Link& p, const Link& q) {
+            return p.low == q.low && p.high == q.high;
+        };
+        links_.erase(std::unique(links_.begin(), links_.end(), same), links_.end());
+    }
+
+    std::span<const Link> linksFrom(std::uint32_t particle) const {
+        const auto first = std::lower_bound(links_.begin(), links_.end(), Link{particle, 0, none});
+        const auto last = std::lower_bound(first, links_.end(), Link{particle + 1, 0, none});
+        return {first, last};
+    }
+
+    /// Two joints of one particle, and the joints of the other end of the first.
+    void close(const Link& ab, const Link& ac, std::span<const Link> fromB) {
+        const Link wanted{ab.high, ac.high, none};
+        const auto bc = std::lower_bound(fromB.begin(), fromB.end(), wanted);
+        if (bc == fromB.end() || wanted < *bc) return;
+        if (mayTurnOver(ab, ac, *bc)) addTriangle(ab, ac, *bc);
+    }
+
+    /// Chains that move by themselves answer pushes in a way of their own, and have but one side.
+    bool inChain(std::uint32_t particle) const {
+        const auto tree = state_.trees.ofParticle[particle];
+        return tree != none && state_.trees.list[tree].alone;
+    }
+
+    bool mayTurnOver(const Link& ab, const Link& ac, const Link& bc) const {
+        const Joints& joints = state_.joints;
+        const auto& cluster = state_.particles.cluster;
+        const auto rigid = [&](const Link& link) { return isRigid(joints, link.joint); };
+        if (rigid(ab) && rigid(ac) && rigid(bc)) return false;
+        const auto a = ab.low, b = ab.high, c = ac.high;
+        if (cluster[a] != none && cluster[a] == cluster[b] && cluster[a] == cluster[c])
+            return false;
+        return !inChain(a) && !inChain(b) && !inChain(c);
+    }
+
+    /// The lengths at rest tell the area (Heron), the places in the blueprint on which side it is.
+    void addTriangle(const Link& ab, const Link& ac, const Link& bc) {
+        const auto squared = [&](const Link& link) {
+            const double length = static_cast<double>(state_.joints.restLength[link.joint]);
+            return length * length;
+        };
+        const double p = squared(ab), q = squared(ac), r = squared(bc), sum = p + q + r;
+        const double twice16 = sum * sum - 2 * (p * p + q * q + r * r);  // 4 (twice the area)^2
+        if (!(twice16 > 4 * flattest * flattest * sum * sum)) return;
+        const auto& rest = state_.particles.rest;
+        const Vec2 toB = rest[ab.high] - rest[ab.low], toC = rest[ac.high] - rest[ac.low];
+        const double side = static_cast<double>(cross(toB, toC));
+        if (!(std::abs(side) > flattest * sum)) return;
+        const auto area = static_cast<Real>(std::sqrt(twice16) / 2);
+        if (side > 0)
+            state_.triangles.all.push_back({ab.low, ab.high, ac.high, area});
+        else
+            state_.triangles.all.push_back({ab.low, ac.high, ab.high, area});
+    }
+
+    State& state_;
+    std::vector<Link> links_;
+};
+
+}  // namespace
+
+void findTriangles(State& state) {
+    state.triangles.all.clear();
+    Finder finder(state);
+    for (const BodyRecord& body : state.bodies)
+        if (body.kind == BodyKind::dynamic && body.joints.size() > 2) finder.find(body);
+    state.triangles.stale = false;
+}
+
+void listTriangles(State& state) {
+    Triangles& triangles = state.triangles;
+    if (triangles.stale) findTriangles(state);
+    triangles.awake.clear();
+    const auto moves = [&](std::uint32_t particle) {
+        return inverseMassAwake(state, particle) > 0 || state.particles.cluster[particle] != none;
+    };
+    for (const Triangle& t : triangles.all)
+        if (state.movable(state.particles.body[t.a]) && (moves(t.a) || moves(t.b) || moves(t.c)))
+            triangles.awake.push_back(t);
+    triangles.isPressed.assign(triangles.awake.size(), 0);
+    triangles.pressed.clear();
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,177 @@
+#include "solver/areas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rigid/grip.hpp"
+#include "solver/contact_recovery.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Shares of the area at rest: what a triangle may be pressed to, where it begins to be looked at
+/// in all sweeps of a tick, and to where what is flatter is led back, after which its springs open
+/// it. (Leading it farther would work against a heap that presses on it.)
+constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare = Real(0.05);
+
+using Slopes = std::array<Vec2, 3>;
+
+/// By how much each corner's displacement changes twice the area.
+Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
+    const Vec2 b(toC[1], -toC[0]), c(-toB[1], toB[0]);
+    return {-b - c, b, c};
+}
+
+/// Twice the area to which the displacements so far lead.
+Real areaAhead(const State& state, const Triangle& t) {
+    const Particles& p = state.particles;
+    const auto way = [&](std::uint32_t to) {
+        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() +
+                    (p.displacement[to] - p.displacement[t.a]));
+    };
+    return cross(way(t.b), way(t.c));
+}
+
+PressedTriangle press(const State& state, const Triangle& t) {
+    const Particles& p = state.particles;
+    PressedTriangle pressed;
+    pressed.corners = {gripOf(state, t.a), gripOf(state, t.b), gripOf(state, t.c)};
+    pressed.startB = (p.position[t.b] - p.position[t.a]).cast<Real>();
+    pressed.startC = (p.position[t.c] - p.position[t.a]).cast<Real>();
+    pressed.slopes = slopesOf(pressed.startB, pressed.startC);
+    pressed.rest = t.rest;
+    pressed.least = std::min(leastShare * t.rest, Real(cross(pressed.startB, pressed.startC)));
+    return pressed;
+}
+
+/// What a push along `by` of all corners does to the area whose slopes are `slopes`. Corners in one
+/// rigid component feel each other's push.
+Real response(const State& state, const PressedTriangle& t, const Slopes& by,
+              const Slopes& slopes) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Grip& at = t.corners[i];
+        if (at.cluster == none) {
+            sum += state.particles.inverseMass[at.particle] * by[i].dot(slopes[i]);
+            continue;
+        }
+        const Cluster& c = state.clusters.list[at.cluster];
+        for (std::size_t k = 0; k < 3; ++k)
+            if (t.corners[k].cluster == at.cluster)
+                sum += c.inverseMass * by[i].dot(slopes[k]) +
+                       c.inverseInertia * cross(at.arm, by[i]) * cross(t.corners[k].arm, slopes[k]);
+    }
+    return sum;
+}
+
+/// Where the sides from a have come to.
+std::array<Vec2, 2> sidesOf(const State& state, const PressedTriangle& t) {
+    const Vec2 a = displacementOf(state, t.corners[0]);
+    return {t.startB + (displacementOf(state, t.corners[1]) - a),
+            t.startC + (displacementOf(state, t.corners[2]) - a)};
+}
+
+/// An inequality on displacements (position based dynamics, Mueller et al. 2007). It pushes along
+/// the slopes of the tick's start, as rigid joints do, which keeps angular momentum, as long as
+/// that widens the triangle at least half as well as the slopes of now.
+void solveArea(State& state, PressedTriangle& t) {
+    const auto [toB, toC] = sidesOf(state, t);
+    const Real lacks = t.least - cross(toB, toC);
+    if (lacks <= 0 && t.lambda <= 0) return;
+    const Slopes now = slopesOf(toB, toC);
+    const Real best = response(state, t, now, now);
+    const Real start = response(state, t, t.slopes, t.slopes);
+    const Real along = response(state, t, t.slopes, now);
+    const bool turned = !(along > Real(0.5) * std::sqrt(best * start));
+    const Real gain = turned ? best : along;
+    if (!(gain > 0)) return;
+    const Slopes& by = turned ? now : t.slopes;
+    const Real before = t.lambda;
+    t.lambda = std::max<Real>(before + lacks / gain, 0);
+    for (std::size_t i = 0; i < 3; ++i) push(state, t.corners[i], (t.lambda - before) * by[i]);
+}
+
+/// What is led back, with the slopes to which the tick leads.
+struct Recovery {
+    const PressedTriangle* triangle;
+    Slopes slopes;
+    Real rise;      // m^2, of twice the area, that is wanted in this tick
+    Real response;  // 1/kg m^2
+    Real lambda = 0;
+};
+
+std::vector<Recovery>& recoveriesOf(const State& state) {
+    thread_local std::vector<Recovery> list;
+    list.clear();
+    for (const PressedTriangle& t : state.triangles.pressed) {
+        const auto [toB, toC] = sidesOf(state, t);
+        const Real lacks = recoveredShare * t.rest - cross(toB, toC);
+        // (Less is rounding, and what sweeps leave.)
+        if (!(lacks > Real(0.01) * t.rest)) continue;
+        Recovery recovery{&t, slopesOf(toB, toC), 0, 0};
+        recovery.response = response(state, t, recovery.slopes, recovery.slopes);
+        if (!(recovery.response > 0)) continue;
+        const Real most = recoverySpeed * state.h * std::sqrt(t.rest);
+        recovery.rise = std::min(lacks * recoveryShare, most);
+        list.push_back(recovery);
+    }
+    return list;
+}
+
+void recover(State& state, Recovery& r) {
+    const auto& corners = r.triangle->corners;
+    Real risen = 0;
+    for (std::size_t i = 0; i < 3; ++i) risen += r.slopes[i].dot(shiftOf(state, corners[i]));
+    const Real before = r.lambda;
+    r.lambda = std::max<Real>(before + (r.rise - risen) / r.response, 0);
+    for (std::size_t i = 0; i < 3; ++i) shift(state, corners[i], (r.lambda - before) * r.slopes[i]);
+}
+
+}  // namespace
+
+void startAreas(State& state) {
+    Triangles& triangles = state.triangles;
+    if (!triangles.pressed.empty()) {
+        triangles.pressed.clear();
+        std::fill(triangles.isPressed.begin(), triangles.isPressed.end(), std::uint8_t{0});
+    }
+    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
+        const Triangle& t = triangles.awake[i];
+        if (areaAhead(state, t) >= watchedShare * t.rest) continue;
+        triangles.isPressed[i] = 1;
+        triangles.pressed.push_back(press(state, t));
+    }
+}
+
+bool morePressed(State& state) {
+    if (state.contacts.empty()) return false;
+    Triangles& triangles = state.triangles;
+    const std::size_t before = triangles.pressed.size();
+    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
+        const Triangle& t = triangles.awake[i];
+        if (triangles.isPressed[i] != 0 || areaAhead(state, t) >= leastShare * t.rest) continue;
+        triangles.isPressed[i] = 1;
+        triangles.pressed.push_back(press(state, t));
+    }
+    return triangles.pressed.size() > before;
+}
+
+void solveAreas(State& state) {
+    for (PressedTriangle& t : state.triangles.pressed) solveArea(state, t);
+}
+
+void recoverAreas(State& state) {
+    if (state.triangles.pressed.empty()) return;
+    std::vector<Recovery>& recoveries = recoveriesOf(state);
+    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
+        for (Recovery& r : recoveries) recover(state, r);
+    for (const Recovery& r : recoveries) {
+        for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
+        // It must not fall asleep as it is.
+        const auto body = state.particles.body[r.triangle->corners[0].particle];
+        state.bodies[body].restingTime = 0;
+    }
+}
+
+}  // namespace sulfur::detail
