@@ -26,9 +26,10 @@ Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
 /// Twice the area to which the displacements so far lead.
 Real areaAhead(const State& state, const Triangle& t) {
     const Particles& p = state.particles;
+    const auto moved = [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); };
+    const Vec2 a = moved(t.a);
     const auto way = [&](std::uint32_t to) {
-        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() +
-                    (p.displacement[to] - p.displacement[t.a]));
+        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() + (moved(to) - a));
     };
     return cross(way(t.b), way(t.c));
 }

@@ -51,6 +51,17 @@ void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
     rows.takeMultipliers(state);
 }
 
+/// What contacts have pressed too flat since the tick began, on the motions in the state. Returns
+/// whether there was any.
+bool sweepAreas(State& state, ContactRows& rows) {
+    if (!morePressed(state)) return false;
+    for (int i = 0; i < mostForAreas; ++i) {
+        solveAreas(state);
+        rows.sweep(state, i % 2 != 0);
+    }
+    return true;
+}
+
 /// Where all contacts are in blocks and nothing else is swept, their motions stay there. The forest
 /// comes first, so that sweeps begin near the solution, and last, for what they have left. One
 /// sweep there is always: errors that are not worth more must not add up from tick to tick.
@@ -63,6 +74,7 @@ void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) 
     }
     if (anyError) solveForest(state, rows, forest);
     rows.giveMotions(state);
+    if (sweepAreas(state, rows)) rows.takeMotions(state);
 }
 
 /// Between what else is swept, the forest takes part in the last sweep and every other one before.
@@ -84,10 +96,7 @@ void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
         solveAttachments(state);
         sweepTrees(state);
     }
-    for (int i = 0; i < mostForAreas && (i > 0 || morePressed(state)); ++i) {
-        solveAreas(state);
-        rows.sweep(state, i % 2 != 0);
-    }
+    sweepAreas(state, rows);
     rows.takeMotions(state);
     for (int i = 0; i < mostForDepth && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
     rows.giveMotions(state);

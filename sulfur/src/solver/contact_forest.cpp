@@ -294,6 +294,7 @@ bool ContactForest::takeStep(State& state) {
         for (const Member& m : membersOf(row)) {
             Carried& c = carried_[m.contact];
             (row.isNormal ? c.normal : c.tangent) += tree.step * m.share * active.change;
+            c.normal = std::max<Real>(c.normal, 0);  // (Rounding may have left it below.)
             if (givesWay && m.share > 0) (row.isNormal ? c.given : c.slipping) = true;
         }
         anyGiven |= givesWay;

@@ -30,6 +30,7 @@ constexpr std::uint32_t mostAlike = 16;
 constexpr std::uint32_t loadLevels = 1u << 12;
 
 std::uint32_t loadLevel(Real load) {
+    if (!(load > 0)) return 0;
     return std::bit_cast<std::uint32_t>(static_cast<float>(load)) >> 19;
 }
 

@@ -98,6 +98,7 @@ std::string validateBodies(const State& state) {
             if (!state.jointSlots.contains(id)) return problem("body with a joint that is gone", i);
         if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)
             return problem("body handle leads elsewhere", i);
+        if (state.bodyIds[i] != body.id) return problem("body under another handle", i);
     }
     return next == state.particles.size() ? std::string() : "particles outside of bodies";
 }
@@ -199,7 +200,7 @@ std::string validateContacts(const State& state) {
             return problem("contact of nothing", i);
         if (m.particle < last) return problem("contact out of order", i);
         if (!m.normal.allFinite() || !std::isfinite(m.normalLambda) ||
-            !std::isfinite(m.tangentLambda) || !std::isfinite(m.sustained) ||
+            !std::isfinite(m.tangentLambda) || !std::isfinite(m.sustained) || m.sustained < 0 ||
             !std::isfinite(m.drift))
             return problem("contact that is not finite", i);
         last = m.particle;
