@@ -12,6 +12,12 @@ log=state/quaoar/quaoar.log
 
 window_opened() { xdotool search --onlyvisible --name 'Escape from Quaoar' > window 2> /dev/null; }
 picture_is_drawn() { take_picture start.png && [[ $(colours_of start.png) -gt 1000 ]]; }
+view_is_still() {
+    take_picture rope.png
+    sleep 0.8
+    take_picture later.png
+    (($(changed_pixels rope.png later.png) < 8000))
+}
 view_has_moved() { take_picture moved.png && (($(changed_pixels rope.png moved.png) > 28000)); }
 # One key after the other: taps that fall between two frames are one.
 press() {
@@ -38,8 +44,7 @@ cat > "$settings" <<'END'
 END
 start_game
 xdotool mousedown 1
-sleep 1
-take_picture rope.png
+wait_until 60 view_is_still || fail "it goes on to roll; see $PWD/later.png"
 press w w
 take_picture w.png
 (($(changed_pixels rope.png w.png) < 20000)) || fail "W still reels in; see $PWD/w.png"
