@@ -11,6 +11,10 @@ settings=config/sulfurchamber/settings.json
 
 window_opened() { xdotool search --onlyvisible --class sulfurchamber > window 2> /dev/null; }
 picture_is_drawn() { take_picture start.png && [[ $(colours_of start.png) -gt 1000 ]]; }
+picture_is_as_before() {
+    take_picture start.png
+    (($(changed_pixels start.png skeleton.png) < 2000))
+}
 has_ended() { ! kill -0 "$pid" 2> /dev/null; }
 start_sandbox() {
     "$sandbox" "$@" > sandbox.log 2>&1 &
@@ -40,7 +44,8 @@ done
 start_sandbox "$scene"
 geometry=$(xdotool getwindowgeometry "$(tail -1 window)" | sed -nE 's/.*Geometry: //p')
 [[ $geometry == 1100x700 ]] || fail "the window is $geometry"
-(($(changed_pixels start.png skeleton.png) < 2000)) || fail "another picture; see $PWD/start.png"
+# (Its panels may be there before the canvas.)
+wait_until 15 picture_is_as_before || fail "another picture; see $PWD/start.png"
 xdotool key space
 sleep 3
 kill -SEGV "$pid"
