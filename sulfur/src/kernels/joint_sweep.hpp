@@ -25,17 +25,17 @@ inline constexpr std::size_t sweepLanes = 8;
 struct SweepView {
     SweepReal* displacement;  // m, x and y in turn, of every particle
     const std::uint32_t *a, *b;
-    const SweepReal *startX, *startY;  // m, from a to b when the tick began
-    const SweepReal *massA, *massB;    // 1/kg
-    const SweepReal* rest;             // m
-    SweepReal* lambda;                 // kg m
+    const SweepReal *startX, *startY;          // m, from a to b when the tick began
+    const SweepReal *massA, *massB;            // 1/kg
+    const SweepReal* rest;                     // m
+    SweepReal* lambda;                         // kg m
+    const SweepReal *directionX, *directionY;  // when the tick began
+    const SweepReal* whips;                    // 1: pulls along the mean direction
     // Of implicit joints.
     const SweepReal *hk, *hb;  // kg: stiffness h^2 and damping h
-    const SweepReal* gain;     // 1 / ((hk + hb) w + 1)
+    const SweepReal* gain;     // 1 / ((hk + hb) w + 1), or 0 where it has no length
     // Of rigid joints.
-    const SweepReal *directionX, *directionY;  // when the tick began
-    const SweepReal* scale;                    // kg / 2: 1 / 2w, or 0 where nothing can move
-    const SweepReal* whips;                    // 1: pulls along the mean direction
+    const SweepReal* scale;  // kg / 2: 1 / 2w, or 0 where nothing can move
 };
 
 /// Sweeps once over the joints [first, first + count), which share no particle that moves.

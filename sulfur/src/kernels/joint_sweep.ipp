@@ -151,6 +151,19 @@ struct Ends {
     Lanes movedX, movedY, x, y;  // m, apart at the end of the tick
 };
 
+/// The same as pullDirection() in stiff_joints.cpp, of joints that point along `now`.
+Places pullDirection(const SweepView& joints, std::size_t k, const Places& now) {
+    const Lanes zero = {}, half = zero + SweepReal(0.5);
+    Lanes x = load(joints.directionX + k), y = load(joints.directionY + k);
+    const Lanes meanX = x + now.x, meanY = y + now.y;
+    const Lanes mean = root(meanX * meanX + meanY * meanY);
+    const auto whips = (load(joints.whips + k) > zero) & (mean > zero);
+    x = whips ? meanX / mean : x;
+    y = whips ? meanY / mean : y;
+    const auto turned = x * now.x + y * now.y < half;
+    return {turned ? now.x : x, turned ? now.y : y};
+}
+
 /// The same as solveImplicit() in stiff_joints.cpp.
 void sweepImplicit(const SweepView& joints, std::size_t first, std::size_t count) {
     const Lanes zero = {};
@@ -158,42 +171,35 @@ void sweepImplicit(const SweepView& joints, std::size_t first, std::size_t count
         const std::size_t k = first + done;
         Ends ends(joints, k);
         const Lanes length = root(ends.x * ends.x + ends.y * ends.y);
-        const Lanes directionX = length > zero ? ends.x / length : zero;
-        const Lanes directionY = length > zero ? ends.y / length : zero;
+        const Places direction = pullDirection(
+            joints, k,
+            {length > zero ? ends.x / length : zero, length > zero ? ends.y / length : zero});
         const Lanes lambda = load(joints.lambda + k);
-        const Lanes moved = directionX * ends.movedX + directionY * ends.movedY;
+        const Lanes moved = direction.x * ends.movedX + direction.y * ends.movedY;
         const Lanes pull = load(joints.hk + k) * (length - load(joints.rest + k)) +
                            load(joints.hb + k) * moved + lambda;
         const Lanes change = length > zero ? -pull * load(joints.gain + k) : zero;
         store(joints.lambda + k, lambda + change);
-        ends.push(change * directionX, change * directionY, count - done);
+        ends.push(change * direction.x, change * direction.y, count - done);
     }
 }
 
 /// The same as solveRigid() in stiff_joints.cpp.
 void sweepRigid(const SweepView& joints, std::size_t first, std::size_t count) {
-    const Lanes zero = {}, half = zero + SweepReal(0.5);
+    const Lanes zero = {};
     for (std::size_t done = 0; done < count; done += width) {
         const std::size_t k = first + done;
         Ends ends(joints, k);
         const Lanes square = ends.x * ends.x + ends.y * ends.y;
         const Lanes length = root(square), rest = load(joints.rest + k);
-        const Lanes nowX = length > zero ? ends.x / length : zero;
-        const Lanes nowY = length > zero ? ends.y / length : zero;
-        Lanes x = load(joints.directionX + k), y = load(joints.directionY + k);
-        const Lanes meanX = x + nowX, meanY = y + nowY;
-        const Lanes mean = root(meanX * meanX + meanY * meanY);
-        const auto whips = (load(joints.whips + k) > zero) & (mean > zero);
-        x = whips ? meanX / mean : x;
-        y = whips ? meanY / mean : y;
-        const auto turned = x * nowX + y * nowY < half;
-        x = turned ? nowX : x;
-        y = turned ? nowY : y;
-        const Lanes along = x * ends.x + y * ends.y;
+        const Places direction = pullDirection(
+            joints, k,
+            {length > zero ? ends.x / length : zero, length > zero ? ends.y / length : zero});
+        const Lanes along = direction.x * ends.x + direction.y * ends.y;
         const Lanes wanted = (rest * rest - square) * load(joints.scale + k);
         const Lanes change = length > zero ? wanted / along : zero;
         store(joints.lambda + k, load(joints.lambda + k) + change);
-        ends.push(change * x, change * y, count - done);
+        ends.push(change * direction.x, change * direction.y, count - done);
     }
 }
 

@@ -18,9 +18,10 @@
 
 namespace sulfur::detail {
 
-/// Sweeps more, of contacts and trees alone, when a loaded rope bends round something: its light
-/// links then move by more than they are long, and each sweep is a step of Newton's method.
-constexpr int mostForTrees = 24;
+/// Sweeps more, of what is rigid and contacts, when a loaded rope bends round something: its light
+/// links then move by more than they are long, and each sweep is a step of Newton's method; or when
+/// a heavy thing lies on a frame of rigid joints.
+constexpr int mostForStrain = 24;
 
 /// And of contacts and areas, where contacts have pressed soft bodies too flat since the tick
 /// began.
@@ -77,6 +78,11 @@ void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) 
     if (sweepAreas(state, rows)) rows.takeMotions(state);
 }
 
+/// Whether contacts leave ropes or rigid joints wrong.
+bool isStrained(State& state) {
+    return treesAreStrained(state) || (!state.contacts.empty() && rigidJointsAreStrained(state));
+}
+
 /// Between what else is swept, the forest takes part in the last sweep and every other one before.
 void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
     const int last = state.settings.sweeps - 1;
@@ -91,9 +97,10 @@ void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
         solveRigidJoints(state);
         sweepTrees(state);
     }
-    for (int i = 0; i < mostForTrees && treesAreStrained(state); ++i) {
+    for (int i = 0; i < mostForStrain && isStrained(state); ++i) {
         rows.sweep(state, i % 2 != 0);
         solveAttachments(state);
+        solveRigidJoints(state);
         sweepTrees(state);
     }
     sweepAreas(state, rows);

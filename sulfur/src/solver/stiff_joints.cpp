@@ -35,6 +35,29 @@ Vec2 apartAtStart(const State& state, std::uint32_t j) {
     return (x[state.joints.b[j]] - x[state.joints.a[j]]).cast<Real>();
 }
 
+/// How strongly the tension of the last tick bends a joint's ends aside within a tick, when the
+/// joint pulls along its direction at the tick's start: above about 1 that explodes.
+Real whip(const State& state, std::uint32_t j, Real w) {
+    const Joints& joints = state.joints;
+    return 2 * w * std::abs(joints.force[j]) * state.h * state.h / joints.restLength[j];
+}
+
+constexpr Real mostWhip = Real(0.2);
+/// Of its length, by which a rigid joint may be wrong after the sweeps.
+constexpr Real mostStrain = Real(1e-3);
+
+/// The unit vector along which a joint pulls that pointed along `before` at the start of the tick
+/// and does along `now` at its end, so far: the former (SHAKE, Ryckaert et al. 1977). Only so does
+/// a pendulum keep its energy and a wheel its spin: pulls along the latter took a share of
+/// (h omega)^2 of it in a tick. Light ends under great tension would explode by that; there it is
+/// the mean of the two, which brakes rotation but is stable.
+Vec2 pullDirection(const State& state, std::uint32_t j, Real w, const Vec2& before,
+                   const Vec2& now) {
+    Vec2 direction = before;
+    if (whip(state, j, w) > mostWhip) direction = (before + now).normalized();
+    return direction.dot(now) < Real(0.5) ? now : direction;
+}
+
 /// Implicit Euler for the part of a spring with a damper that is no force, as a constraint with
 /// compliance 1 / (k h^2) and an accumulated multiplier (extended position based dynamics, Macklin
 /// et al. 2016, equations 18 and 26): the same result for any number of sweeps once they have
@@ -43,12 +66,12 @@ void solveImplicit(State& state, std::uint32_t j) {
     Joints& joints = state.joints;
     const Ends ends(state, j);
     const Real h = state.h;
-    const Vec2 moved = ends.moved(state);
-    const Vec2 apart = apartAtStart(state, j) + moved;
-    const Real length = apart.norm();
-    if (length == 0) return;
-    const Vec2 direction = apart / length;
-    const Real w = ends.inverseMass(state, direction);
+    const Vec2 moved = ends.moved(state), before = apartAtStart(state, j);
+    const Vec2 apart = before + moved;
+    const Real start = before.norm(), length = apart.norm();
+    if (start == 0 || length == 0) return;
+    const Real w = ends.inverseMass(state, before / start);
+    const Vec2 direction = pullDirection(state, j, w, before / start, apart / length);
     // Numerator and denominator times k h^2, so that no stiffness divides by zero.
     const Real hk = (joints.stiffness[j] - joints.explicitStiffness[j]) * h * h;
     const Real hb = (joints.damping[j] - joints.explicitDamping[j]) * h;
@@ -59,15 +82,6 @@ void solveImplicit(State& state, std::uint32_t j) {
     ends.push(state, change * direction);
 }
 
-/// How strongly the tension of the last tick bends a joint's ends aside within a tick, when the
-/// joint pulls along its direction at the tick's start: above about 1 that explodes.
-Real whip(const State& state, std::uint32_t j, Real w) {
-    const Joints& joints = state.joints;
-    return 2 * w * std::abs(joints.force[j]) * state.h * state.h / joints.restLength[j];
-}
-
-constexpr Real mostWhip = Real(0.2);
-
 /// The length (m) to reach in this tick by a rigid joint of the given length.
 Real restOf(const State& state, std::uint32_t j, Real length) {
     const Real rest = state.joints.restLength[j];
@@ -75,10 +89,6 @@ Real restOf(const State& state, std::uint32_t j, Real length) {
     return rest + static_cast<Real>(errorLeft(torn, static_cast<double>(state.h)));
 }
 
-/// A rigid joint pulls along its direction at the start of the tick (SHAKE, Ryckaert et al. 1977):
-/// only so does a pendulum keep its energy. Light links under great tension would explode by that;
-/// they pull along the mean of the directions at the tick's start and now, which brakes rotation
-/// but is stable.
 void solveRigid(State& state, std::uint32_t j) {
     Joints& joints = state.joints;
     const Ends ends(state, j);
@@ -86,13 +96,10 @@ void solveRigid(State& state, std::uint32_t j) {
     const Vec2 apart = before + ends.moved(state);
     const Real start = before.norm(), length = apart.norm();
     if (start == 0 || length == 0) return;
-    const Real rest = restOf(state, j, start);
-    const Vec2 now = apart / length;
-    Vec2 direction = before / start;
-    const Real w = ends.inverseMass(state, direction);
+    const Real w = ends.inverseMass(state, before / start);
     if (w == 0) return;
-    if (whip(state, j, w) > mostWhip) direction = (direction + now).normalized();
-    if (direction.dot(now) < Real(0.5)) direction = now;
+    const Real rest = restOf(state, j, start);
+    const Vec2 direction = pullDirection(state, j, w, before / start, apart / length);
     const Real change = (rest * rest - length * length) / (2 * w * direction.dot(apart));
     joints.lambda[j] += change;
     ends.push(state, change * direction);
@@ -131,36 +138,37 @@ void forEachWide(const std::vector<std::uint32_t>& list, const SweptJoints& swep
                 f(list[k], std::size_t{batch.place} + (k - batch.first));
 }
 
-/// What all sweeps of a tick have in common; returns the joint's vector at the tick's start.
-Vec2 prepareEnds(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
+/// What all sweeps of a tick have in common; returns the joint's length at the tick's start.
+Real prepareEnds(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
     const Vec2 start = apartAtStart(state, j);
+    const Real length = start.norm();
     s.startX[k] = start[0];
     s.startY[k] = start[1];
     s.massA[k] = state.particles.inverseMass[state.joints.a[j]];
     s.massB[k] = state.particles.inverseMass[state.joints.b[j]];
+    s.directionX[k] = length > 0 ? start[0] / length : 0;
+    s.directionY[k] = length > 0 ? start[1] / length : 0;
+    s.whips[k] = whip(state, j, s.massA[k] + s.massB[k]) > mostWhip ? 1 : 0;
     s.lambda[k] = 0;
-    return start;
+    return length;
 }
 
 void prepareImplicit(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
     const Joints& joints = state.joints;
     const Real h = state.h;
-    prepareEnds(state, j, s, k);
+    const Real length = prepareEnds(state, j, s, k);
     s.rest[k] = joints.restLength[j];
     s.hk[k] = (joints.stiffness[j] - joints.explicitStiffness[j]) * h * h;
     s.hb[k] = (joints.damping[j] - joints.explicitDamping[j]) * h;
-    s.gain[k] = 1 / ((s.hk[k] + s.hb[k]) * (s.massA[k] + s.massB[k]) + 1);
+    const Real w = s.massA[k] + s.massB[k];
+    s.gain[k] = length > 0 ? 1 / ((s.hk[k] + s.hb[k]) * w + 1) : 0;
 }
 
 void prepareRigid(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
-    const Vec2 before = prepareEnds(state, j, s, k);
-    const Real length = before.norm(), w = s.massA[k] + s.massB[k];
-    const bool solvable = length > 0 && w > 0;
+    const Real length = prepareEnds(state, j, s, k);
+    const Real w = s.massA[k] + s.massB[k];
     s.rest[k] = restOf(state, j, length);
-    s.directionX[k] = solvable ? before[0] / length : 0;
-    s.directionY[k] = solvable ? before[1] / length : 0;
-    s.scale[k] = solvable ? 1 / (2 * w) : 0;
-    s.whips[k] = whip(state, j, w) > mostWhip ? 1 : 0;
+    s.scale[k] = length > 0 && w > 0 ? 1 / (2 * w) : 0;
 }
 
 using SolveOne = void (*)(State&, std::uint32_t);
@@ -188,6 +196,17 @@ void solveImplicitJoints(State& state) {
 void solveRigidJoints(State& state) {
     WorkLists& work = state.work;
     sweep(state, work.rigidJoints, work.rigidSweep, solveRigid, sweepKernels().rigid);
+}
+
+bool rigidJointsAreStrained(const State& state) {
+    const auto isStrained = [&](std::uint32_t j) {
+        const Vec2 before = apartAtStart(state, j);
+        const Real rest = restOf(state, j, before.norm());
+        const Real length = (before + Ends(state, j).moved(state)).norm();
+        return std::abs(length - rest) > mostStrain * state.joints.restLength[j];
+    };
+    const auto& joints = state.work.rigidJoints;
+    return std::any_of(joints.begin(), joints.end(), isStrained);
 }
 
 void clearMultipliers(State& state) {
