@@ -84,10 +84,13 @@ Row dampedSpring(double stiffness, double damping, const Setup& setup) {
     // The first tick starts from rest and not from the middle of a tick before.
     auto x = release(stiffness, damping, ticks, setup);
     const auto found = fitOscillation(std::span(x).subspan(1), 1e-3 * stretch);
+    // A force with damping takes 1 - h c of the energy in a tick: h c / 2 more than it should, to
+    // first order.
+    const double hc = h * damping, inTicks = -std::log1p(-hc) / hc - 1;
     return atMost(fmt::format("damped spring, k = {:g} N/m, b = {:g} N s/m: error of the decay "
                               "rate (share)",
                               stiffness, damping),
-                  std::abs(-std::log(found.factor) / h / rate - 1), 0.01 + h * damping / 2);
+                  std::abs(-std::log(found.factor) / h / rate - 1), 0.0095 + inTicks);
 }
 
 Rows seamlessStiffness(double damping, int steps, const Setup& setup) {
@@ -104,11 +107,8 @@ Rows seamlessStiffness(double damping, int steps, const Setup& setup) {
         const auto found = fitOscillation(std::span(x).subspan(1), 2e-5 * stretch);
         if (found.measured)
             roots.push_back({found.factor, found.angle});
-        else  // It is gone too soon for a fit: what the first tick left is what there is to see.
-            roots.push_back({std::abs(x[2] / x[1]) < 1 && std::abs(x[1]) > 2e-5 * stretch
-                                 ? std::abs(x[2] / x[1])
-                                 : std::abs(x[1] / x[0]),
-                             std::nullopt});
+        else  // It is gone too soon for a fit: what two ticks left is what there is to see.
+            roots.push_back({std::sqrt(std::abs(x[2] / x[0])), std::nullopt});
     }
     double factorJump = 0, angleJump = 0;
     for (std::size_t i = 2; i < roots.size(); ++i) {

@@ -1,6 +1,8 @@
 // How each joint is solved, derived from stiffness, masses and the tick.
 #include <algorithm>
 
+#include "core/disjoint_sets.hpp"
+#include "solver/substeps.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -50,9 +52,11 @@ Real inverseMassAwake(const State& state, std::uint32_t particle) {
     return moves ? 1 / state.particles.mass[particle] : 0;
 }
 
-void classifyJoints(State& state) {
-    Joints& joints = state.joints;
-    const Real h = state.h;
+namespace {
+
+/// Of each particle, in steps of h.
+std::vector<Load> loadsOf(const State& state, Real h) {
+    const Joints& joints = state.joints;
     std::vector<Real> w(state.particles.size());
     for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, i);
     std::vector<Load> load(state.particles.size());
@@ -64,6 +68,43 @@ void classifyJoints(State& state) {
             load[p].damping += h * joints.damping[j] * sum;
         }
     }
+    return load;
+}
+
+/// Whether all of a spring is a force.
+bool isSoft(const Load& a, const Load& b) {
+    return std::max(a.stiffness, b.stiffness) <= softLimit &&
+           std::max(a.damping, b.damping) <= dampedLimit;
+}
+
+/// Springs for which an undivided tick is too long and which no tree solves as a whole: they are
+/// in a part of what is stiff that has a cycle.
+void findUnresolved(State& state) {
+    const Joints& joints = state.joints;
+    auto& unresolved = state.structure.unresolved;
+    unresolved.assign(joints.size(), 0);
+    if (!mayDivideTicks(state)) return;
+    const std::vector<Load> load = loadsOf(state, tickDuration(state));
+    DisjointSets parts(state.particles.size());
+    std::vector<std::uint32_t> closing;
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        const auto a = joints.a[j], b = joints.b[j];
+        unresolved[j] = !isRigid(joints, j) && !isSoft(load[a], load[b]);
+        if (unresolved[j] == 0 && !isRigid(joints, j)) continue;
+        if (!parts.unite(a, b) && !joints.inCluster[j]) closing.push_back(a);
+    }
+    std::vector<bool> hasCycle(state.particles.size());
+    for (const auto p : closing) hasCycle[parts.find(p)] = true;
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (!hasCycle[parts.find(joints.a[j])]) unresolved[j] = 0;
+}
+
+}  // namespace
+
+void classifyJoints(State& state) {
+    Joints& joints = state.joints;
+    findUnresolved(state);
+    const std::vector<Load> load = loadsOf(state, state.h);
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         const Load &a = load[joints.a[j]], &b = load[joints.b[j]];
         const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);

@@ -120,11 +120,13 @@ void listJoints(State& state) {
     for (auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints,
                        &work.stiffJoints, &work.breakableJoints, &work.tiedJoints})
         list->clear();
+    work.anyUnresolved = false;
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         if (joints.body[j] == none) work.tiedJoints.push_back(j);
         if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
             work.breakableJoints.push_back(j);
         if (!takesPart(state, j)) continue;
+        work.anyUnresolved |= state.structure.unresolved[j] != 0;
         if (joints.kind[j] != JointKind::rigid &&
             (joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0))
             work.explicitJoints.push_back(j);

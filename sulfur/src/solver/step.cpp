@@ -67,15 +67,20 @@ bool allRest(const State& state) {
                                              [&](auto body) { return isDriven(state, body); });
 }
 
-/// A tick of a world at rest.
-void idle(State& state) {
-    auto& events = state.events;
+void clear(Events& events) {
     events.contactsBegun.clear();
     events.contactsPersisted.clear();
     events.contactsEnded.clear();
     events.jointsBroken.clear();
     events.bodiesSplit.clear();
     events.particlesLost.clear();
+    events.sensorsEntered.clear();
+    events.sensorsLeft.clear();
+}
+
+/// A tick of a world at rest.
+void idle(State& state) {
+    clear(state.events);
     ++state.statistics.idleTicks;
 }
 
@@ -123,17 +128,6 @@ void append(Events& events, Events& more) {
     std::swap(events.contactsPersisted, more.contactsPersisted);
 }
 
-void clear(Events& events) {
-    events.contactsBegun.clear();
-    events.contactsPersisted.clear();
-    events.contactsEnded.clear();
-    events.jointsBroken.clear();
-    events.bodiesSplit.clear();
-    events.particlesLost.clear();
-    events.sensorsEntered.clear();
-    events.sensorsLeft.clear();
-}
-
 /// Who began to touch in an earlier step of the tick may be gone since.
 void dropGone(const State& state, std::vector<ContactBegun>& begun) {
     const auto exists = [&](BodyId id) { return state.bodySlots.contains(id); };
@@ -173,6 +167,7 @@ void runDivided(State& state) {
 
 void step(State& state) {
     clearStatistics(state.statistics);
+    if (mayDivideTicks(state)) timed(state, Stage::changes, applyChanges);  // who asks for what
     chooseSubsteps(state);
     state.substeps.done = 0;
     if (state.substeps.count > 1) {

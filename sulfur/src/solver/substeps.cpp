@@ -6,7 +6,7 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr int wantedRate = 500;     // Hz, of steps, while something asks for it
+constexpr int wantedRate = 480;     // Hz, of steps, while something asks for it
 constexpr double calmAfter = 0.5;   // s
 constexpr double fastTravel = 0.1;  // radii in a tick
 
@@ -25,7 +25,29 @@ bool anyFast(const State& state) {
     return false;
 }
 
+/// Whether the caller has just put something somewhere that can touch.
+bool anyPlacedSurface(const State& state) {
+    if (!state.anyPlaced) return false;
+    const auto hasSurface = [&](const BodyRecord& body) {
+        const auto first = state.particles.reach.begin() + body.firstParticle;
+        return std::any_of(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
+                           [](Real reach) { return reach > 0; });
+    };
+    return std::any_of(state.bodies.begin(), state.bodies.end(), [&](const BodyRecord& body) {
+        return body.placed && body.kind != BodyKind::fixed && hasSurface(body);
+    });
+}
+
+bool asksForShortSteps(const State& state) {
+    return state.substeps.strained != 0 || state.work.anyUnresolved || !state.entwined.empty() ||
+           anyPlacedSurface(state) || anyFast(state);
+}
+
 }  // namespace
+
+Real tickDuration(const State& state) {
+    return 1 / static_cast<Real>(state.settings.tickRate);
+}
 
 void setStep(State& state, Real h) {
     if (h == state.h) return;
@@ -44,16 +66,12 @@ void chooseSubsteps(State& state) {
     Substeps& steps = state.substeps;
     const int most = mostSubsteps(state);
     const double tick = 1.0 / state.settings.tickRate;
-    if (most > 1) {
-        if (state.anyPlaced || !state.entwined.empty() || steps.strained != 0 || anyFast(state))
-            steps.left = calmAfter;
-        else
-            steps.left = std::max(steps.left - tick, 0.0);
-    }
+    if (most > 1)
+        steps.left = asksForShortSteps(state) ? calmAfter : std::max(steps.left - tick, 0.0);
     steps.count = most > 1 && steps.left > 0 ? static_cast<std::uint32_t>(most) : 1;
     steps.strained = 0;
     state.statistics.substeps = steps.count;
-    setStep(state, 1 / static_cast<Real>(state.settings.tickRate) / static_cast<Real>(steps.count));
+    setStep(state, tickDuration(state) / static_cast<Real>(steps.count));
 }
 
 bool mayDivideTicks(const State& state) {

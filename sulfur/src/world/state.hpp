@@ -46,7 +46,8 @@ inline constexpr std::uint8_t noColour = 63;
 struct Structure {
     // What no tree has taken, in the order of the sweeps: joints of one colour share no particle.
     std::vector<std::uint32_t> sweptJoints, sweptAttachments, sweptHinges;
-    std::vector<std::uint8_t> colours;  // of all joints; those of `noColour` share particles
+    std::vector<std::uint8_t> colours;     // of all joints; those of `noColour` share particles
+    std::vector<std::uint8_t> unresolved;  // of all joints: springs that ask for short steps
     bool stale = true;
 
     template <class Archive>
@@ -55,6 +56,7 @@ struct Structure {
         a(sweptAttachments);
         a(sweptHinges);
         a(colours);
+        a(unresolved);
         a(stale);
     }
 };
@@ -86,6 +88,7 @@ struct WorkLists {
     std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
+    bool anyUnresolved = false;  // a spring that takes part asks for short steps
     bool stale = true;
 };
 
