@@ -170,7 +170,12 @@ private:
         if (!(lengthNow_ > 1e-12)) return;
         const Span start = spanOf(i, false);
         const double before = start.apart.norm();
-        const Point direction = now.apart / lengthNow_;
+        Point direction = now.apart / lengthNow_;
+        // Ends that a contact has sent past each other come back the way that they went.
+        if (direction.dot(start.apart) < -0.9 * before) {
+            direction = -direction;
+            lengthNow_ = -lengthNow_;
+        }
         const bool asAtStart = !tree_.alone && before > 1e-12 && whip(n.link, before) < mostWhip &&
                                direction.dot(start.apart) > 0.5 * before;
         setDistance<N>(link, asAtStart ? start : now, now,
@@ -287,7 +292,7 @@ private:
     Elimination<N>& solver_;
     std::size_t count_;
     double touching_ = 0;   // contacts of the tree
-    double lengthNow_ = 0;  // of the link that was updated last
+    double lengthNow_ = 0;  // of the link that was updated last; negative when its ends have passed
     std::vector<std::uint32_t>& held_ = heldContacts();
 };
 

@@ -335,7 +335,9 @@ ShotResult shoot(long number, const Setup& setup, std::vector<ShotTick>* ticks) 
         const Verdict verdict = shot->judge(i + 1 == shot->ticks);
         const double energy = shot->world.energy();
         // A rod's velocities are set for the start of the tick and stand in its middle after it.
-        if (i == 0 && shot->world.contacts().empty()) start = energy;
+        const Events& events = shot->world.events();
+        const bool untouched = shot->world.contacts().empty() && events.contactsBegun.empty();
+        if (i == 0 && untouched) start = energy;
         result.through = result.through || verdict.through;
         result.inner = result.inner || verdict.inner;
         result.energyGain = worst(result.energyGain, energy / start - 1);
