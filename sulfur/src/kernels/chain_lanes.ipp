@@ -294,6 +294,9 @@ private:
         }
     }
 
+    /// The same as resistance() in motion.hpp.
+    double resistance(double step) const { return 1 + step * rules_.airFriction / 2; }
+
     void predict(Lanes kick, double step) {
         Lanes keep = all(1), push = kick;
         if (rules_.airFriction != 0) {
@@ -502,7 +505,8 @@ private:
             n.moved = n.moved + n.displacement;
             n.velocity = where(n.inverseMass > all(0), rate * n.displacement, n.velocity);
         }
-        for (std::size_t i = 1; i < count(); ++i) link(i).impulse += rate * link(i).lambda;
+        const Lanes newtons = all(1 / step * resistance(step));
+        for (std::size_t i = 1; i < count(); ++i) link(i).impulse += newtons * link(i).lambda;
     }
 
     Mask areFinite() const {
@@ -518,8 +522,9 @@ private:
     void store(std::uint32_t done) {
         if (heldRoot) storeRoot(done);
         for (std::size_t i = firstMoving; i < count(); ++i) storeNode(i, done);
+        const Lanes perNewton = all(rules_.tick / resistance(rules_.tick));
         for (std::size_t i = 1; i < count(); ++i) {
-            const Lanes whole = link(i).impulse * all(rules_.tick);
+            const Lanes whole = link(i).impulse * perNewton;
             for (std::size_t k = 0; k < width; ++k)
                 if ((done >> k & 1u) != 0)
                     view_.lambda[joints(i)[k]] = static_cast<SweepReal>(whole[k]);

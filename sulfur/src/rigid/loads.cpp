@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rigid/grip.hpp"
+#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 
@@ -106,7 +107,7 @@ void load(State& state, std::uint32_t particle, const Vec2& force) {
 }
 
 void loadByContacts(State& state) {
-    const Real rate = 1 / (state.h * state.h);
+    const Real rate = newtonsPerMultiplier(state);
     for (const Contact& c : state.contacts) {
         const Vec2 tangent(-c.normal[1], c.normal[0]);
         const Vec2 force = rate * (c.normalLambda * c.normal + c.tangentLambda * tangent);
@@ -123,7 +124,7 @@ void loadByJoints(State& state) {
         if (!isWatched(state, a) && !isWatched(state, b)) continue;
         const auto& x = state.particles.position;
         const Vec2 direction = (x[b] - x[a]).normalized().cast<Real>();
-        const Vec2 pull = (-1 / (state.h * state.h)) * joints.lambda[j] * direction;
+        const Vec2 pull = -newtonsPerMultiplier(state) * joints.lambda[j] * direction;
         load(state, a, pull);
         load(state, b, -pull);
     }
@@ -154,7 +155,7 @@ void loadByGrabs(State& state) {
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             load(state, state.particleSlots.dense(grab.support[k]),
-                 grab.weight[k] / (state.h * state.h) * grab.impulse);
+                 grab.weight[k] * newtonsPerMultiplier(state) * grab.impulse);
 }
 
 /// Applied forces less mass times acceleration, in the frame of the cluster.

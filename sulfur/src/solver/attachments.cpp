@@ -2,6 +2,7 @@
 #include "core/limits.hpp"
 #include "rigid/held_point.hpp"
 #include "solver/constraint_kinds.hpp"
+#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 
@@ -26,7 +27,7 @@ void solve(State& state, Attachment& held) {
     }
     error = toClose(state, error) + point.displacement(state);
     const Vec2 impulse = -solve2(point.mobility(state), error);
-    held.force += impulse / (state.h * state.h);
+    held.force += newtonsPerMultiplier(state) * impulse;
     point.push(state, impulse);
 }
 
@@ -39,7 +40,7 @@ void solve(State& state, Hinge& hinge) {
     const Vec2 apart = (c.centre + arm - state.particles.position[hinge.particle]).cast<Real>();
     const Vec2 error = toClose(state, apart) + point.displacement(state);
     const Vec2 impulse = -solve2(point.mobility(state), error);
-    hinge.force += impulse / (state.h * state.h);
+    hinge.force += newtonsPerMultiplier(state) * impulse;
     point.push(state, impulse);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/limits.hpp"
 #include "rigid/held_point.hpp"
+#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 
@@ -25,12 +26,13 @@ void solve(State& state, Grab& grab) {
     }
     const Vec2 change = point.displacement(state), error = held.cast<Real>() + change;
     const Matrix2 mobility = point.mobility(state);
-    const Real h = state.h, spring = h * h * grab.stiffness, damper = h * grab.damping;
+    const Real h = state.h, newtons = newtonsPerMultiplier(state);
+    const Real spring = grab.stiffness / newtons, damper = grab.damping / (newtons * h);
     const Vec2 missing = spring * error + damper * change + grab.impulse;
     const Vec2 wanted =
         grab.impulse - solve2((spring + damper) * mobility + Matrix2::Identity(), missing);
     // No more than the strongest pull, nor than what takes the point to the fastest speed.
-    Real most = h * h * grab.maxForce;
+    Real most = grab.maxForce / newtons;
     const Real easiest = mobility.diagonal().maxCoeff();
     if (easiest > 0) most = std::min(most, h * static_cast<Real>(maxSpeed) / easiest);
     const Real size = wanted.stableNorm();

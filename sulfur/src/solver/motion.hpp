@@ -23,4 +23,16 @@ inline Kick kickOf(const State& state) {
     return {gravity[0], gravity[1], (1 - half) / (1 + half), duration / (1 + half), h, maxSpeed};
 }
 
+/// How much more force it takes in a step of h seconds to change a displacement than it would
+/// without air friction: all forces, those of constraints too, act against it by the trapezoidal
+/// rule.
+inline double resistance(const State& state, double h) {
+    return 1 + h * static_cast<double>(state.settings.airFriction) / 2;
+}
+
+/// N that a multiplier of 1 kg m stands for.
+inline Real newtonsPerMultiplier(const State& state) {
+    return static_cast<Real>(resistance(state, static_cast<double>(state.h))) / (state.h * state.h);
+}
+
 }  // namespace sulfur::detail

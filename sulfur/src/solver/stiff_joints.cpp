@@ -5,6 +5,7 @@
 #include "core/limits.hpp"
 #include "rigid/grip.hpp"
 #include "solver/constraint_kinds.hpp"
+#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 
@@ -65,7 +66,6 @@ Vec2 pullDirection(const State& state, std::uint32_t j, Real w, const Vec2& befo
 void solveImplicit(State& state, std::uint32_t j) {
     Joints& joints = state.joints;
     const Ends ends(state, j);
-    const Real h = state.h;
     const Vec2 moved = ends.moved(state), before = apartAtStart(state, j);
     const Vec2 apart = before + moved;
     const Real start = before.norm(), length = apart.norm();
@@ -73,8 +73,9 @@ void solveImplicit(State& state, std::uint32_t j) {
     const Real w = ends.inverseMass(state, before / start);
     const Vec2 direction = pullDirection(state, j, w, before / start, apart / length);
     // Numerator and denominator times k h^2, so that no stiffness divides by zero.
-    const Real hk = (joints.stiffness[j] - joints.explicitStiffness[j]) * h * h;
-    const Real hb = (joints.damping[j] - joints.explicitDamping[j]) * h;
+    const Real newtons = newtonsPerMultiplier(state);
+    const Real hk = (joints.stiffness[j] - joints.explicitStiffness[j]) / newtons;
+    const Real hb = (joints.damping[j] - joints.explicitDamping[j]) / (newtons * state.h);
     const Real error = length - joints.restLength[j];
     const Real change =
         -(hk * error + hb * direction.dot(moved) + joints.lambda[j]) / ((hk + hb) * w + 1);
@@ -155,11 +156,11 @@ Real prepareEnds(const State& state, std::uint32_t j, SweptJoints& s, std::size_
 
 void prepareImplicit(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
     const Joints& joints = state.joints;
-    const Real h = state.h;
+    const Real newtons = newtonsPerMultiplier(state);
     const Real length = prepareEnds(state, j, s, k);
     s.rest[k] = joints.restLength[j];
-    s.hk[k] = (joints.stiffness[j] - joints.explicitStiffness[j]) * h * h;
-    s.hb[k] = (joints.damping[j] - joints.explicitDamping[j]) * h;
+    s.hk[k] = (joints.stiffness[j] - joints.explicitStiffness[j]) / newtons;
+    s.hb[k] = (joints.damping[j] - joints.explicitDamping[j]) / (newtons * state.h);
     const Real w = s.massA[k] + s.massB[k];
     s.gain[k] = length > 0 ? 1 / ((s.hk[k] + s.hb[k]) * w + 1) : 0;
 }
@@ -231,7 +232,7 @@ void recordForces(State& state) {
         forEachWide(*list, *swept, [&, from = swept](std::uint32_t j, std::size_t k) {
             joints.lambda[j] = from->lambda[k];
         });
-    const Real scale = -1 / (state.h * state.h);
+    const Real scale = -newtonsPerMultiplier(state);
     for (const auto j : state.work.stiffJoints) {
         // What is a force as well has been recorded as one already.
         const bool both = joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0;

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/limits.hpp"
+#include "solver/motion.hpp"
 #include "trees/step_judgement.hpp"
 
 namespace sulfur::detail {
@@ -205,10 +206,11 @@ private:
             links_[i].lambda = -links_[i].guess * step * step;
         }
         if (!elastic_) return;
+        const double perPush = step / resistance(state_, step);
         for (std::size_t i = 1; i < count_; ++i) {
             ChainSpring& spring = springs_[i];
-            spring.hk = spring.stiffness * step * step;
-            spring.hb = spring.damping * step;
+            spring.hk = spring.stiffness * step * perPush;
+            spring.hb = spring.damping * perPush;
             spring.compliance = spring.rigid ? 0 : 1 / (spring.hk + spring.hb);
         }
     }
@@ -445,7 +447,8 @@ private:
             n.moved += n.displacement;
             if (n.inverseMass > 0) n.velocity = rate * n.displacement;
         }
-        for (std::size_t i = 1; i < count_; ++i) links_[i].impulse += rate * links_[i].lambda;
+        const double newtons = rate * resistance(state_, step);
+        for (std::size_t i = 1; i < count_; ++i) links_[i].impulse += newtons * links_[i].lambda;
     }
 
     bool allFinite() const {
@@ -468,8 +471,9 @@ private:
             particles.displacement[p] = moved;
             particles.velocity[p] = Point(n.velocity[0], n.velocity[1]);
         }
+        const double perNewton = tick_ / resistance(state_, tick_);
         for (std::size_t i = 1; i < count_; ++i)
-            state_.joints.lambda[node(i).link] = static_cast<Real>(links_[i].impulse * tick_);
+            state_.joints.lambda[node(i).link] = static_cast<Real>(links_[i].impulse * perNewton);
     }
 
     State& state_;

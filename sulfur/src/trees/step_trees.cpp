@@ -12,6 +12,7 @@
 #include "core/trigonometry.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
+#include "solver/motion.hpp"
 #include "trees/geometry.hpp"
 #include "trees/point_chain.hpp"
 #include "trees/step_judgement.hpp"
@@ -217,8 +218,9 @@ private:
     }
 
     void prepareLink(LinkData& link, double step) {
-        link.elastic.hk = link.stiffness * step * step;
-        link.elastic.hb = link.damping * step;
+        const double perPush = step / resistance(state_, step);
+        link.elastic.hk = link.stiffness * step * perPush;
+        link.elastic.hb = link.damping * perPush;
         link.impulse = {0, 0};
         link.lambda = {-link.guess * step * step, 0};
     }
@@ -368,8 +370,10 @@ private:
                 m.spin = m.turning / step;
             }
         }
+        const double newtons = resistance(state_, step) / step;
         for (std::size_t i = 1; i < count_; ++i)
-            for (std::size_t r = 0; r < 2; ++r) links_[i].impulse[r] += links_[i].lambda[r] / step;
+            for (std::size_t r = 0; r < 2; ++r)
+                links_[i].impulse[r] += newtons * links_[i].lambda[r];
     }
 
     /// How far this step was from where SHAKE explodes.
@@ -396,11 +400,12 @@ private:
     void store() {
         if (!allFinite()) stop();
         for (std::size_t i = 0; i < count_; ++i) storeNode(i);
+        const double perNewton = tick() / resistance(state_, tick());
         for (std::size_t i = 1; i < count_; ++i) {
             const TreeNode& n = node(i);
             const auto& impulse = links_[i].impulse;
             if (n.kind == LinkKind::joint)
-                state_.joints.lambda[n.link] = static_cast<Real>(impulse[0] * tick());
+                state_.joints.lambda[n.link] = static_cast<Real>(impulse[0] * perNewton);
             else
                 forceOf(state_, n) =
                     (Point(impulse[0], impulse[1]) * ((n.turned ? -1 : 1) / tick()))

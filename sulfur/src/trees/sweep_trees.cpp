@@ -10,6 +10,7 @@
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "solver/contact_motion.hpp"
+#include "solver/motion.hpp"
 #include "trees/geometry.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -257,13 +258,13 @@ private:
         const Joints& joints = state_.joints;
         const auto j = node(i).link;
         auto& link = solver_.links[i];
-        const double h = static_cast<double>(state_.h);
+        const double h = static_cast<double>(state_.h), perPush = h / resistance(state_, h);
         Elastic elastic;
         elastic.rigid = joints.kind[j] == JointKind::rigid;
         elastic.hk = (static_cast<double>(joints.stiffness[j]) -
                       static_cast<double>(joints.explicitStiffness[j])) *
-                     h * h;
-        elastic.hb = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]) * h;
+                     h * perPush;
+        elastic.hb = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]) * perPush;
         const double rest = static_cast<double>(joints.restLength[j]);
         const double wanted =
             tree_.alone ? met : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
@@ -413,7 +414,7 @@ void recordTreeForces(State& state) {
                                   static_cast<Real>(trees.lambda[k][1]));
                 Vec2& force = forceOf(state, n);
                 if (!tree.alone) force = Vec2(0, 0);
-                force += Real(n.turned ? -1 : 1) / (state.h * state.h) * pushed;
+                force += Real(n.turned ? -1 : 1) * newtonsPerMultiplier(state) * pushed;
                 continue;
             }
             const Real swept = static_cast<Real>(trees.lambda[k][0]);

@@ -3,6 +3,7 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
+#include "solver/motion.hpp"
 #include "solver/stages.hpp"
 #include "world/impl.hpp"
 
@@ -141,7 +142,7 @@ GrabInfo World::info(GrabId id) const {
     const Grab& grab = state.influences.grabs[indexOfGrab(state, id)];
     GrabInfo info;
     info.target = grab.target;
-    info.force = grab.impulse / (state.h * state.h);
+    info.force = detail::newtonsPerMultiplier(state) * grab.impulse;
     for (std::uint32_t k = 0; k < grab.count; ++k) {
         const auto i = state.particleSlots.dense(grab.support[k]);
         info.body = state.bodies[state.particles.body[i]].id;
