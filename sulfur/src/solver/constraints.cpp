@@ -21,14 +21,15 @@ namespace sulfur::detail {
 /// Sweeps more, of what is rigid and contacts, when a loaded rope bends round something: its light
 /// links then move by more than they are long, and each sweep is a step of Newton's method; or when
 /// a heavy thing lies on a frame of rigid joints.
-constexpr int mostForStrain = 24;
+constexpr int mostForStrain = 48;
 
 /// And of contacts and areas, where contacts have pressed soft bodies too flat since the tick
 /// began.
-constexpr int mostForAreas = 8;
+constexpr int mostForAreas = 16;
 
-/// And of contacts alone, where sweeps leave something pressed into something else.
-constexpr int mostForDepth = 16;
+/// And of all, where they leave something pressed into something else; after that, of contacts
+/// alone.
+constexpr int mostForDepth = 8, mostForDepthAlone = 16;
 
 namespace {
 
@@ -83,29 +84,44 @@ bool isStrained(State& state) {
     return treesAreStrained(state) || (!state.contacts.empty() && rigidJointsAreStrained(state));
 }
 
+bool isPressedIn(State& state, ContactRows& rows) {
+    rows.takeMotions(state);
+    return rows.anyDeepError(state) || rows.anyDeepErrorSingly(state);
+}
+
+void sweepSoft(State& state, ContactRows& rows, bool backwards) {
+    solveImplicitJoints(state);
+    solveAreas(state);
+    rows.sweep(state, backwards);
+}
+
+void sweepRigid(State& state) {
+    solveAttachments(state);
+    solveGrabs(state);
+    solveRigidJoints(state);
+    sweepTrees(state);
+}
+
 /// Between what else is swept, the forest takes part in the last sweep and every other one before.
 void sweepAll(State& state, ContactRows& rows, ContactForest& forest) {
     const int last = state.settings.sweeps - 1;
     for (int sweep = 0; sweep <= last; ++sweep) {
-        solveImplicitJoints(state);
-        solveAreas(state);
-        rows.sweep(state, sweep % 2 != 0);
+        sweepSoft(state, rows, sweep % 2 != 0);
         rows.takeMotions(state);
         if ((last - sweep) % 2 == 0 && rows.anyError(state)) solveForest(state, rows, forest);
-        solveAttachments(state);
-        solveGrabs(state);
-        solveRigidJoints(state);
-        sweepTrees(state);
+        sweepRigid(state);
+    }
+    for (int i = 0; i < mostForDepth && isPressedIn(state, rows); ++i) {
+        sweepSoft(state, rows, i % 2 != 0);
+        sweepRigid(state);
     }
     for (int i = 0; i < mostForStrain && isStrained(state); ++i) {
         rows.sweep(state, i % 2 != 0);
-        solveAttachments(state);
-        solveRigidJoints(state);
-        sweepTrees(state);
+        sweepRigid(state);
     }
     sweepAreas(state, rows);
     rows.takeMotions(state);
-    for (int i = 0; i < mostForDepth && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
+    for (int i = 0; i < mostForDepthAlone && rows.anyDeepError(state); ++i) rows.sweep(i % 2 != 0);
     rows.giveMotions(state);
 }
 

@@ -411,18 +411,34 @@ bool ContactRows::anyErrorBeyond(Real most) const {
            kernels.anyErrorThree(movers_.data(), three_.data(), three_.size(), most);
 }
 
-bool ContactRows::anyDeepError(const State& state) const {
+bool ContactRows::anySingleBeyond(const State& state, Real most) const {
+    return std::any_of(single_.begin(), single_.end(), [&](std::uint32_t i) {
+        return leavesError(state, state.contacts[i], most);
+    });
+}
+
+namespace {
+
+/// m
+Real deepErrorIn(const State& state) {
     Real thinnest = std::numeric_limits<Real>::max();
     for (const Contact& c : state.contacts) thinnest = std::min(thinnest, c.thickness);
-    return anyErrorBeyond(deepError * thinnest);
+    return deepError * thinnest;
+}
+
+}  // namespace
+
+bool ContactRows::anyDeepError(const State& state) const {
+    return anyErrorBeyond(deepErrorIn(state));
+}
+
+bool ContactRows::anyDeepErrorSingly(const State& state) const {
+    return anySingleBeyond(state, deepErrorIn(state));
 }
 
 bool ContactRows::anyError(const State& state) const {
     const Real most = mostErrorSpeed * state.h;
-    return anyErrorBeyond(most) ||
-           std::any_of(single_.begin(), single_.end(), [&](std::uint32_t i) {
-               return leavesError(state, state.contacts[i], most);
-           });
+    return anyErrorBeyond(most) || anySingleBeyond(state, most);
 }
 
 }  // namespace sulfur::detail

@@ -45,8 +45,9 @@ public:
     /// Whether any contact is left with an error that is worth a sweep; by the motions that were
     /// fetched, for blocks, or those in the state.
     bool anyError(const State& state) const;
-    /// The same, of contacts in blocks with errors that show.
+    /// The same, with errors that show: of contacts in blocks; of those that are solved singly.
     bool anyDeepError(const State& state) const;
+    bool anyDeepErrorSingly(const State& state) const;
 
 private:
     using Blocks = std::vector<ContactBlock>;
@@ -64,6 +65,7 @@ private:
     };
 
     bool anyErrorBeyond(Real most) const;
+    bool anySingleBeyond(const State& state, Real most) const;
     void takeShifts(const State& state);
     void giveShifts(State& state) const;
     void applyShifts(State& state) const;
