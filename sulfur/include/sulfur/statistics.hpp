@@ -46,6 +46,7 @@ struct Statistics {
     std::uint32_t pressedTriangles = 0;  ///< of these, those that were nearly flat or turned over
     std::uint32_t candidates = 0;        ///< pairs that the narrow phase looked at
     std::uint32_t contacts = 0;          ///< that the narrow phase found
+    std::uint32_t plannedContacts = 0;   ///< near candidates whose constants were looked up anew
     std::uint64_t broadPhases = 0;       ///< since the world was made
     std::uint64_t fixedRebuilds = 0;     ///< of fixed geometry in the grid, likewise
     std::uint32_t gridCells = 0;         ///< that moving colliders cover, each counting its own

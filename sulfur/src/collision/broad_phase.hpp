@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <sulfur/math.hpp>
 #include <utility>
 #include <vector>
 
 #include "collision/contact.hpp"
+#include "collision/contact_plan.hpp"
 #include "collision/grid.hpp"
 #include "collision/hollows.hpp"
 #include "collision/outlines.hpp"
@@ -32,6 +34,8 @@ struct Watch {
     Candidate candidate;
     std::uint32_t a = 0, b = 0;  // the collider's particles
     Real spare = 0;              // m
+    Real thickness = 0;          // m, of particle and collider together
+    std::uint32_t plan = none;   // of its contact, or none while it has never come near
 
     friend bool operator<(const Watch& p, const Watch& q) { return p.candidate < q.candidate; }
 };
@@ -106,7 +110,8 @@ struct BroadPhase {
     std::vector<Watch> watches;      // sorted by candidates, without duplicates
     std::vector<WatchedPair> pairs;  // of colliders, sorted, without duplicates; for crossings
     std::vector<WatchRun> watchRuns, pairRuns;
-    std::vector<Circle> circles;  // of all colliders
+    std::vector<ContactPlan> plans;  // of candidates that have come near, in no order
+    std::vector<Circle> circles;     // of all colliders
     Pieces pieces;
     std::vector<std::uint32_t> left;     // pieces that have left their skins; scratch
     std::vector<std::uint8_t> hasLeft;   // the same, by pieces
@@ -129,6 +134,7 @@ struct BroadPhase {
     bool cellSizeStale = true;    // likewise, since the cell size was chosen
     bool fixedStale = true;
     bool pairsStale = true;
+    bool plansStale = false;  // see dropStalePlans()
     /// The tick before which a query last found the grid valid.
     std::uint64_t queriedTick = ~std::uint64_t{0};
 
@@ -157,18 +163,20 @@ struct BroadPhase {
     }
 };
 
-/// Calls f(const Watch&), in their order, for all candidates of some runs whose sides can have come
-/// near enough to each other.
+/// The most candidates that forEachNear() hands over at once.
+inline constexpr std::size_t nearBatch = 256;
+
+/// Calls f(numbers of watches), at most nearBatch of them, in their order, for all candidates of
+/// some runs whose sides can have come near enough to each other.
 template <class Function>
 void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t firstRun,
                  std::size_t lastRun, Function&& f) {
     // Half of them come near enough, in no order that a processor could foresee: which they are is
     // found without a branch, many at a time.
-    constexpr std::size_t most = 256;
-    std::array<std::uint32_t, most> near;
+    std::array<std::uint32_t, nearBatch> near;
     std::size_t count = 0;
     const auto flush = [&] {
-        for (std::size_t i = 0; i < count; ++i) f(broad.watches[near[i]]);
+        f(std::span<const std::uint32_t>(near.data(), count));
         count = 0;
     };
     const auto& out = outings.ofParticle;
@@ -180,16 +188,10 @@ void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t fi
             const Watch& w = broad.watches[k];
             near[count] = k;
             count += one + std::max(out[w.a], out[w.b]) >= w.spare ? 1 : 0;
-            if (count == most) flush();
+            if (count == nearBatch) flush();
         }
     }
     flush();
-}
-
-/// The same for all runs.
-template <class Function>
-void forEachNear(const BroadPhase& broad, const Outings& outings, Function&& f) {
-    forEachNear(broad, outings, 0, broad.watchRuns.size(), f);
 }
 
 /// Calls f(const WatchedPair&), in their order, for all pairs of colliders that can have come to

@@ -53,19 +53,6 @@ void indexMemory(State& state) {
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
 }
 
-const ContactMemory* recall(const State& state, std::uint32_t particle, std::uint32_t a,
-                            std::uint32_t b) {
-    if (state.contactMemory.empty()) return nullptr;
-    const ContactMemory* neighbour = nullptr;
-    for (auto k = state.memoryStart[particle]; k < state.memoryStart[particle + 1]; ++k) {
-        const ContactMemory& m = state.contactMemory[k];
-        if (m.a == a && m.b == b) return &m;
-        const bool shares = m.a == a || m.a == b || m.b == a || m.b == b;
-        if (shares && !neighbour) neighbour = &m;
-    }
-    return neighbour;
-}
-
 void rememberContacts(State& state) {
     auto& memory = state.contactMemory;
     if (state.work.sleepers == 0)

@@ -225,8 +225,7 @@ void part(State& state, std::uint32_t a, std::uint32_t b, std::vector<Vec2>& mov
 
 }  // namespace
 
-bool areEntwined(const State& state, std::uint32_t a, std::uint32_t b) {
-    if (state.entwined.empty()) return false;
+bool isListedEntwined(const State& state, std::uint32_t a, std::uint32_t b) {
     return std::binary_search(state.entwined.begin(), state.entwined.end(),
                               BodyPair::of(state.bodies[a].id, state.bodies[b].id));
 }

@@ -13,6 +13,9 @@ namespace sulfur::detail {
 void partEntwined(State& state);
 
 /// Whether two bodies, by dense indices, have no contacts because they are being parted.
-bool areEntwined(const State& state, std::uint32_t a, std::uint32_t b);
+bool isListedEntwined(const State& state, std::uint32_t a, std::uint32_t b);
+inline bool areEntwined(const State& state, std::uint32_t a, std::uint32_t b) {
+    return !state.entwined.empty() && isListedEntwined(state, a, b);
+}
 
 }  // namespace sulfur::detail

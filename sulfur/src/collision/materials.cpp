@@ -19,14 +19,14 @@ const Material& surfaceOf(const State& state, std::uint32_t joint, std::uint32_t
     return state.bodies[body].material;
 }
 
-void giveSurface(const State& state, Contact& c) {
+void giveSurface(const State& state, ContactPlan& c) {
     const Material& a = surfaceOf(state, state.broad.surface[c.particle], c.bodyA);
     const Material& b = surfaceOf(state, c.joint, c.bodyB);
     c.staticFriction = mean(a.staticFriction, b.staticFriction);
     c.kineticFriction = mean(a.kineticFriction, b.kineticFriction);
     c.restitution = std::max(a.restitution, b.restitution);
     c.rough = c.staticFriction > 0 && state.settings.friction == Friction::coulomb;
-    c.conveyed = state.h * (a.surfaceSpeed + b.surfaceSpeed);
+    c.surfaceSpeed = a.surfaceSpeed + b.surfaceSpeed;
 }
 
 }  // namespace sulfur::detail

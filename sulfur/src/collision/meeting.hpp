@@ -1,10 +1,12 @@
 // Where a particle and a capsule meet: nearest points, now or at the time of impact.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <sulfur/math.hpp>
 
 #include "collision/contact.hpp"
+#include "collision/geometry.hpp"
 #include "particles/particles.hpp"
 
 namespace sulfur::detail {
@@ -20,15 +22,35 @@ struct Local {
     }
 };
 
-inline Local localise(const Particles& particles, std::uint32_t p, const Collider& c) {
+/// Of particle `p` and the capsule from `a` to `b`.
+inline Local localise(const Particles& particles, std::uint32_t p, std::uint32_t a,
+                      std::uint32_t b) {
     const auto& x = particles.position;
-    return {(x[p] - x[c.a]).cast<Real>(), (x[c.b] - x[c.a]).cast<Real>(), particles.displacement[p],
-            particles.displacement[c.a], particles.displacement[c.b]};
+    const auto& d = particles.displacement;
+    const auto copy = [&](std::uint32_t i) { return Vec2(d[i][0], d[i][1]); };
+    return {(x[p] - x[a]).cast<Real>(), (x[b] - x[a]).cast<Real>(), copy(p), copy(a), copy(b)};
 }
 
 /// Whether a place on an axis (0..1) is one of its ends.
 inline bool isEnd(Real along) {
     return !(along > 0 && along < 1);
+}
+
+/// A first look at a particle and a capsule.
+struct Look {
+    Real along = 0;   // place on the axis that is nearest at the start of the tick
+    Real travel = 0;  // m, by which the fastest part moves against the other
+    bool far = true;  // this tick cannot bring them as near as was asked for
+};
+
+/// `near`: as near as they must come, in m. (meeting_lanes.hpp does the same for many.)
+inline Look lookAt(const Local& l, Real near) {
+    Look look;
+    look.travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
+    look.along = nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b);
+    const Real reach = near + look.travel;
+    look.far = (l.p - look.along * l.b).squaredNorm() > reach * reach;
+    return look;
 }
 
 /// The nearest points of a particle and a capsule's axis.

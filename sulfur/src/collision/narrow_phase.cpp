@@ -8,142 +8,36 @@
 // time of impact. They are kept when the predicted displacements could close the gap; the
 // constraint gap + n . d >= 0 then stops even what would jump over a thin wall.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "collision/contact_memory.hpp"
 #include "collision/entwined.hpp"
+#include "collision/filling.hpp"
 #include "collision/geometry.hpp"
-#include "collision/materials.hpp"
 #include "collision/meeting.hpp"
 #include "collision/outlines.hpp"
 #include "core/pieces.hpp"
-#include "solver/contact_motion.hpp"
-#include "solver/restitution.hpp"
+#include "kernels/meeting_lanes.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
 
 namespace {
 
-/// What the contact acts on: the capsule's point is one grip if a rigid component has both ends.
-void takeHold(const State& state, Contact& c) {
-    c.gripOfParticle = gripOf(state, c.particle);
-    c.gripOfA = gripOf(state, c.a);
-    c.gripOfB = gripOf(state, c.b);
-    c.shareA = c.weightA;
-    c.shareB = c.weightB;
-    if (c.gripOfA.cluster == none || c.gripOfA.cluster != c.gripOfB.cluster) return;
-    c.gripOfA.arm = c.weightA * c.gripOfA.arm + c.weightB * c.gripOfB.arm;
-    c.shareA = 1;
-    c.shareB = 0;
-}
-
-/// Adds what pushes along the normal and the tangent meet at one of the contact's grips.
-[[gnu::always_inline]] inline void addInverseMasses(const State& state, const Grip& grip,
-                                                    Real share, Contact& c) {
-    const Real share2 = share * share;
-    c.inverseEffectiveMass += share2 * inverseMassAlong(state, grip, c.normal);
-    c.tangentInverseMass += share2 * inverseMassAlong(state, grip, perpendicular(c.normal));
-}
-
-/// A particle and what it is held off: a point of a capsule, or the corner `a` (then a == b).
-struct Touch {
-    std::uint32_t particle = 0, a = 0, b = 0;
-    const Collider* collider = nullptr;
-    Meeting meeting;
-    Real thickness = 0;
-};
-
-/// All but what depends on how it moves. (In its place: to copy a contact takes as long as this.)
-void fillContact(const State& state, const Touch& t, Contact& contact) {
-    contact.particle = t.particle;
-    contact.a = t.a;
-    contact.b = t.b;
-    contact.joint = t.collider->joint;
-    contact.bodyA = state.particles.body[t.particle];
-    contact.bodyB = t.collider->body;
-    contact.weightA = t.a == t.b ? 1 : 1 - t.meeting.along;
-    contact.weightB = t.a == t.b ? 0 : t.meeting.along;
-    contact.normal = t.meeting.normal;
-    contact.thickness = t.thickness;
-    contact.gap = t.meeting.distance - t.thickness;
-    takeHold(state, contact);
-    addInverseMasses(state, contact.gripOfParticle, 1, contact);
-    addInverseMasses(state, contact.gripOfA, contact.shareA, contact);
-    if (contact.shareB != 0) addInverseMasses(state, contact.gripOfB, contact.shareB, contact);
-    giveSurface(state, contact);
-}
-
 Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
     const auto& d = particles.displacement;
-    if (t.a == t.b) return d[t.particle] - d[t.a];
-    return d[t.particle] - (1 - t.meeting.along) * d[t.a] - t.meeting.along * d[t.b];
+    const ContactPlan& plan = t.plan;
+    const Vec2 &p = d[plan.particle], &a = d[plan.a], &b = d[plan.b];
+    if (t.atCorner()) return {p[0] - a[0], p[1] - a[1]};
+    const Real onA = 1 - t.meeting.along, onB = t.meeting.along;
+    return {p[0] - onA * a[0] - onB * b[0], p[1] - onA * a[1] - onB * b[1]};
 }
 
-/// What rests may stand this much off the surface: as far as four times the earth's gravity moves
-/// it in a tick from rest, but no more than a share of the thickness. Within it a contact only
-/// stops what closes it, so that no sweep's remainder sets a stack rocking. (What rebounds does so
-/// at the surface itself, and has none.)
-Real slackOf(const State& state, const Contact& c) {
-    return std::min<Real>(Real(0.005) * c.thickness, Real(40) * state.h * state.h);
-}
-
-bool comesSliding(const State& state, const Contact& c, const Vec2& moved) {
-    return std::abs(c.conveyed + perpendicular(c.normal).dot(moved)) > slipOfRest(state);
-}
-
-/// Whether it closes or slides, by the predicted motion, by so large a share of its thickness that
-/// its direction, which is that of the tick's start, may be wrong at the end.
-bool isFast(const Contact& c, Real closing, const Vec2& moved) {
-    return -closing > Real(0.05) * c.thickness || moved.norm() > Real(0.25) * c.thickness;
-}
-
-/// How a particle is inside of a body. Candidates of the same two come one after the other, so that
-/// the answer for the last one is mostly that for the next.
-struct Inside {
-    std::uint32_t particle = none, body = none;
-    bool enclosed = false;
-    std::uint32_t nearest = none;  // edge of its outline, by joint; none until somebody asks
-};
-
-/// What a piece of the stage finds.
-struct Found {
-    std::vector<Contact>& contacts;
-    std::vector<std::uint32_t>& knocked;  // sleepers that something ran into
-    Inside inside{};                      // what was asked last
-};
-
-/// A kinematic body that runs into a sleeper can only wake it in this tick.
-void knock(const State& state, const Contact& c, Real closing, Found& found) {
-    if (c.gap + closing > 0) return;
-    for (const auto body : {c.bodyA, c.bodyB})
-        if (state.bodies[body].asleep) found.knocked.push_back(body);
-}
-
-/// Adds the contact if the predicted displacements could close its gap.
 void keepIfNear(const State& state, const Touch& t, Found& found) {
     const Vec2 moved = relativeDisplacement(state.particles, t);
-    const Real closing = t.meeting.normal.dot(moved);
-    const Real gap = t.meeting.distance - t.thickness;
-    if (gap + std::min<Real>(closing, 0) > state.broad.watchedGap(t.thickness)) return;
-    static const Contact blank;  // to copy it is faster than to clear a new one
-    Contact& contact = found.contacts.emplace_back(blank);
-    fillContact(state, t, contact);
-    if (contact.inverseEffectiveMass == 0) {
-        knock(state, contact, closing, found);
-        return found.contacts.pop_back();
-    }
-    contact.approach = -closing / state.h;
-    const bool rebounds = mayRebound(contact);
-    contact.slack = rebounds ? 0 : slackOf(state, contact);
-    contact.sliding = comesSliding(state, contact, moved);
-    contact.fast = isFast(contact, closing, moved);
-    if (rebounds) planRebound(state, contact);
-}
-
-Real thicknessOf(const State& state, const Candidate& candidate) {
-    return state.particles.reach[candidate.particle] +
-           state.broad.collider(candidate.collider).radius;
+    keepIfNear(state, t, moved, t.meeting.normal.dot(moved), found);
 }
 
 /// From where on, as a share of its length, a capsule's side counts as nearer than its end; less
@@ -182,21 +76,23 @@ bool isOtherCorners(std::uint32_t particle, std::uint32_t corner) {
     return particle >= corner;
 }
 
-bool meetsCorner(const State& state, const Touch& t, std::uint32_t corner, const Found& found) {
-    const Real fraction = t.meeting.fraction;
-    return !isOtherCorners(t.particle, corner) && isNew(found, t.particle, corner) &&
-           isNearestAt(state, corner, t.particle, fraction) &&
-           isNearestAt(state, t.particle, corner, fraction);
+bool meetsCorner(const State& state, std::uint32_t particle, std::uint32_t corner, Real fraction,
+                 const Found& found) {
+    return !isOtherCorners(particle, corner) && isNew(found, particle, corner) &&
+           isNearestAt(state, corner, particle, fraction) &&
+           isNearestAt(state, particle, corner, fraction);
 }
 
 /// What was held off on one side stays on that side: when it is found on the other, it has been
 /// pressed through, and the normal keeps its direction.
-void keepSide(const State& state, Touch& t) {
-    if (t.meeting.distance > t.thickness || t.meeting.fraction > 0) return;
-    const ContactMemory* before = recall(state, t.particle, t.a, t.b);
-    if (!before || before->normal.dot(t.meeting.normal) >= 0) return;
-    t.meeting.normal = -t.meeting.normal;
-    t.meeting.distance = -t.meeting.distance;
+bool isPressedThrough(const State& state, const ContactPlan& plan, Real normalX, Real normalY) {
+    const ContactMemory* before = recall(state, plan.particle, plan.a, plan.b);
+    return before && before->normal.dot(Vec2(normalX, normalY)) < 0;
+}
+
+[[gnu::always_inline]] inline void turnRound(Meeting& meeting) {
+    meeting.normal = Vec2(-meeting.normal[0], -meeting.normal[1]);
+    meeting.distance = -meeting.distance;
 }
 
 /// The edge of a body's outline that is nearest to a point.
@@ -227,81 +123,182 @@ std::uint32_t nearestOf(const State& state, Inside& inside) {
     return inside.nearest;
 }
 
-/// A capsule of an outline pushes to its outer side only. What is behind it without being inside of
-/// the body is in front of another one; what is inside leaves through the nearest. Returns false
-/// when this capsule has nothing to say.
-bool keepOutside(const State& state, Touch& t, Found& found) {
-    const Collider& c = *t.collider;
-    if (c.joint == none || state.particles.body[t.particle] == c.body) return true;
-    const int outward = state.broad.outlines.outwardOf(c.joint);
-    if (outward == 0 || t.meeting.fraction > 0) return true;
+/// Twice the area to the left of a capsule, up to a particle, in m^2: from `a` to `b` and to it.
+[[gnu::always_inline]] inline double areaBeside(const Point& a, const Point& b, const Point& p) {
+    return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+}
+
+/// Whether a particle is behind a capsule that pushes to its outer side only, that to the right of
+/// the way from a to b or, with `outward` < 0, to the left.
+[[gnu::always_inline]] inline bool isBehind(int outward, double areaBeside) {
+    return outward != 0 && !(outward * areaBeside <= 0);
+}
+
+/// What is behind a capsule without being inside of the body is in front of another one; what is
+/// inside leaves through the nearest. (This may search all of an outline.)
+bool leavesThrough(const State& state, const ContactPlan& plan, Found& found) {
+    return isEnclosed(state, plan.particle, plan.bodyB, found.inside) &&
+           nearestOf(state, found.inside) == plan.joint;
+}
+
+/// The end of a candidate's capsule that is nearer to a place on it.
+std::uint32_t cornerAt(const Watch& w, Real along) {
+    return along < Real(0.5) ? w.a : w.b;
+}
+
+/// The plane of an impact, seen from the start of the tick.
+void seeFromStart(const Local& local, const Watch& w, Touch& t) {
+    const Vec2 offset = t.atCorner() && t.plan.a == w.b ? Vec2(local.p - local.b)
+                        : t.atCorner()                  ? local.p
+                                                        : Vec2(local.p - t.meeting.along * local.b);
+    t.meeting.distance = t.meeting.normal.dot(offset);
+}
+
+/// How a candidate meets at the start of the tick.
+void considerNow(const State& state, const Watch& w, Touch t, Found& found) {
+    Meeting& m = t.meeting;
     const auto& x = state.particles.position;
-    const Point along = x[c.b] - x[c.a], offset = x[t.particle] - x[c.a];
-    if (outward * cross(along, offset) <= 0) return true;  // to the right of a->b: outside
-    if (!isEnclosed(state, t.particle, c.body, found.inside) || t.meeting.atEnd) return false;
-    if (nearestOf(state, found.inside) != c.joint) return false;
-    t.meeting.normal = -t.meeting.normal;
-    t.meeting.distance = -t.meeting.distance;
-    return true;
-}
-
-/// A first look at a particle and a capsule.
-struct Look {
-    Real along = 0;   // place on the axis that is nearest at the start of the tick
-    Real travel = 0;  // m, by which the fastest part moves against the other
-    bool far = true;  // this tick cannot bring them together
-};
-
-Look lookAt(const Local& l, Real thickness, Real margin) {
-    Look look;
-    look.travel = std::max((l.dp - l.da).lpNorm<1>(), (l.dp - l.db).lpNorm<1>());
-    look.along = nearestAlong<Vec2>(l.p, Vec2(0, 0), l.b);
-    const Real reach = thickness + margin + look.travel;
-    look.far = (l.p - look.along * l.b).squaredNorm() > reach * reach;
-    return look;
-}
-
-std::uint32_t cornerAt(const Collider& c, Real along) {
-    return along < Real(0.5) ? c.a : c.b;
-}
-
-/// Parts of one rigid component never move against each other. (Asked here, not where candidates
-/// are found: a query may look for these before the components are up to date.)
-bool moveAsOne(const State& state, std::uint32_t particle, const Collider& c) {
-    const auto& cluster = state.particles.cluster;
-    return cluster[particle] != none && cluster[particle] == cluster[c.a] &&
-           cluster[particle] == cluster[c.b];
-}
-
-void consider(const State& state, const Candidate& candidate, Found& found) {
-    const Collider& c = state.broad.collider(candidate.collider);
-    const Real thickness = thicknessOf(state, candidate);
-    const Local local = localise(state.particles, candidate.particle, c);
-    const Look look = lookAt(local, thickness, state.broad.watchedGap(thickness));
-    if (look.far) return;
-    const bool fast = look.travel > thickness;
-    if (!fast && isEnd(look.along) && isOtherCorners(candidate.particle, cornerAt(c, look.along)))
-        return;
-    if (moveAsOne(state, candidate.particle, c)) return;
-    Touch t{candidate.particle, c.a, c.b, &c, {}, thickness};
-    t.meeting = fast ? meetOnTheWay(local, thickness) : meetAt(local, look.along);
-    if (areEntwined(state, state.particles.body[candidate.particle], c.body)) return;
-    if (t.meeting.atEnd) {
-        const auto corner = cornerAt(c, t.meeting.along);
-        if (!meetsCorner(state, t, corner, found)) return;
-        t.a = t.b = corner;
+    if (isBehind(t.plan.outward, areaBeside(x[w.a], x[w.b], x[w.candidate.particle]))) {
+        if (m.atEnd || !leavesThrough(state, t.plan, found)) return;
+        turnRound(m);
     }
-    if (!keepOutside(state, t, found)) return;  // may search all of an outline: comes last
-    if (t.meeting.fraction > 0) {
-        // The plane of the impact, seen from the start of the tick.
-        const Vec2 offset = t.a == t.b && t.a == c.b ? Vec2(local.p - local.b)
-                            : t.a == t.b             ? local.p
-                                                     : Vec2(local.p - t.meeting.along * local.b);
-        t.meeting.distance = t.meeting.normal.dot(offset);
-    }
-    if (t.meeting.distance > 0) keepSide(state, t);
+    if (m.distance > 0 && m.distance <= t.plan.thickness &&
+        isPressedThrough(state, t.plan, m.normal[0], m.normal[1]))
+        turnRound(m);
     keepIfNear(state, t, found);
 }
+
+/// The same for one that may meet on its way.
+void considerLater(const State& state, const Watch& w, const Local& local, Touch t, Found& found) {
+    if (!(t.meeting.fraction > 0)) return considerNow(state, w, t, found);
+    seeFromStart(local, w, t);
+    keepIfNear(state, t, found);
+}
+
+const ContactPlan& planFirst(const State& state, std::uint32_t watch, Found& found) {
+    const Watch& w = state.broad.watches[watch];
+    const auto& [particle, collider] = w.candidate;
+    const Collider& c = state.broad.collider(collider);
+    found.plans.push_back({watch, planContact(state, particle, w.a, w.b, c)});
+    return found.plans.back().plan;
+}
+
+/// The plan of a candidate's own contact, not of that of its corners.
+inline const ContactPlan& planOf(const State& state, std::uint32_t watch, Found& found) {
+    const auto kept = state.broad.watches[watch].plan;
+    return kept != none ? state.broad.plans[kept] : planFirst(state, watch, found);
+}
+
+/// The side of the axis is nearest.
+void considerSide(const State& state, std::uint32_t watch, const Local& local, Real along,
+                  Found& found) {
+    const ContactPlan& plan = planOf(state, watch, found);
+    if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return;
+    considerNow(state, state.broad.watches[watch], {plan, meetSide(local, along)}, found);
+}
+
+/// An end of the axis is nearest: the corner there, if it is the one that counts.
+void considerCorner(const State& state, const Watch& w, const Local& local, const Meeting& meeting,
+                    Found& found) {
+    const auto [particle, collider] = w.candidate;
+    const Collider& c = state.broad.collider(collider);
+    if (moveAsOne(state, particle, c)) return;
+    if (areEntwined(state, state.particles.body[particle], c.body)) return;
+    const auto corner = cornerAt(w, meeting.along);
+    if (!meetsCorner(state, particle, corner, meeting.fraction, found)) return;
+    const ContactPlan plan = planContact(state, particle, corner, corner, c);
+    considerLater(state, w, local, {plan, meeting}, found);
+}
+
+/// What moves by more than its thickness in this tick.
+void considerFast(const State& state, std::uint32_t watch, const Local& local, Found& found) {
+    const Watch& w = state.broad.watches[watch];
+    const Meeting meeting = meetOnTheWay(local, w.thickness);
+    if (meeting.atEnd) return considerCorner(state, w, local, meeting, found);
+    const ContactPlan& plan = planOf(state, watch, found);
+    if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return;
+    considerLater(state, w, local, {plan, meeting}, found);
+}
+
+void considerAlone(const State& state, std::uint32_t watch, Found& found) {
+    const Watch& w = state.broad.watches[watch];
+    const Local local = localise(state.particles, w.candidate.particle, w.a, w.b);
+    const Look look = lookAt(local, w.thickness + state.broad.watchedGap(w.thickness));
+    if (look.far) return;
+    if (look.travel > w.thickness) return considerFast(state, watch, local, found);
+    if (!isEnd(look.along)) return considerSide(state, watch, local, look.along, found);
+    if (isOtherCorners(w.candidate.particle, cornerAt(w, look.along))) return;
+    considerCorner(state, w, local, meetEnd(local, look.along), found);
+}
+
+/// Candidates that are looked at together. Most are far, or lie against the side of a capsule as
+/// they did in the last tick; that is settled here, and the others are considered alone. Scratch
+/// memory only.
+class Lookout {
+public:
+    void look(const State& state, std::span<const std::uint32_t> watches) {
+        for (std::size_t k = 0; k < watches.size(); ++k)
+            beside_[k] = place(state, state.broad.watches[watches[k]], blocks_[k / meetingLanes],
+                               k % meetingLanes);
+        meetingKernels().meet(blocks_.data(), (watches.size() + meetingLanes - 1) / meetingLanes);
+    }
+
+    /// What considerAlone() does, for the `k`th.
+    void consider(const State& state, std::uint32_t watch, std::size_t k, Found& found) const {
+        const MeetingBlock& b = blocks_[k / meetingLanes];
+        const std::size_t i = k % meetingLanes;
+        if (b.far[i] != 0) return;
+        const Watch& w = state.broad.watches[watch];
+        if (!(b.travel[i] > w.thickness)) {
+            if (!isEnd(b.along[i])) {
+                if (w.plan != none && considerSide(state, w, b, i, beside_[k], found)) return;
+            } else if (isOtherCorners(w.candidate.particle, cornerAt(w, b.along[i]))) {
+                return;
+            }
+        }
+        considerAlone(state, watch, found);
+    }
+
+private:
+    /// Returns areaBeside().
+    static double place(const State& state, const Watch& w, MeetingBlock& block, std::size_t i) {
+        const auto p = w.candidate.particle;
+        const Point* x = state.particles.position.data();
+        const Vec2* d = state.particles.displacement.data();
+        const double aX = x[w.a][0], aY = x[w.a][1];
+        const double pX = x[p][0] - aX, pY = x[p][1] - aY;
+        const double bX = x[w.b][0] - aX, bY = x[w.b][1] - aY;
+        block.x[i] = static_cast<Real>(pX);
+        block.y[i] = static_cast<Real>(pY);
+        block.endX[i] = static_cast<Real>(bX);
+        block.endY[i] = static_cast<Real>(bY);
+        block.moveX[i] = d[p][0];
+        block.moveY[i] = d[p][1];
+        block.moveAX[i] = d[w.a][0];
+        block.moveAY[i] = d[w.a][1];
+        block.moveBX[i] = d[w.b][0];
+        block.moveBY[i] = d[w.b][1];
+        block.reach[i] = w.thickness + state.broad.watchedGap(w.thickness);
+        return bX * pY - bY * pX;
+    }
+
+    /// Beside its capsule. Returns false where it is not where it belongs.
+    static bool considerSide(const State& state, const Watch& w, const MeetingBlock& b,
+                             std::size_t i, double areaBeside, Found& found) {
+        const ContactPlan& plan = state.broad.plans[w.plan];
+        if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return true;
+        const Real distance = b.distance[i], x = b.normalX[i], y = b.normalY[i];
+        if (isBehind(plan.outward, areaBeside)) return false;
+        if (distance > 0 && distance <= plan.thickness && isPressedThrough(state, plan, x, y))
+            return false;
+        const Touch t{plan, {.along = b.along[i], .normal = Vec2(x, y), .distance = distance}};
+        keepIfNear(state, t, Vec2(b.movedX[i], b.movedY[i]), b.closing[i], found);
+        return true;
+    }
+
+    std::array<MeetingBlock, nearBatch / meetingLanes> blocks_;
+    std::array<double, nearBatch> beside_;  // m^2, see areaBeside()
+};
 
 /// For two capsules that cross, the end that is nearest to the other's axis is led back to the
 /// side that it came from.
@@ -312,7 +309,8 @@ struct Crossing {
 
 void considerEnd(const State& state, std::uint32_t particle, std::uint32_t collider,
                  Crossing& best) {
-    const Meeting m = meet(localise(state.particles, particle, state.broad.collider(collider)));
+    const Collider& c = state.broad.collider(collider);
+    const Meeting m = meet(localise(state.particles, particle, c.a, c.b));
     if (m.distance < best.meeting.distance) best = {{particle, collider}, m};
 }
 
@@ -354,10 +352,9 @@ private:
 
 void considerCrossing(const State& state, const Crossing& crossing, Found& found) {
     const Collider& c = state.broad.collider(crossing.end.collider);
-    Touch t{crossing.end.particle,           c.a, c.b, &c, crossing.meeting,
-            thicknessOf(state, crossing.end)};
-    t.meeting.normal = -t.meeting.normal;
-    t.meeting.distance = -t.meeting.distance;
+    const ContactPlan plan = planContact(state, crossing.end.particle, c.a, c.b, c);
+    Touch t{plan, crossing.meeting};
+    turnRound(t.meeting);
     keepIfNear(state, t, found);
 }
 
@@ -375,33 +372,51 @@ std::size_t particleStart(const std::vector<WatchRun>& runs, std::size_t i) {
 struct Piece {
     std::vector<Contact> contacts;
     std::vector<std::uint32_t> knocked;
+    std::vector<FirstPlan> plans;
 };
+
+/// Writes down what the pieces planned, for the ticks to come.
+void keepPlans(BroadPhase& broad, const std::vector<FirstPlan>& plans) {
+    for (const FirstPlan& first : plans) {
+        broad.watches[first.watch].plan = static_cast<std::uint32_t>(broad.plans.size());
+        broad.plans.push_back(first.plan);
+    }
+}
 
 /// Looks at all candidates but those that cross, and leaves what they find in their order.
 void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
     thread_local std::vector<Piece> scratch;
-    std::vector<Piece>& others = scratch;
-    const BroadPhase& broad = state.broad;
+    std::vector<Piece>& found = scratch;
+    BroadPhase& broad = state.broad;
     const std::size_t count = broad.watchRuns.size();
+    const Real slip = slipOfRest(state);
     const std::size_t pieces = piecesOf(state.tasks, count, leastRuns);
-    if (others.size() < pieces) others.resize(pieces);
+    if (found.size() < pieces) found.resize(pieces);
     runPieces(state.tasks, pieces, [&](std::size_t i) {
-        Found found = i == 0 ? Found{state.contacts, state.knocked}
-                             : Found{others[i].contacts, others[i].knocked};
-        if (i > 0) found.contacts.clear(), found.knocked.clear();
-        const auto start = [&](std::size_t piece) {
-            return particleStart(broad.watchRuns, pieceStart(piece, pieces, count));
+        Piece& piece = found[i];
+        piece.contacts.clear(), piece.knocked.clear(), piece.plans.clear();
+        Found here = i == 0 ? Found{state.contacts, state.knocked, piece.plans, slip}
+                            : Found{piece.contacts, piece.knocked, piece.plans, slip};
+        const auto start = [&](std::size_t k) {
+            return particleStart(broad.watchRuns, pieceStart(k, pieces, count));
         };
         CrossingWalk crossing(crossings);
-        forEachNear(broad, broad.outings, start(i), start(i + 1), [&](const Watch& watch) {
-            if (!crossing.has(watch.candidate)) consider(state, watch.candidate, found);
+        thread_local Lookout room;
+        Lookout& lookout = room;
+        forEachNear(broad, broad.outings, start(i), start(i + 1), [&](auto watches) {
+            lookout.look(state, watches);
+            for (std::size_t k = 0; k < watches.size(); ++k)
+                if (!crossing.has(broad.watches[watches[k]].candidate))
+                    lookout.consider(state, watches[k], k, here);
         });
     });
-    for (std::size_t i = 1; i < pieces; ++i) {
-        state.contacts.insert(state.contacts.end(), others[i].contacts.begin(),
-                              others[i].contacts.end());
-        state.knocked.insert(state.knocked.end(), others[i].knocked.begin(),
-                             others[i].knocked.end());
+    state.statistics.plannedContacts = 0;
+    for (std::size_t i = 0; i < pieces; ++i) {
+        const Piece& piece = found[i];
+        state.contacts.insert(state.contacts.end(), piece.contacts.begin(), piece.contacts.end());
+        state.knocked.insert(state.knocked.end(), piece.knocked.begin(), piece.knocked.end());
+        keepPlans(broad, piece.plans);
+        state.statistics.plannedContacts += static_cast<std::uint32_t>(piece.plans.size());
     }
 }
 
@@ -411,12 +426,14 @@ void findContacts(State& state) {
     state.contacts.clear();
     state.knocked.clear();
     partEntwined(state);
+    dropStalePlans(state.broad);
     indexMemory(state);
     thread_local std::vector<Crossing> crossings;  // nearly always empty
     crossings.clear();
     findCrossings(state, crossings);
     considerCandidates(state, crossings);
-    Found found{state.contacts, state.knocked};
+    std::vector<FirstPlan> noPlans;  // a crossing is none of the candidate's own
+    Found found{state.contacts, state.knocked, noPlans, slipOfRest(state)};
     for (const Crossing& crossing : crossings) considerCrossing(state, crossing, found);
     state.statistics.contacts = static_cast<std::uint32_t>(state.contacts.size());
 }

@@ -221,7 +221,7 @@ void watchEnd(const State& state, std::uint32_t particle, std::uint32_t collider
     // A thousandth for rounding.
     const Real needed = Real(1.001) * thickness + broad.watchedGap(thickness);
     const Real apart = static_cast<Real>(distance - static_cast<double>(needed));
-    watches.push_back({{particle, collider}, c.a, c.b, spareOf(apart, thickness)});
+    watches.push_back({{particle, collider}, c.a, c.b, spareOf(apart, thickness), thickness});
 }
 
 void watchPair(const State& state, const Found& pair, std::vector<WatchedPair>& pairs,
@@ -315,6 +315,8 @@ void findPairs(State& state) {
         for (const Collider& c : *colliders) broad.circles.push_back(circleRound(state, c));
     collectFound(state, finder());
     watchFound(state, finder(), broad.pairs, broad.watches);
+    broad.plans.clear();
+    broad.plansStale = false;
     collectAllRuns(broad);
 }
 
@@ -332,6 +334,8 @@ void renewPairs(State& state) {
     mergeInto(broad.pairs, lists.pairs, lists.mergedPairs);
     mergeInto(broad.watches, lists.watches, lists.watchScratch);
     collectAllRuns(broad);
+    // Those of candidates that are gone are still there.
+    if (2 * broad.plans.size() > broad.watches.size()) broad.plansStale = true;
 }
 
 void measureOutings(const State& state, const std::vector<Vec2>& displacements, Outings& outings) {

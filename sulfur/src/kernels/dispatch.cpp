@@ -8,6 +8,7 @@
 #include "kernels/cluster_motion.hpp"
 #include "kernels/contact_sweep.hpp"
 #include "kernels/joint_sweep.hpp"
+#include "kernels/meeting_lanes.hpp"
 #include "kernels/particle_motion.hpp"
 
 namespace sulfur::detail {
@@ -73,6 +74,13 @@ const ChainKernels& chainKernels() {
     if (mayUse(Instructions::avx2)) return avx2Chains;
 #endif
     return baselineChains;
+}
+
+const MeetingKernels& meetingKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Meetings;
+#endif
+    return baselineMeetings;
 }
 
 const ContactKernels& contactKernels() {

@@ -193,6 +193,7 @@ void listStrained(State& state) {
 void deriveStructure(State& state) {
     dissolveTrees(state);
     updateClusters(state);
+    state.broad.plansStale = true;
     classifyJoints(state);
     buildTrees(state);
     state.triangles.stale = true;

@@ -9,9 +9,6 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Slower impacts do not rebound, so that what lies comes to rest.
-constexpr Real slowestRebound = Real(0.1);  // m/s
-
 /// Over the velocities of all contacts that rebound at once.
 constexpr int sweeps = 4;
 
@@ -40,10 +37,6 @@ void strike(State& state, const Contact& c, Real impulse) {
 }
 
 }  // namespace
-
-bool mayRebound(const Contact& c) {
-    return c.restitution > 0 && c.approach > slowestRebound;
-}
 
 void planRebound(const State& state, Contact& c) {
     // The velocities stand in the middle of the tick, half a kick after its start.

@@ -5,8 +5,13 @@
 
 namespace sulfur::detail {
 
+/// Slower impacts do not rebound, so that what lies comes to rest.
+inline constexpr Real slowestRebound = Real(0.1);  // m/s
+
 /// Whether the contact is elastic and closes too fast to come to rest.
-bool mayRebound(const Contact& c);
+inline bool mayRebound(const Contact& c) {
+    return c.restitution > 0 && c.approach > slowestRebound;
+}
 
 /// Sees whether the contact closes within this tick fast enough to rebound, and if so, notes how
 /// far apart its sides must be at the end of the tick and how fast they must part.

@@ -99,6 +99,7 @@ void World::setMaterial(BodyId id, const Material& material) {
     const auto index = indexOf(state, id);
     detail::validate(material);
     state.bodies[index].material = material;
+    state.broad.plansStale = true;
     detail::wakeTouching(state, index);
 }
 
@@ -116,6 +117,7 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
     if (material) detail::validate(*material);
     state.joints.material[j] = material.value_or(Material{});
     state.joints.ownMaterial[j] = material ? 1 : 0;
+    state.broad.plansStale = true;
     detail::wakeEnds(state, j);
 }
 

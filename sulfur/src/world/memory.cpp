@@ -116,7 +116,7 @@ MemoryUse ofColliders(const State& state) {
 MemoryUse ofCandidates(const State& state) {
     const auto& b = state.broad;
     return Sum()
-        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns)
+        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns, b.plans)
         .as("candidates", b.watches.size(), true);
 }
 
