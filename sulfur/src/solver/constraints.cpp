@@ -65,16 +65,24 @@ bool sweepAreas(State& state, ContactRows& rows) {
 }
 
 /// Where all contacts are in blocks and nothing else is swept, their motions stay there. The forest
-/// comes first, so that sweeps begin near the solution, and last, for what they have left. One
-/// sweep there is always: errors that are not worth more must not add up from tick to tick.
+/// comes before the first sweep, so that sweeps begin near the solution, or before the second where
+/// one might have been enough; and last, for what they have left, with a sweep for what the bounds
+/// of its rows have left. One sweep there is always: errors that are not worth more must not add up
+/// from tick to tick.
 void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) {
-    bool anyError = rows.anyError(state);
-    if (anyError) solveForest(state, rows, forest);
+    bool anyError = rows.anyError(state), solved = false;
     for (int sweep = 0; sweep == 0 || (anyError && sweep < state.settings.sweeps); ++sweep) {
+        if (anyError && !solved && (sweep > 0 || rows.anyLargeError(state))) {
+            solveForest(state, rows, forest);
+            solved = true;
+        }
         rows.sweep(sweep % 2 != 0);
         anyError = rows.anyError(state);
     }
-    if (anyError) solveForest(state, rows, forest);
+    if (anyError) {
+        solveForest(state, rows, forest);
+        rows.sweep(false);
+    }
     rows.giveMotions(state);
     if (sweepAreas(state, rows)) rows.takeMotions(state);
 }

@@ -1,6 +1,7 @@
 #include "solver/contact_forest.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rigid/grip.hpp"
 #include "solver/contact_motion.hpp"
@@ -11,8 +12,20 @@ namespace {
 
 using Vector3 = Cholesky3::Vector;
 
-/// Of the active set, in a sweep.
-constexpr int mostSteps = 2;
+/// Of the active set, in a sweep. Steps of next to nothing are usual until those rows are found
+/// that give way; a tree has gone far enough when less than this share of its way is left.
+constexpr int leastSteps = 2, mostSteps = 10;
+constexpr Real mostLeft = Real(0.5);
+
+/// m/s, of the largest error: a tree that something strikes, in which so many rows give way that
+/// only the sweeps get far. It takes the least number of steps and lets go of all such rows at
+/// once.
+constexpr double struckSpeed = 0.1;
+
+/// As shares of the change: rows that allow no more than this beyond the step give way with the one
+/// that ends it. The others may hold in the next: let go of too early, a contact pushes on although
+/// it opens, and heaps begin to boil.
+constexpr Real givesWayWithin = Real(0.1);
 
 /// A tree whose last step was shorter is left to the sweeps for the rest of the tick. (A heap onto
 /// which things drop has some contact that allows next to nothing in nearly every tick.)
@@ -229,18 +242,19 @@ Real ContactForest::allowedAlong(const ActiveRow& active) const {
     return shareOf(sum, -active.change);
 }
 
-/// ... or a tangent would hold by more than static friction.
+/// ... or the tangents would hold by more than static friction, all together: they ask for the
+/// same, so that one can take over from another.
 Real ContactForest::allowedAcross(const ActiveRow& active) const {
-    Real allowed = 1;
+    Real bound = 0, growth = 0, tangent = 0;
     for (const Member& m : membersOf(rows_[active.row])) {
         if (m.share == 0) continue;
         const Carried& c = carried_[m.contact];
-        const Real bound = m.friction * c.normal, growth = m.friction * c.normalChange;
-        const Real change = m.share * active.change;
-        allowed = std::min({allowed, shareOf(bound - c.tangent, change - growth),
-                            shareOf(bound + c.tangent, -change - growth)});
+        bound += m.friction * c.normal;
+        growth += m.friction * c.normalChange;
+        tangent += c.tangent;
     }
-    return allowed;
+    return std::min(shareOf(bound - tangent, active.change - growth),
+                    shareOf(bound + tangent, -active.change - growth));
 }
 
 /// As far as its rows allow, per tree.
@@ -276,53 +290,91 @@ bool ContactForest::isHopeless(const Node& tree) {
            mostGiving * tree.givingRows > tree.activeRows;
 }
 
-/// Takes each tree's step, and lets go of those rows that did not allow all of it: of all at once,
-/// because a large tree has many. Returns whether there were any; of a tree in which there were
-/// none nothing is active any more.
-bool ContactForest::takeStep(State& state) {
+/// What is more than the friction of a member can hold goes to those that have room for it.
+void ContactForest::shareTangents(const Row& row) {
+    const auto boundOf = [&](const Member& m) {
+        return m.share == 0 ? Real(0) : m.friction * carried_[m.contact].normal;
+    };
+    Real excess = 0, room = 0;
+    for (const Member& m : membersOf(row)) {
+        if (m.share == 0) continue;
+        Real& tangent = carried_[m.contact].tangent;
+        const Real held = std::clamp(tangent, -boundOf(m), boundOf(m));
+        excess += tangent - held;
+        tangent = held;
+    }
+    if (excess == 0) return;
+    const auto roomOf = [&](const Member& m) {
+        const Real along = std::copysign(Real(1), excess) * carried_[m.contact].tangent;
+        return m.share == 0 ? Real(0) : boundOf(m) - along;
+    };
+    for (const Member& m : membersOf(row)) room += roomOf(m);
+    for (const Member& m : membersOf(row))
+        carried_[m.contact].tangent += excess * (room > 0 ? roomOf(m) / room : m.share);
+}
+
+/// Changes the multipliers of a row by its tree's step, and lets go of it if that is all that it
+/// allows.
+void ContactForest::takeStepOf(const ActiveRow& active) {
+    const Row& row = rows_[active.row];
+    Node& tree = treeOf(row);
+    const bool endsStep = tree.struck || active.allowed <= tree.step + givesWayWithin;
+    const bool givesWay = active.allowed < 1 && endsStep;
+    for (const Member& m : membersOf(row)) {
+        Carried& c = carried_[m.contact];
+        (row.isNormal ? c.normal : c.tangent) += tree.step * m.share * active.change;
+        c.normal = std::max<Real>(c.normal, 0);  // (Rounding may have left it below.)
+        if (givesWay && m.share > 0) (row.isNormal ? c.given : c.slipping) = true;
+    }
+    if (!row.isNormal) shareTangents(row);
+    tree.unfinished |= givesWay;
+    ++tree.activeRows;
+    tree.givingRows += givesWay ? 1 : 0;
+}
+
+/// Takes each tree's step. Of a tree in which no row gave way nothing is active any more, nor, if
+/// it `mayEnd`, of one that has come far.
+void ContactForest::takeStep(State& state, bool mayEnd) {
     findSteps();
     moveNodes(state);
     for (Node& node : nodes_) {
         node.unfinished = false;
         node.activeRows = node.givingRows = 0;
     }
-    bool anyGiven = false;
-    for (const ActiveRow& active : active_) {
-        const Row& row = rows_[active.row];
-        Node& tree = treeOf(row);
-        const bool givesWay = active.allowed < 1;
-        for (const Member& m : membersOf(row)) {
-            Carried& c = carried_[m.contact];
-            (row.isNormal ? c.normal : c.tangent) += tree.step * m.share * active.change;
-            c.normal = std::max<Real>(c.normal, 0);  // (Rounding may have left it below.)
-            if (givesWay && m.share > 0) (row.isNormal ? c.given : c.slipping) = true;
-        }
-        anyGiven |= givesWay;
-        tree.unfinished |= givesWay;
-        ++tree.activeRows;
-        tree.givingRows += givesWay ? 1 : 0;
-    }
+    for (const ActiveRow& active : active_) takeStepOf(active);
     for (Node& node : nodes_) {
-        if (!node.unfinished || !isHopeless(node)) continue;
-        node.unfinished = false;
-        node.hopeless = true;
+        if (!node.unfinished) continue;
+        node.left *= 1 - node.step;
+        const bool mustEnd = mayEnd && (node.struck || node.left < mostLeft);
+        node.hopeless = isHopeless(node) || (mustEnd && node.struck && node.step < leastStep);
+        node.unfinished = !node.hopeless && !mustEnd;
     }
-    return anyGiven;
+}
+
+void ContactForest::findStruck(const State& state) {
+    const double most = struckSpeed * static_cast<double>(state.h);
+    for (const ActiveRow& active : active_)
+        if (std::abs(active.error) > most) treeOf(rows_[active.row]).struck = true;
 }
 
 void ContactForest::solve(State& state) {
     if (!grown_) grow(state);
     takeMotions(state);
     takeMultipliers(state);
-    for (Node& node : nodes_) node.unfinished = !node.hopeless;
-    for (int i = 0; i < mostSteps; ++i) {
+    for (Node& node : nodes_) {
+        node.unfinished = !node.hopeless;
+        node.left = 1;
+        node.struck = false;
+    }
+    for (int i = 1; i <= mostSteps; ++i) {
         activateRows(state);
         if (active_.empty()) break;
+        if (i == 1) findStruck(state);
         assemble(state);
         eliminate();
         substitute();
         findChanges();
-        if (!takeStep(state)) break;
+        takeStep(state, i >= leastSteps);
     }
     for (Node& node : nodes_) node.hopeless |= node.unfinished && node.step < leastStep;
     giveMultipliers(state);

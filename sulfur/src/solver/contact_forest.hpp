@@ -47,7 +47,9 @@ private:
         Vector3 motion;         // the right-hand side, then the solution
         // Of a root, for its tree.
         Real step = 1;  // share of the motion that the rows allow
+        Real left = 1;  // share of its way that all steps so far have left
         bool unfinished = true;
+        bool struck = false;                           // something runs into it
         std::uint32_t activeRows = 0, givingRows = 0;  // in its last step
         bool hopeless = false;                         // its rows allow next to nothing
     };
@@ -146,7 +148,10 @@ private:
     void findSteps();
     void moveNodes(State& state);
     static bool isHopeless(const Node& tree);
-    bool takeStep(State& state);
+    void shareTangents(const Row& row);
+    void takeStepOf(const ActiveRow& active);
+    void takeStep(State& state, bool mayEnd);
+    void findStruck(const State& state);
 
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;

@@ -20,6 +20,10 @@ namespace {
 /// tick takes back what this one has left.
 constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
 
+/// What one sweep is not likely to make an end of: more than what recoveries disturb in a heap that
+/// lies.
+constexpr Real largeErrorSpeed = Real(5e-4);  // m/s
+
 /// As a share of the thinnest contact.
 constexpr Real deepError = Real(0.02);
 
@@ -382,7 +386,8 @@ void ContactRows::recover(State& state) {
     takeShifts(state);
     sweepBlocks(kernels.driftTwo, kernels.driftThree, false);
     for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
-        sweepBlocks(kernels.recoverTwo, kernels.recoverThree, false);
+        // There and back: always from the same end, crates of a heap tilted a little in every tick.
+        sweepBlocks(kernels.recoverTwo, kernels.recoverThree, sweep % 2 != 0);
         if (single_.empty()) continue;
         giveShifts(state);
         if (sweep == 0) recoverDrifts(state, single_);
@@ -434,6 +439,10 @@ bool ContactRows::anyDeepError(const State& state) const {
 
 bool ContactRows::anyDeepErrorSingly(const State& state) const {
     return anySingleBeyond(state, deepErrorIn(state));
+}
+
+bool ContactRows::anyLargeError(const State& state) const {
+    return anyErrorBeyond(largeErrorSpeed * state.h);
 }
 
 bool ContactRows::anyError(const State& state) const {
