@@ -14,6 +14,9 @@ namespace {
 /// in all sweeps of a tick, and to where what is flatter is led back, after which its springs open
 /// it. (Leading it farther would work against a heap that presses on it.)
 constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare = Real(0.05);
+/// And what a triangle that is turned over may give in a tick: neighbours that are led back in
+/// opposite directions would lock each other.
+constexpr Real givenShare = Real(0.002);
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -42,7 +45,8 @@ PressedTriangle press(const State& state, const Triangle& t) {
     pressed.startC = (p.position[t.c] - p.position[t.a]).cast<Real>();
     pressed.slopes = slopesOf(pressed.startB, pressed.startC);
     pressed.rest = t.rest;
-    pressed.least = std::min(leastShare * t.rest, Real(cross(pressed.startB, pressed.startC)));
+    const Real area = cross(pressed.startB, pressed.startC);
+    pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
     return pressed;
 }
 
