@@ -134,5 +134,25 @@ TEST(Trees, WhatIsAttachedOverAGapIsNotThrown) {
     EXPECT_NEAR((world.position(rope.back()) - knot).norm(), 0.02, 1e-3);
 }
 
+/// So fast that in one tick it goes farther than it is long: the contact stops its lower end, and
+/// the upper one must not pass it.
+TEST(Trees, ARodThatLandsOnItsEndIsNotTurnedOver) {
+    for (const int rate : {470, 480, 490, 500}) {
+        World world({.tickRate = rate, .sleeping = false});
+        world.add(shapes::ground(
+            {.points = {{-5, Real(-0.02)}, {0, Real(-0.02)}, {5, Real(-0.02)}}, .radius = 0.02f}));
+        const Body rod = world.add(
+            shapes::rope(
+                {.from = {0, -0.25f}, .to = {0, 0.25f}, .links = 1, .mass = 1, .radius = 0.02f}),
+            {.position = {0, 1}});
+        world.setVelocity(rod, {0, -300});
+        for (int i = 0; i < 10; ++i) {
+            world.step();
+            EXPECT_GT(world.position(rod.back()).y(), world.position(rod.front()).y()) << rate;
+            EXPECT_GT(world.position(rod.front()).y(), 0.005) << rate;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace sulfur

@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 4987820042429470787u);
 #else
-    EXPECT_EQ(world.hash(), 3686595256555815933u);
+    EXPECT_EQ(world.hash(), 17261744468065307756u);
 #endif
 }
 
