@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 4987820042429470787u);
+    EXPECT_EQ(world.hash(), 16537797818004398511u);
 #else
     EXPECT_EQ(world.hash(), 17261744468065307756u);
 #endif
