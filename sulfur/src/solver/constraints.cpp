@@ -93,6 +93,7 @@ bool isStrained(State& state) {
 }
 
 bool isPressedIn(State& state, ContactRows& rows) {
+    if (state.contacts.empty()) return false;
     rows.takeMotions(state);
     return rows.anyDeepError(state) || rows.anyDeepErrorSingly(state);
 }

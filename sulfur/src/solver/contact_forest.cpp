@@ -17,10 +17,11 @@ using Vector3 = Cholesky3::Vector;
 constexpr int leastSteps = 2, mostSteps = 10;
 constexpr Real mostLeft = Real(0.5);
 
-/// m/s, of the largest error: a tree that something strikes, in which so many rows give way that
-/// only the sweeps get far. It takes the least number of steps and lets go of all such rows at
-/// once.
+/// m/s, of the largest error: a tree that something strikes. So many rows give way in it that one
+/// of so many active rows is left to the sweeps (nine tenths of such work had no effect), and a
+/// smaller one takes the least number of steps and lets go of all such rows at once.
 constexpr double struckSpeed = 0.1;
+constexpr std::uint32_t largeTree = 96;
 
 /// As shares of the change: rows that allow no more than this beyond the step give way with the one
 /// that ends it. The others may hold in the next: let go of too early, a contact pushes on although
@@ -351,10 +352,23 @@ void ContactForest::takeStep(State& state, bool mayEnd) {
     }
 }
 
-void ContactForest::findStruck(const State& state) {
+/// Finds the trees that something strikes, and leaves large ones to the sweeps. Returns whether
+/// there were any such.
+bool ContactForest::leaveStruck(const State& state) {
     const double most = struckSpeed * static_cast<double>(state.h);
-    for (const ActiveRow& active : active_)
-        if (std::abs(active.error) > most) treeOf(rows_[active.row]).struck = true;
+    for (Node& node : nodes_) node.activeRows = 0;
+    for (const ActiveRow& active : active_) {
+        Node& tree = treeOf(rows_[active.row]);
+        ++tree.activeRows;
+        tree.struck |= std::abs(active.error) > most;
+    }
+    bool any = false;
+    for (Node& node : nodes_) {
+        if (!node.struck || node.activeRows < largeTree) continue;
+        node.hopeless = any = true;
+        node.unfinished = false;
+    }
+    return any;
 }
 
 void ContactForest::solve(State& state) {
@@ -368,8 +382,8 @@ void ContactForest::solve(State& state) {
     }
     for (int i = 1; i <= mostSteps; ++i) {
         activateRows(state);
+        if (i == 1 && leaveStruck(state)) activateRows(state);
         if (active_.empty()) break;
-        if (i == 1) findStruck(state);
         assemble(state);
         eliminate();
         substitute();

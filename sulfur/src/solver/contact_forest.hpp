@@ -151,7 +151,7 @@ private:
     void shareTangents(const Row& row);
     void takeStepOf(const ActiveRow& active);
     void takeStep(State& state, bool mayEnd);
-    void findStruck(const State& state);
+    bool leaveStruck(const State& state);
 
     std::vector<Node> nodes_;
     std::vector<Edge> edges_;
