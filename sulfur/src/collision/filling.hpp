@@ -147,14 +147,13 @@ inline void knock(const State& state, const Contact& c, Real closing, Found& fou
         if (state.bodies[body].asleep) found.knocked.push_back(body);
 }
 
-inline const Contact blankContact;  // to copy it is faster than to clear a new one
-
 /// Adds the contact if the predicted displacements, which close its gap by so many m, can do so.
 [[gnu::always_inline]] inline void keepIfNear(const State& state, const Touch& t, const Vec2& moved,
                                               Real closing, Found& found) {
     const Real near = state.broad.watchedGap(t.plan.thickness);
     if (t.gap() + std::min<Real>(closing, 0) > near) return;
-    Contact& contact = found.contacts.emplace_back(blankContact);
+    static const Contact blank;  // to copy it is faster than to clear a new one
+    Contact& contact = found.contacts.emplace_back(blank);
     fillContact(state, t, contact);
     if (contact.inverseEffectiveMass == 0) {
         knock(state, contact, closing, found);

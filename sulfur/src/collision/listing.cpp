@@ -68,7 +68,7 @@ void reserveRoom(BroadPhase& broad) {
     reserve(broad.watches, 16 * broad.moving.size());
     reserve(broad.pairRuns, broad.pairs.capacity());
     reserve(broad.watchRuns, broad.watches.capacity());
-    reserve(broad.plans, broad.watches.capacity());
+    reserve(broad.plans, broad.watches.capacity() / 2);
 }
 
 /// Particles that are tied to another body never collide with that body.

@@ -395,6 +395,9 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
     runPieces(state.tasks, pieces, [&](std::size_t i) {
         Piece& piece = found[i];
         piece.contacts.clear(), piece.knocked.clear(), piece.plans.clear();
+        // One day all are planned anew in one tick.
+        if (piece.plans.capacity() < broad.plans.capacity() / pieces)
+            piece.plans.reserve(broad.plans.capacity() / pieces);
         Found here = i == 0 ? Found{state.contacts, state.knocked, piece.plans, slip}
                             : Found{piece.contacts, piece.knocked, piece.plans, slip};
         const auto start = [&](std::size_t k) {
@@ -410,7 +413,6 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
                     lookout.consider(state, watches[k], k, here);
         });
     });
-    state.statistics.plannedContacts = 0;
     for (std::size_t i = 0; i < pieces; ++i) {
         const Piece& piece = found[i];
         state.contacts.insert(state.contacts.end(), piece.contacts.begin(), piece.contacts.end());

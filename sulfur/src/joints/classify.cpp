@@ -1,8 +1,8 @@
 // How each joint is solved, derived from stiffness, masses and the tick.
 #include <algorithm>
 
-#include "core/disjoint_sets.hpp"
 #include "solver/substeps.hpp"
+#include "trees/tree_solver.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -85,18 +85,12 @@ void findUnresolved(State& state) {
     unresolved.assign(joints.size(), 0);
     if (!mayDivideTicks(state)) return;
     const std::vector<Load> load = loadsOf(state, tickDuration(state));
-    DisjointSets parts(state.particles.size());
-    std::vector<std::uint32_t> closing;
-    for (std::uint32_t j = 0; j < joints.size(); ++j) {
-        const auto a = joints.a[j], b = joints.b[j];
-        unresolved[j] = !isRigid(joints, j) && !isSoft(load[a], load[b]);
-        if (unresolved[j] == 0 && !isRigid(joints, j)) continue;
-        if (!parts.unite(a, b) && !joints.inCluster[j]) closing.push_back(a);
-    }
-    std::vector<bool> hasCycle(state.particles.size());
-    for (const auto p : closing) hasCycle[parts.find(p)] = true;
+    std::vector<std::uint8_t> stiff(joints.size());
     for (std::uint32_t j = 0; j < joints.size(); ++j)
-        if (!hasCycle[parts.find(joints.a[j])]) unresolved[j] = 0;
+        stiff[j] = isRigid(joints, j) || !isSoft(load[joints.a[j]], load[joints.b[j]]);
+    unresolved = findInCycles(state, stiff);
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (isRigid(joints, j)) unresolved[j] = 0;
 }
 
 }  // namespace

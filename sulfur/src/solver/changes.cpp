@@ -108,6 +108,11 @@ void listAwakeParticles(State& state) {
     }
 }
 
+bool isAwakeDynamic(const State& state, std::uint32_t particle) {
+    const BodyRecord& body = state.bodies[state.particles.body[particle]];
+    return body.kind == BodyKind::dynamic && !body.asleep;
+}
+
 bool takesPart(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
     return !joints.inCluster[j] && anyAwake(state, joints.a[j], joints.b[j]) &&
@@ -126,7 +131,9 @@ void listJoints(State& state) {
         if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
             work.breakableJoints.push_back(j);
         if (!takesPart(state, j)) continue;
-        work.anyUnresolved |= state.structure.unresolved[j] != 0;
+        work.anyUnresolved |=
+            state.structure.unresolved[j] != 0 &&
+            (isAwakeDynamic(state, joints.a[j]) || isAwakeDynamic(state, joints.b[j]));
         if (joints.kind[j] != JointKind::rigid &&
             (joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0))
             work.explicitJoints.push_back(j);

@@ -26,8 +26,8 @@ void recoverDrifts(State& state, const std::vector<std::uint32_t>& which);
 void guardContacts(State& state);
 void solveAttachments(State& state);
 void solveRigidJoints(State& state);
-/// Whether sweeps leave a rigid joint too far from its length.
-bool rigidJointsAreStrained(const State& state);
+/// Whether sweeps leave a rigid joint of a body that touches something too far from its length.
+bool touchedRigidJointsAreStrained(const State& state);
 /// The forces that the multipliers stand for: lambda / h^2.
 void recordForces(State& state);
 

@@ -89,7 +89,7 @@ void sweepContactsAlone(State& state, ContactRows& rows, ContactForest& forest) 
 
 /// Whether contacts leave ropes or rigid joints wrong.
 bool isStrained(State& state) {
-    return treesAreStrained(state) || (!state.contacts.empty() && rigidJointsAreStrained(state));
+    return treesAreStrained(state) || touchedRigidJointsAreStrained(state);
 }
 
 bool isPressedIn(State& state, ContactRows& rows) {

@@ -26,7 +26,7 @@ void clearStatistics(Statistics& statistics) {
     statistics.items.fill(0);
     statistics.seconds.fill(0);
     statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
-    statistics.pressedTriangles = 0;
+    statistics.pressedTriangles = statistics.plannedContacts = 0;
 }
 
 /// What the stages of collision and constraints loop over.
@@ -167,7 +167,9 @@ void runDivided(State& state) {
 
 void step(State& state) {
     clearStatistics(state.statistics);
-    if (mayDivideTicks(state)) timed(state, Stage::changes, applyChanges);  // who asks for what
+    // Who asks for short steps is told by the lists.
+    if (mayDivideTicks(state) && (state.structure.stale || state.work.stale))
+        timed(state, Stage::changes, applyChanges);
     chooseSubsteps(state);
     state.substeps.done = 0;
     if (state.substeps.count > 1) {

@@ -38,9 +38,10 @@ Vec2 apartAtStart(const State& state, std::uint32_t j) {
 
 /// How strongly the tension of the last tick bends a joint's ends aside within a tick, when the
 /// joint pulls along its direction at the tick's start: above about 1 that explodes.
-Real whip(const State& state, std::uint32_t j, Real w) {
+Real whip(const State& state, std::uint32_t j, Real w, Real start) {
     const Joints& joints = state.joints;
-    return 2 * w * std::abs(joints.force[j]) * state.h * state.h / joints.restLength[j];
+    const Real length = joints.restLength[j] > 0 ? joints.restLength[j] : start;
+    return 2 * w * std::abs(joints.force[j]) * state.h * state.h / length;
 }
 
 constexpr Real mostWhip = Real(0.2);
@@ -52,10 +53,10 @@ constexpr Real mostStrain = Real(1e-3);
 /// a pendulum keep its energy and a wheel its spin: pulls along the latter took a share of
 /// (h omega)^2 of it in a tick. Light ends under great tension would explode by that; there it is
 /// the mean of the two, which brakes rotation but is stable.
-Vec2 pullDirection(const State& state, std::uint32_t j, Real w, const Vec2& before,
+Vec2 pullDirection(const State& state, std::uint32_t j, Real w, Real start, const Vec2& before,
                    const Vec2& now) {
     Vec2 direction = before;
-    if (whip(state, j, w) > mostWhip) direction = (before + now).normalized();
+    if (whip(state, j, w, start) > mostWhip) direction = (before + now).normalized();
     return direction.dot(now) < Real(0.5) ? now : direction;
 }
 
@@ -71,7 +72,7 @@ void solveImplicit(State& state, std::uint32_t j) {
     const Real start = before.norm(), length = apart.norm();
     if (start == 0 || length == 0) return;
     const Real w = ends.inverseMass(state, before / start);
-    const Vec2 direction = pullDirection(state, j, w, before / start, apart / length);
+    const Vec2 direction = pullDirection(state, j, w, start, before / start, apart / length);
     // Numerator and denominator times k h^2, so that no stiffness divides by zero.
     const Real newtons = newtonsPerMultiplier(state);
     const Real hk = (joints.stiffness[j] - joints.explicitStiffness[j]) / newtons;
@@ -100,7 +101,7 @@ void solveRigid(State& state, std::uint32_t j) {
     const Real w = ends.inverseMass(state, before / start);
     if (w == 0) return;
     const Real rest = restOf(state, j, start);
-    const Vec2 direction = pullDirection(state, j, w, before / start, apart / length);
+    const Vec2 direction = pullDirection(state, j, w, start, before / start, apart / length);
     const Real change = (rest * rest - length * length) / (2 * w * direction.dot(apart));
     joints.lambda[j] += change;
     ends.push(state, change * direction);
@@ -149,7 +150,7 @@ Real prepareEnds(const State& state, std::uint32_t j, SweptJoints& s, std::size_
     s.massB[k] = state.particles.inverseMass[state.joints.b[j]];
     s.directionX[k] = length > 0 ? start[0] / length : 0;
     s.directionY[k] = length > 0 ? start[1] / length : 0;
-    s.whips[k] = whip(state, j, s.massA[k] + s.massB[k]) > mostWhip ? 1 : 0;
+    s.whips[k] = whip(state, j, s.massA[k] + s.massB[k], length) > mostWhip ? 1 : 0;
     s.lambda[k] = 0;
     return length;
 }
@@ -199,15 +200,26 @@ void solveRigidJoints(State& state) {
     sweep(state, work.rigidJoints, work.rigidSweep, solveRigid, sweepKernels().rigid);
 }
 
-bool rigidJointsAreStrained(const State& state) {
-    const auto isStrained = [&](std::uint32_t j) {
-        const Vec2 before = apartAtStart(state, j);
-        const Real rest = restOf(state, j, before.norm());
-        const Real length = (before + Ends(state, j).moved(state)).norm();
-        return std::abs(length - rest) > mostStrain * state.joints.restLength[j];
+bool touchedRigidJointsAreStrained(const State& state) {
+    const Joints& joints = state.joints;
+    const auto& swept = state.work.rigidJoints;
+    if (swept.empty()) return false;
+    thread_local std::vector<std::uint8_t> touched;  // bodies
+    touched.assign(state.bodies.size(), 0);
+    if (state.contacts.empty()) return false;
+    for (const Contact& c : state.contacts) touched[c.bodyA] = touched[c.bodyB] = 1;
+    const auto isTouched = [&](std::uint32_t particle) {
+        return touched[state.particles.body[particle]] != 0;
     };
-    const auto& joints = state.work.rigidJoints;
-    return std::any_of(joints.begin(), joints.end(), isStrained);
+    return std::any_of(swept.begin(), swept.end(), [&](std::uint32_t j) {
+        if (!isTouched(joints.a[j]) && !isTouched(joints.b[j])) return false;
+        const Ends ends(state, j);
+        const Vec2 before = apartAtStart(state, j);
+        const Real start = before.norm();
+        if (start == 0 || ends.inverseMass(state, before / start) == 0) return false;
+        const Real length = (before + ends.moved(state)).norm();
+        return std::abs(length - restOf(state, j, start)) > mostStrain * joints.restLength[j];
+    });
 }
 
 void clearMultipliers(State& state) {

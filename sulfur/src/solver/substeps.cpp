@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/motion.hpp"
+
 namespace sulfur::detail {
 
 namespace {
@@ -51,13 +53,14 @@ Real tickDuration(const State& state) {
 
 void setStep(State& state, Real h) {
     if (h == state.h) return;
-    const Real scale = h / state.h * (h / state.h);
+    const Real newtons = newtonsPerMultiplier(state);
+    state.h = h;
+    const Real scale = newtons / newtonsPerMultiplier(state);
     for (ContactMemory& m : state.contactMemory) {
         m.normalLambda *= scale;
         m.tangentLambda *= scale;
         m.sustained *= scale;
     }
-    state.h = h;
     state.structure.stale = true;
     state.broad.pairsStale = true;
 }

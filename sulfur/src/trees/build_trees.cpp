@@ -44,8 +44,10 @@ Point placeOf(const State& state, std::uint32_t particle) {
 
 class Graph {
 public:
-    explicit Graph(const State& state) : state_(state), particles_(vertexCount() - clusterCount()) {
-        for (std::uint32_t j = 0; j < state.joints.size(); ++j) addJoint(j);
+    Graph(const State& state, const std::vector<std::uint8_t>& stiff)
+        : state_(state), particles_(vertexCount() - clusterCount()) {
+        for (std::uint32_t j = 0; j < state.joints.size(); ++j)
+            if (stiff[j] != 0) addJoint(j);
         for (std::uint32_t i = 0; i < state.attachments.size(); ++i) addAttachment(i);
         for (std::uint32_t i = 0; i < state.clusters.hinges.size(); ++i) addHinge(i);
         listEdgesAround();
@@ -95,7 +97,7 @@ private:
 
     void addJoint(std::uint32_t j) {
         const Joints& joints = state_.joints;
-        if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
+        if (joints.inCluster[j]) return;
         add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
     }
 
@@ -155,9 +157,18 @@ private:
     std::vector<bool> cyclic_;
 };
 
+/// Of each joint, whether it is more than a force.
+std::vector<std::uint8_t> stiffJoints(const Joints& joints) {
+    std::vector<std::uint8_t> stiff(joints.size());
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        stiff[j] = joints.kind[j] != JointKind::explicitElastic;
+    return stiff;
+}
+
 class TreeBuilder {
 public:
-    explicit TreeBuilder(State& state) : state_(state), graph_(state), trees_(state.trees) {
+    explicit TreeBuilder(State& state)
+        : state_(state), graph_(state, stiffJoints(state.joints)), trees_(state.trees) {
         trees_.list.clear();
         trees_.nodes.clear();
         trees_.ofParticle.assign(state.particles.size(), none);
@@ -433,6 +444,14 @@ void dissolveTrees(State& state) {
     }
     state.trees.list.clear();
     state.trees.nodes.clear();
+}
+
+std::vector<std::uint8_t> findInCycles(const State& state, const std::vector<std::uint8_t>& stiff) {
+    Graph graph(state, stiff);
+    std::vector<std::uint8_t> found(state.joints.size());
+    for (const Edge& e : graph.edges)
+        if (e.kind == LinkKind::joint && graph.inCycle(e)) found[e.link] = 1;
+    return found;
 }
 
 void buildTrees(State& state) {

@@ -8,6 +8,9 @@ namespace sulfur::detail {
 /// Finds the trees among the stiff joints, attachments and hinges, and lists what remains for the
 /// sweeps. Called when the structure of the world has changed.
 void buildTrees(State& state);
+/// Which joints would be in parts with cycles, and so in no tree, if those were stiff that are
+/// marked (1) in `stiff`. Of each joint; needs rigid components that are up to date.
+std::vector<std::uint8_t> findInCycles(const State& state, const std::vector<std::uint8_t>& stiff);
 
 /// Leads every tree that moves alone through the tick, in as many steps as it needs (SHAKE
 /// directions, Newton passes to treeTolerance). Sets velocity and

@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x32735f7266756c53u;  // "Slfr_s2", little-endian
+constexpr std::uint64_t snapshotMark = 0x33735f7266756c53u;  // "Slfr_s3", little-endian
 
 /// Everything that decides how the world goes on. Candidates are not part of it: contacts depend
 /// on geometry alone, not on when their candidates were found.

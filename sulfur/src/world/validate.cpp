@@ -225,6 +225,7 @@ std::string validateStructure(const State& state) {
         !within(s.sweptAttachments, state.attachments.size()) ||
         !within(s.sweptHinges, state.clusters.hinges.size()))
         return "a list that names what there is not";
+    if (s.unresolved.size() != state.joints.size()) return "stiff springs of other joints";
     return s.colours.size() == state.joints.size() ? "" : "colours of other joints";
 }
 

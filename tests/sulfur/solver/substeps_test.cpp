@@ -79,6 +79,44 @@ TEST(Substeps, LeaveSoftNetworksAndStiffTreesAlone) {
     EXPECT_EQ(mostSubsteps(world, 2), 1u);
 }
 
+/// What cannot move closes no cycle, and a spring inside of a rigid frame does nothing.
+TEST(Substeps, LeaveAStiffRopeOnARoomAndABracedFrameAlone) {
+    World world(settings(120));
+    const Body room = world.add(
+        ghostly(shapes::ground({.points = {{-5, -5}, {-5, 5}, {5, 5}, {5, -5}}, .closed = true})));
+    Blueprint rope;
+    rope.particles = {{.position = {5, 4}}, {.position = {5, 3}}};
+    rope.joints = {{.a = 0, .b = 1, .stiffness = 1e6f}};
+    const Body hanging = world.add(rope);
+    world.connect(room[2], hanging[0], {.stiffness = 1e6f});
+    Blueprint frame;
+    frame.particles = {
+        {.position = {0, 0}}, {.position = {1, 0}}, {.position = {1, 1}}, {.position = {0, 1}}};
+    frame.joints = {{.a = 0, .b = 2, .stiffness = 1e6f},
+                    {.a = 0, .b = 1},
+                    {.a = 1, .b = 2},
+                    {.a = 2, .b = 3},
+                    {.a = 3, .b = 0},
+                    {.a = 1, .b = 3}};
+    world.add(frame);
+    EXPECT_EQ(mostSubsteps(world, 1), 1u);
+}
+
+/// The order of joints must not matter: a component closes the cycle of springs that end in it.
+TEST(Substeps, DivideTicksForStiffSpringsThatARigidPartJoins) {
+    for (const bool rigidFirst : {true, false}) {
+        World world(settings(120));
+        Blueprint plan;
+        plan.particles = {{.position = {0, 0}}, {.position = {1, 0}}, {.position = {0.5f, 1}}};
+        if (rigidFirst) plan.joints.push_back({.a = 0, .b = 1});
+        plan.joints.push_back({.a = 0, .b = 2, .stiffness = 1e6f});
+        plan.joints.push_back({.a = 2, .b = 1, .stiffness = 1e6f});
+        if (!rigidFirst) plan.joints.push_back({.a = 0, .b = 1});
+        world.add(plan);
+        EXPECT_EQ(mostSubsteps(world, 1), 4u) << rigidFirst;
+    }
+}
+
 /// Falls, targets of kinematic bodies, the clock, and what is told are those of the tick.
 TEST(Substeps, KeepWhatATickMeans) {
     World world(settings(120));
