@@ -18,7 +18,7 @@ namespace {
 
 /// What sweeps may leave. It does not add up: gaps and drifts are those of the places, and the next
 /// tick takes back what this one has left.
-constexpr Real mostErrorSpeed = Real(5e-5);  // m/s
+constexpr Real mostErrorSpeed = Real(2e-5);  // m/s
 
 /// What one sweep is not likely to make an end of: more than what recoveries disturb in a heap that
 /// lies.

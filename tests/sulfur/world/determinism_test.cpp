@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 16537797818004398511u);
+    EXPECT_EQ(world.hash(), 2030848912884968345u);
 #else
-    EXPECT_EQ(world.hash(), 17261744468065307756u);
+    EXPECT_EQ(world.hash(), 17326799337360788450u);
 #endif
 }
 
