@@ -90,7 +90,7 @@ Row dampedSpring(double stiffness, double damping, const Setup& setup) {
     return atMost(fmt::format("damped spring, k = {:g} N/m, b = {:g} N s/m: error of the decay "
                               "rate (share)",
                               stiffness, damping),
-                  std::abs(-std::log(found.factor) / h / rate - 1), 0.0095 + inTicks);
+                  std::abs(-std::log(found.factor) / h / rate - 1), 0.0094 + inTicks);
 }
 
 Rows seamlessStiffness(double damping, int steps, const Setup& setup) {

@@ -14,7 +14,8 @@ double explicitRange(const Setup& setup);
 Rows undampedSpring(double angle, int periods, const Setup& setup);
 
 /// A particle of 1 kg on a spring of `stiffness` N/m with `damping` N s/m below critical. Relative
-/// error of the decay rate against damping / 2m: at most 1 % + h c / 2 with c = damping / m.
+/// error of the decay rate against damping / 2m: at most 0.94 % beside that of the scheme, which is
+/// -ln(1 - h c) / (h c) - 1 with c = damping / m, or h c / 2 to first order.
 Row dampedSpring(double stiffness, double damping, const Setup& setup);
 
 /// How a particle of 1 kg on a spring moves as `stiffness` goes in `steps` equal ratios to 10^10
