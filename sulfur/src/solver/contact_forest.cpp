@@ -98,7 +98,6 @@ Real ContactForest::errorOf(const State& state, const Member& m, bool isNormal) 
 /// should push begin alike.
 void ContactForest::activateNormal(const State& state, std::uint32_t index) {
     const std::span<Member> members = membersOf(rows_[index]);
-    ActiveRow active{.row = index};
     Real sum = 0;
     for (Member& m : members) {
         const Carried& c = carried_[m.contact];
@@ -111,30 +110,29 @@ void ContactForest::activateNormal(const State& state, std::uint32_t index) {
             m.share = 1;
             sum += 1;
         }
-    if (sum == 0) return;
-    for (Member& m : members) {
-        if (m.share == 0) continue;
-        m.share /= sum;
-        active.error += static_cast<double>(m.share * errorOf(state, m, true));
-    }
-    active_.push_back(active);
+    activate(state, index, sum);
 }
 
 /// Tangents that stick share by what their normals carry.
 void ContactForest::activateTangent(const State& state, std::uint32_t index) {
-    const std::span<Member> members = membersOf(rows_[index]);
-    ActiveRow active{.row = index};
     Real sum = 0;
-    for (Member& m : members) {
+    for (Member& m : membersOf(rows_[index])) {
         const Carried& c = carried_[m.contact];
         m.share = m.friction > 0 && !c.slipping ? c.normal : 0;
         sum += m.share;
     }
+    activate(state, index, sum);
+}
+
+/// Adds the row, unless nobody has a share of it; the shares add up to `sum`, then to 1.
+void ContactForest::activate(const State& state, std::uint32_t index, Real sum) {
     if (sum == 0) return;
-    for (Member& m : members) {
+    const Row& row = rows_[index];
+    ActiveRow active{.row = index};
+    for (Member& m : membersOf(row)) {
         if (m.share == 0) continue;
         m.share /= sum;
-        active.error += static_cast<double>(m.share * errorOf(state, m, false));
+        active.error += static_cast<double>(m.share * errorOf(state, m, row.isNormal));
     }
     active_.push_back(active);
 }

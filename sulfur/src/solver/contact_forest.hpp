@@ -110,6 +110,7 @@ private:
         Real normalChange = 0;         // kg m, in this step
         bool given = false;            // its normal is no longer active
         bool slipping = false;         // nor its tangent
+        bool inRow = false;            // while the rows of its edge are made: it is in one
     };
 
     void grow(const State& state);
@@ -138,6 +139,7 @@ private:
     void activateRows(const State& state);
     void activateNormal(const State& state, std::uint32_t row);
     void activateTangent(const State& state, std::uint32_t row);
+    void activate(const State& state, std::uint32_t row, Real sum);
     void assemble(const State& state);
     void eliminate();
     void substitute();

@@ -213,8 +213,8 @@ bool ContactForest::isAlike(const Row& p, const Row& q) const {
 /// The rows of an edge along its normals, or across them.
 void ContactForest::collectRowsOf(const State& state, std::uint32_t edge, bool areNormals) {
     const Edge& e = edges_[edge];
-    const auto isTaken = [&](std::uint32_t contact) { return carried_[contact].given; };
-    for (auto k = e.first; k < e.last; ++k) carried_[keyed_[k].contact].given = false;
+    const auto isTaken = [&](std::uint32_t contact) { return carried_[contact].inRow; };
+    for (auto k = e.first; k < e.last; ++k) carried_[keyed_[k].contact].inRow = false;
     for (auto k = e.first; k < e.last; ++k) {
         if (isTaken(keyed_[k].contact)) continue;
         Row row = makeRow(state, edge, keyed_[k].contact, areNormals);
@@ -224,7 +224,7 @@ void ContactForest::collectRowsOf(const State& state, std::uint32_t edge, bool a
             if (isTaken(contact)) continue;
             if (other != k && !isAlike(row, makeRow(state, edge, contact, areNormals))) continue;
             members_.push_back(makeMember(state, contact, areNormals));
-            carried_[contact].given = true;
+            carried_[contact].inRow = true;
         }
         row.last = static_cast<std::uint32_t>(members_.size());
         rows_.push_back(row);
