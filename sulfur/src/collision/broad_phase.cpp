@@ -158,7 +158,7 @@ template <class Function>
 void forEachOuting(const State& state, Real lookAhead, Function&& f) {
     const BroadPhase& broad = state.broad;
     const Particles& particles = state.particles;
-    for (const Range range : state.work.awake) {
+    const auto look = [&](const Range& range) {
         for (std::uint32_t i = range.first; i < range.last; ++i) {
             if (particles.reach[i] == 0) continue;
             const Vec2 moved = (particles.position[i] - broad.reference[i]).cast<Real>() +
@@ -166,7 +166,12 @@ void forEachOuting(const State& state, Real lookAhead, Function&& f) {
             const Real allowed = broad.skin[i] - broad.baseSkin / 4;
             f(i, moved.squaredNorm() / (allowed * allowed));
         }
-    }
+    };
+    for (const Range& range : state.work.awake) look(range);
+    // Lists of one pace do not name those of the other.
+    const WorkLists& parked = state.steps.parkedWork;
+    if (state.work.movers != Movers::all && parked.madeAfter == state.listChanges)
+        for (const Range& range : parked.awake) look(range);
 }
 
 /// Notes the pieces that have left their skins, and those that soon will: that saves another look

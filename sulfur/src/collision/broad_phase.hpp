@@ -167,10 +167,11 @@ struct BroadPhase {
 inline constexpr std::size_t nearBatch = 256;
 
 /// Calls f(numbers of watches), at most nearBatch of them, in their order, for all candidates of
-/// some runs whose sides can have come near enough to each other.
-template <class Function>
+/// some runs whose sides can have come near enough to each other, but for runs that are to be
+/// passed over.
+template <class PassOver, class Function>
 void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t firstRun,
-                 std::size_t lastRun, Function&& f) {
+                 std::size_t lastRun, PassOver&& passOver, Function&& f) {
     // Half of them come near enough, in no order that a processor could foresee: which they are is
     // found without a branch, many at a time.
     std::array<std::uint32_t, nearBatch> near;
@@ -183,7 +184,7 @@ void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t fi
     for (auto r = firstRun; r < lastRun; ++r) {
         const WatchRun& run = broad.watchRuns[r];
         const Real one = out[run.one];
-        if (one + outings.ofBody[run.other] < run.spare) continue;
+        if (one + outings.ofBody[run.other] < run.spare || passOver(run)) continue;
         for (auto k = run.first; k < run.last; ++k) {
             const Watch& w = broad.watches[k];
             near[count] = k;
@@ -195,14 +196,16 @@ void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t fi
 }
 
 /// Calls f(const WatchedPair&), in their order, for all pairs of colliders that can have come to
-/// cross each other.
-template <class Function>
-void forEachNearPair(const BroadPhase& broad, const Outings& outings, Function&& f) {
+/// cross each other, but for runs that are to be passed over.
+template <class PassOver, class Function>
+void forEachNearPair(const BroadPhase& broad, const Outings& outings, PassOver&& passOver,
+                     Function&& f) {
     const auto outingOf = [&](const Collider& c) {
         return std::max(outings.ofParticle[c.a], outings.ofParticle[c.b]);
     };
     for (const WatchRun& run : broad.pairRuns) {
         if (outings.ofBody[run.one] + outings.ofBody[run.other] < run.spare) continue;
+        if (passOver(run)) continue;
         for (auto k = run.first; k < run.last; ++k) {
             const WatchedPair& pair = broad.pairs[k];
             const Collider &a = broad.collider(pair.first), &b = broad.collider(pair.second);

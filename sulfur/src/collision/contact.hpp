@@ -66,6 +66,7 @@ struct ContactMemory {
     Real normalLambda = 0, tangentLambda = 0;  // kg m
     Real sustained = 0;                        // kg m, what the normal begins with
     Real drift = 0;                            // m, from the place where it sticks
+    Real step = 0;                             // s, that of the tick or part of it
     std::uint8_t sliding = 0;                  // it does not stick
 
     template <class Archive>
@@ -78,6 +79,7 @@ struct ContactMemory {
         archive(tangentLambda);
         archive(sustained);
         archive(drift);
+        archive(step);
         archive(sliding);
     }
 };

@@ -13,16 +13,17 @@ bool byParticle(const ContactMemory& x, const ContactMemory& y) {
     return x.particle < y.particle;
 }
 
-/// A contact between sleepers, or of a sleeper with what physics does not move.
+/// A contact between bodies that sleep or stand by, or of one with what physics does not move.
 bool isFrozen(const State& state, const ContactMemory& m) {
     const auto& bodyOf = state.particles.body;
-    bool anyAsleep = false;
+    bool anyStill = false;
     for (const auto p : {m.particle, m.a, m.b}) {
         const BodyRecord& body = state.bodies[bodyOf[p]];
-        if (body.kind == BodyKind::dynamic && !body.asleep) return false;
-        anyAsleep |= body.asleep;
+        const bool still = body.asleep || body.standsBy;
+        if (body.kind == BodyKind::dynamic && !still) return false;
+        anyStill |= still;
     }
-    return anyAsleep;
+    return anyStill;
 }
 
 /// Where a contact does not even touch, there is nothing to remember but the side.
@@ -55,7 +56,7 @@ void indexMemory(State& state) {
 
 void rememberContacts(State& state) {
     auto& memory = state.contactMemory;
-    if (state.work.sleepers == 0)
+    if (state.work.sleepers == 0 && !state.steps.mixed)
         memory.clear();
     else
         std::erase_if(memory, [&](const ContactMemory& m) { return !isFrozen(state, m); });
@@ -63,7 +64,7 @@ void rememberContacts(State& state) {
     for (const Contact& c : state.contacts)
         if (isWorthRemembering(c))
             memory.push_back({c.particle, c.a, c.b, c.normal, c.normalLambda, c.tangentLambda,
-                              sustained(c, h, slowest), c.drift,
+                              sustained(c, h, slowest), c.drift, h,
                               static_cast<std::uint8_t>(c.sliding)});
     if (!std::is_sorted(memory.begin(), memory.end(), byParticle))
         std::stable_sort(memory.begin(), memory.end(), byParticle);

@@ -314,10 +314,17 @@ void considerEnd(const State& state, std::uint32_t particle, std::uint32_t colli
     if (m.distance < best.meeting.distance) best = {{particle, collider}, m};
 }
 
+/// Whether neither of two bodies takes part in the present steps, in ticks in which some do not.
+bool areStill(const State& state, std::uint32_t one, std::uint32_t other) {
+    const auto& still = state.steps.still;
+    return !still.empty() && still[one] != 0 && still[other] != 0;
+}
+
 void findCrossings(const State& state, std::vector<Crossing>& found) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
-    forEachNearPair(broad, broad.outings, [&](const WatchedPair& pair) {
+    const auto passOver = [&](const WatchRun& run) { return areStill(state, run.one, run.other); };
+    forEachNearPair(broad, broad.outings, passOver, [&](const WatchedPair& pair) {
         const auto i = pair.first, j = pair.second;
         const Collider& a = broad.collider(i);
         const Collider& b = broad.collider(j);
@@ -390,6 +397,9 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
     BroadPhase& broad = state.broad;
     const std::size_t count = broad.watchRuns.size();
     const Real slip = slipOfRest(state);
+    const auto passOver = [&](const WatchRun& run) {
+        return areStill(state, state.particles.body[run.one], run.other);
+    };
     const std::size_t pieces = piecesOf(state.tasks, count, leastRuns);
     if (found.size() < pieces) found.resize(pieces);
     runPieces(state.tasks, pieces, [&](std::size_t i) {
@@ -406,7 +416,7 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
         CrossingWalk crossing(crossings);
         thread_local Lookout room;
         Lookout& lookout = room;
-        forEachNear(broad, broad.outings, start(i), start(i + 1), [&](auto watches) {
+        forEachNear(broad, broad.outings, start(i), start(i + 1), passOver, [&](auto watches) {
             lookout.look(state, watches);
             for (std::size_t k = 0; k < watches.size(); ++k)
                 if (!crossing.has(broad.watches[watches[k]].candidate))

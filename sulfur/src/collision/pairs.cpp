@@ -18,7 +18,7 @@ bool isVetoed(const State& state, std::uint32_t a, std::uint32_t b) {
 }
 
 bool mayTouch(const State& state, std::uint32_t a, std::uint32_t b) {
-    if (!state.movable(a) && !state.movable(b)) return false;
+    if (!state.awake(a) && !state.awake(b)) return false;
     if (state.bodies[a].sensor || state.bodies[b].sensor) return false;
     if (a == b) return state.bodies[a].selfCollision;
     return mayCollide(state.bodies[a].filter, state.bodies[b].filter) && !isVetoed(state, a, b);

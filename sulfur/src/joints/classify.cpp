@@ -54,8 +54,18 @@ Real inverseMassAwake(const State& state, std::uint32_t particle) {
 
 namespace {
 
-/// Of each particle, in steps of h.
-std::vector<Load> loadsOf(const State& state, Real h) {
+/// s, the step of the body of a joint.
+Real stepOfJoint(const State& state, std::uint32_t j) {
+    const auto& body = state.particles.body;
+    const auto divided = [&](std::uint32_t p) { return state.bodies[body[p]].divided; };
+    return stepDuration(state, divided(state.joints.a[j]) || divided(state.joints.b[j])
+                                   ? Pace::divided
+                                   : Pace::whole);
+}
+
+/// Of each particle, where joint j is solved in steps of stepOf(j) seconds.
+template <class StepOf>
+std::vector<Load> loadsOf(const State& state, StepOf&& stepOf) {
     const Joints& joints = state.joints;
     std::vector<Real> w(state.particles.size());
     for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, i);
@@ -63,6 +73,7 @@ std::vector<Load> loadsOf(const State& state, Real h) {
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         if (isRigid(joints, j)) continue;
         const Real sum = w[joints.a[j]] + w[joints.b[j]];
+        const Real h = stepOf(j);
         for (const auto p : {joints.a[j], joints.b[j]}) {
             load[p].stiffness += h * h * joints.stiffness[j] * sum;
             load[p].damping += h * joints.damping[j] * sum;
@@ -77,28 +88,38 @@ bool isSoft(const Load& a, const Load& b) {
            std::max(a.damping, b.damping) <= dampedLimit;
 }
 
-/// Springs for which an undivided tick is too long and which no tree solves as a whole: they are
-/// in a part of what is stiff that has a cycle.
-void findUnresolved(State& state) {
+/// Where ticks may be divided: bodies whose springs are not forces alone in undivided ones, and of
+/// these the ones with springs that no tree solves as a whole, since they are in a part of what is
+/// stiff that has a cycle; an undivided tick is too long for those.
+void findWhatDependsOnStep(State& state) {
     const Joints& joints = state.joints;
-    auto& unresolved = state.structure.unresolved;
-    unresolved.assign(joints.size(), 0);
+    Structure& structure = state.structure;
+    structure.unresolved.assign(state.bodies.size(), 0);
+    structure.dependsOnStep.assign(state.bodies.size(), 0);
     if (!mayDivideTicks(state)) return;
-    const std::vector<Load> load = loadsOf(state, tickDuration(state));
+    const Real tick = stepDuration(state, Pace::whole);
+    const std::vector<Load> load = loadsOf(state, [&](std::uint32_t) { return tick; });
     std::vector<std::uint8_t> stiff(joints.size());
     for (std::uint32_t j = 0; j < joints.size(); ++j)
         stiff[j] = isRigid(joints, j) || !isSoft(load[joints.a[j]], load[joints.b[j]]);
-    unresolved = findInCycles(state, stiff);
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
-        if (isRigid(joints, j)) unresolved[j] = 0;
+    const std::vector<std::uint8_t> inCycle = findInCycles(state, stiff);
+    const auto& body = state.particles.body;
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        if (isRigid(joints, j) || joints.inCluster[j] || !stiff[j]) continue;
+        for (const auto p : {joints.a[j], joints.b[j]}) {
+            structure.dependsOnStep[body[p]] = 1;
+            if (inCycle[j] != 0) structure.unresolved[body[p]] = 1;
+        }
+    }
 }
 
 }  // namespace
 
 void classifyJoints(State& state) {
     Joints& joints = state.joints;
-    findUnresolved(state);
-    const std::vector<Load> load = loadsOf(state, state.h);
+    findWhatDependsOnStep(state);
+    const std::vector<Load> load =
+        loadsOf(state, [&](std::uint32_t j) { return stepOfJoint(state, j); });
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         const Load &a = load[joints.a[j]], &b = load[joints.b[j]];
         const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);

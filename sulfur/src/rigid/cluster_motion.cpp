@@ -48,7 +48,7 @@ void forEachCluster(State& state, const std::vector<std::uint32_t>& list, Functi
 /// Air friction by the trapezoidal rule, as for particles.
 struct AirFriction {
     explicit AirFriction(const State& state) {
-        const double kick = (state.lastTick + static_cast<double>(state.h)) / 2;
+        const double kick = (state.lastStep() + static_cast<double>(state.h)) / 2;
         const double half = kick * static_cast<double>(state.settings.airFriction) / 2;
         keep = (1 - half) / (1 + half);
         push = kick / (1 + half);

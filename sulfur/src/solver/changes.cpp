@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "rigid/find_clusters.hpp"
+#include "solver/paces.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -108,11 +109,6 @@ void listAwakeParticles(State& state) {
     }
 }
 
-bool isAwakeDynamic(const State& state, std::uint32_t particle) {
-    const BodyRecord& body = state.bodies[state.particles.body[particle]];
-    return body.kind == BodyKind::dynamic && !body.asleep;
-}
-
 bool takesPart(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
     return !joints.inCluster[j] && anyAwake(state, joints.a[j], joints.b[j]) &&
@@ -125,15 +121,11 @@ void listJoints(State& state) {
     for (auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints,
                        &work.stiffJoints, &work.breakableJoints, &work.tiedJoints})
         list->clear();
-    work.anyUnresolved = false;
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         if (joints.body[j] == none) work.tiedJoints.push_back(j);
         if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
             work.breakableJoints.push_back(j);
         if (!takesPart(state, j)) continue;
-        work.anyUnresolved |=
-            state.structure.unresolved[j] != 0 &&
-            (isAwakeDynamic(state, joints.a[j]) || isAwakeDynamic(state, joints.b[j]));
         if (joints.kind[j] != JointKind::rigid &&
             (joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0))
             work.explicitJoints.push_back(j);
@@ -206,37 +198,62 @@ void deriveStructure(State& state) {
     state.triangles.stale = true;
     state.structure.stale = false;
     state.work.stale = true;
+    ++state.listChanges;
 }
 
-void count(State& state) {
+std::uint32_t sizeOf(const auto& list) {
+    return static_cast<std::uint32_t>(list.size());
+}
+
+/// Adds what the lists name.
+void count(State& state, const WorkLists& work, const Triangles& triangles) {
     Statistics& statistics = state.statistics;
-    const auto size = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
-    statistics.particles = size(state.particles);
-    statistics.joints = size(state.joints);
-    statistics.bodies = size(state.bodies);
-    statistics.awakeParticles = state.work.awakeParticles;
-    statistics.clusters = size(state.work.awakeClusters);
-    statistics.trees = size(state.work.lonelyTrees);
-    statistics.breakableJoints = size(state.work.breakableJoints);
-    statistics.explicitJoints = statistics.implicitJoints = statistics.rigidJoints = 0;
-    statistics.dampedJoints = 0;
-    for (const auto j : state.work.explicitJoints) {
+    statistics.awakeParticles += work.awakeParticles;
+    statistics.clusters += sizeOf(work.awakeClusters);
+    statistics.trees += sizeOf(work.lonelyTrees);
+    statistics.breakableJoints += sizeOf(work.breakableJoints);
+    for (const auto j : work.explicitJoints) {
         if (state.joints.kind[j] == JointKind::explicitElastic) ++statistics.explicitJoints;
         if (state.joints.explicitDamping[j] > 0) ++statistics.dampedJoints;
     }
-    for (const auto j : state.work.stiffJoints)
+    for (const auto j : work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
-    statistics.triangles = size(state.triangles.awake);
-    statistics.sweptJoints = size(state.work.implicitJoints) + size(state.work.rigidJoints);
+    statistics.triangles += sizeOf(triangles.awake);
+    statistics.sweptJoints += sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
+}
+
+/// Of both paces, if there are two; their lists are made one after the other.
+void count(State& state) {
+    Statistics& statistics = state.statistics;
+    statistics.particles = sizeOf(state.particles);
+    statistics.joints = sizeOf(state.joints);
+    statistics.bodies = sizeOf(state.bodies);
+    statistics.awakeParticles = statistics.clusters = statistics.trees = 0;
+    statistics.breakableJoints = statistics.explicitJoints = statistics.implicitJoints = 0;
+    statistics.rigidJoints = statistics.dampedJoints = statistics.triangles = 0;
+    statistics.sweptJoints = 0;
+    count(state, state.work, state.triangles);
+    const WorkLists& parked = state.steps.parkedWork;
+    if (state.steps.mixed && parked.madeAfter == state.listChanges)
+        count(state, parked, state.steps.parkedTriangles);
 }
 
 }  // namespace
 
-void applyChanges(State& state) {
+void updateStructure(State& state) {
     watchStrain(state);
     if (state.structure.stale) deriveStructure(state);
+}
+
+void applyChanges(State& state) {
+    updateStructure(state);
     if (!state.work.stale) return;
+    // Lists of the other pace that were made before this are stale too.
+    if (state.work.madeAfter == state.listChanges) ++state.listChanges;
+    state.work.madeAfter = state.listChanges;
+    state.work.movers = wantedMovers(state);
+    noteStill(state);
     // The broad phase derives it later in the tick; the lists need it now.
     if (state.broad.collidersStale) updateReach(state);
     listTrees(state);

@@ -151,7 +151,7 @@ void solveConstraints(State& state) {
     (contactsAlone ? sweepContactsAlone : sweepAll)(state, rows, forest);
     rows.giveMultipliers(state);
     // (Blocks have their motions still.)
-    if (mayDivideTicks(state)) noteStrain(state, rows.anyError(state));
+    if (mayDivideTicks(state)) noteStrain(state, rows);
     guardContacts(state);
     limitImpacts(state);
     holdBack(state);

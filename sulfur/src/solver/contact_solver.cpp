@@ -7,6 +7,7 @@
 #include "solver/constraint_kinds.hpp"
 #include "solver/contact_motion.hpp"
 #include "solver/contact_recovery.hpp"
+#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 
@@ -80,10 +81,14 @@ void warmStart(State& state, Contact& c, const ContactMemory& before) {
         c.sliding = before.sliding != 0;
     }
     if (touchesSoft(state, c)) return;
-    c.normalLambda = before.sustained;
+    // The same force in a step of another length.
+    const Real scale = before.step == state.h
+                           ? 1
+                           : newtonsPerMultiplier(state, before.step) / newtonsPerMultiplier(state);
+    c.normalLambda = scale * before.sustained;
     if (c.rough) {
         const Real most = frictionOf(c) * c.normalLambda;
-        c.tangentLambda = std::clamp(before.tangentLambda, -most, most);
+        c.tangentLambda = std::clamp(scale * before.tangentLambda, -most, most);
     }
 }
 

@@ -163,7 +163,7 @@ bool isFrozen(const State& state, const BodyPair& pair) {
     for (const BodyId id : {pair.a, pair.b}) {
         if (!state.bodySlots.contains(id)) return false;
         const BodyRecord& body = state.bodies[state.bodySlots.dense(id)];
-        if (body.kind == BodyKind::dynamic && !body.asleep) return false;
+        if (body.kind == BodyKind::dynamic && !body.asleep && !body.standsBy) return false;
     }
     return true;
 }

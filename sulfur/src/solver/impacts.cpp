@@ -25,7 +25,8 @@ enum class Role : std::uint8_t { still, moved, kinematic };
 
 Role roleOf(const BodyRecord& body) {
     if (body.kind == BodyKind::kinematic) return Role::kinematic;
-    return body.kind == BodyKind::dynamic && !body.asleep ? Role::moved : Role::still;
+    const bool moves = body.kind == BodyKind::dynamic && !body.asleep && !body.standsBy;
+    return moves ? Role::moved : Role::still;
 }
 
 /// Where chains that move by themselves were led without contacts.

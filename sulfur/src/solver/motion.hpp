@@ -17,7 +17,7 @@ inline MotionView motionOf(Particles& p) {
 /// The kick from the middle of the last tick to the middle of this one, with air friction by the
 /// trapezoidal rule: v' - v = k a - k c (v + v') / 2.
 inline Kick kickOf(const State& state) {
-    const double h = static_cast<double>(state.h), duration = (state.lastTick + h) / 2;
+    const double h = static_cast<double>(state.h), duration = (state.lastStep() + h) / 2;
     const double half = duration * static_cast<double>(state.settings.airFriction) / 2;
     const Point gravity = state.settings.gravity.cast<double>();
     return {gravity[0], gravity[1], (1 - half) / (1 + half), duration / (1 + half), h, maxSpeed};
@@ -30,9 +30,12 @@ inline double resistance(const State& state, double h) {
     return 1 + h * static_cast<double>(state.settings.airFriction) / 2;
 }
 
-/// N that a multiplier of 1 kg m stands for.
+/// N that a multiplier of 1 kg m stands for, in a step of h seconds or in the present one.
+inline Real newtonsPerMultiplier(const State& state, Real h) {
+    return static_cast<Real>(resistance(state, static_cast<double>(h))) / (h * h);
+}
 inline Real newtonsPerMultiplier(const State& state) {
-    return static_cast<Real>(resistance(state, static_cast<double>(state.h))) / (state.h * state.h);
+    return newtonsPerMultiplier(state, state.h);
 }
 
 }  // namespace sulfur::detail

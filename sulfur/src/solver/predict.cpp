@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "core/limits.hpp"
-#include "core/trigonometry.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/find_clusters.hpp"
 #include "rigid/loads.hpp"
+#include "solver/driven.hpp"
 #include "solver/motion.hpp"
+#include "solver/paces.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -18,14 +19,11 @@ namespace {
 /// steps.
 void driveTowardsTarget(State& state, const BodyRecord& body, double stepsLeft) {
     Particles& particles = state.particles;
-    const Point turn = unitVector(body.target.angle);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        const Point rest = particles.rest[i].cast<double>();
-        const Point goal = body.target.position + Point(turn[0] * rest[0] - turn[1] * rest[1],
-                                                        turn[1] * rest[0] + turn[0] * rest[1]);
+        const Point way = goalOf(state, body, i) - particles.position[i];
         // Of a divided tick's steps, each goes its share of the way that is left.
-        particles.displacement[i] = ((goal - particles.position[i]) / stepsLeft).cast<Real>();
+        particles.displacement[i] = (way / stepsLeft).cast<Real>();
         particles.velocity[i] =
             particles.displacement[i].cast<double>() / static_cast<double>(state.h);
     }
@@ -34,7 +32,7 @@ void driveTowardsTarget(State& state, const BodyRecord& body, double stepsLeft) 
 /// Kinematic bodies follow their target, stop after it, or move on as their velocities say.
 void driveKinematicBodies(State& state) {
     Particles& particles = state.particles;
-    const double stepsLeft = state.substeps.count - state.substeps.done;
+    const double stepsLeft = state.steps.count - state.steps.done;
     for (const auto index : state.work.kinematic) {
         BodyRecord& body = state.bodies[index];
         if (body.moving) {
@@ -67,7 +65,8 @@ void startFreshParticles(State& state) {
         particles.velocity[i] -= lastStepOf(state, i) / 2 * acceleration;
         stirClusters(state, i);
     }
-    state.fresh.clear();
+    std::erase_if(state.fresh,
+                  [&](std::uint32_t i) { return !state.bodies[particles.body[i]].standsBy; });
 }
 
 /// v += h (g + w f) and d = h v for the particles that move by themselves.
@@ -88,6 +87,7 @@ void predict(State& state) {
                                      state.work.lonelyTrees.size());
     startFreshParticles(state);
     adoptStirredClusters(state);
+    startLateParticles(state);
     predictParticles(state);
     driveKinematicBodies(state);
     predictClusters(state);

@@ -4,7 +4,9 @@
 
 #include "core/disjoint_sets.hpp"
 #include "rigid/find_clusters.hpp"
+#include "solver/paces.hpp"
 #include "solver/stages.hpp"
+#include "solver/substeps.hpp"
 
 namespace sulfur::detail {
 
@@ -39,7 +41,7 @@ void measureRest(State& state) {
     const auto& v = state.particles.velocity;
     forEachMover(state, [&](std::uint32_t index) {
         BodyRecord& body = state.bodies[index];
-        if (body.kind != BodyKind::dynamic || body.asleep) return;
+        if (body.kind != BodyKind::dynamic || body.asleep || body.standsBy) return;
         bool resting = true;
         for (std::uint32_t k = 0; k < body.particles.size() && resting; ++k)
             resting = v[body.firstParticle + k].squaredNorm() < restingSpeed * restingSpeed;
@@ -122,7 +124,7 @@ Bounds boundsOf(const State& state, std::uint32_t index, double duration) {
 /// it next to what it hits when it hits it.
 bool isFast(const State& state, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
-    if (body.kind == BodyKind::fixed || body.asleep || body.sensor) return false;
+    if (!state.movable(index) || body.sensor) return false;
     const double tick = static_cast<double>(state.h);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
@@ -210,9 +212,10 @@ void wakeBody(State& state, std::uint32_t index) {
     BodyRecord* body = &state.bodies[index];
     body->restingTime = 0;
     while (body->asleep) {
+        index = state.bodySlots.dense(body->id);
+        joinPace(state, index);
         body->asleep = false;
         body->restingTime = 0;
-        index = state.bodySlots.dense(body->id);
         restoreInverseMass(state, index);
         body = &state.bodies[state.bodySlots.dense(body->nextAsleep)];
         state.work.stale = true;
@@ -240,6 +243,9 @@ void sleepBody(State& state, std::uint32_t index) {
     BodyRecord& body = state.bodies[index];
     body.asleep = true;
     body.nextAsleep = body.id;
+    body.dividedFor = 0;
+    body.asksForShortSteps = false;
+    setDivided(state, index, false);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
         state.particles.velocity[i] = Point(0, 0);
@@ -268,14 +274,14 @@ void updateSleep(State& state) {
     bool anyTired = false;
     forEachMover(state, [&](std::uint32_t i) {
         const BodyRecord& body = state.bodies[i];
-        anyTired |= !body.asleep && body.restingTime >= timeToSleep;
+        anyTired |= !body.asleep && !body.standsBy && body.restingTime >= timeToSleep;
     });
     if (!anyTired) return;
     findIslands(state, islands);
     restless.assign(state.bodies.size(), false);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&
-            state.bodies[i].restingTime < timeToSleep)
+            (state.bodies[i].restingTime < timeToSleep || state.bodies[i].standsBy))
             restless[islands.find(i)] = true;
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
         if (!isDynamic(state, i) || state.bodies[i].asleep || restless[islands.find(i)]) continue;

@@ -6,6 +6,8 @@
 
 namespace sulfur::detail {
 
+/// Derives how what is stiff is solved again, if bodies or joints have changed.
+void updateStructure(State& state);
 /// Rebuilds what is derived from bodies and joints, if they changed.
 void applyChanges(State& state);
 /// Gathers the forces of explicit elastic joints into Particles::force.

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "solver/driven.hpp"
+#include "solver/paces.hpp"
 #include "solver/stages.hpp"
 #include "solver/substeps.hpp"
 
@@ -27,6 +29,8 @@ void clearStatistics(Statistics& statistics) {
     statistics.seconds.fill(0);
     statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
     statistics.pressedTriangles = statistics.plannedContacts = 0;
+    statistics.substeps = 1;
+    statistics.dividedBodies = 0;
 }
 
 /// What the stages of collision and constraints loop over.
@@ -43,15 +47,6 @@ void noteItems(State& state) {
                      state.influences.grabs.size());
 }
 
-/// Whether somebody drives a body that physics does not move.
-bool isDriven(const State& state, std::uint32_t index) {
-    const BodyRecord& body = state.bodies[index];
-    if (body.kind != BodyKind::kinematic || body.moving || body.stopping) return true;
-    const auto first = state.particles.velocity.begin() + body.firstParticle;
-    return std::any_of(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
-                       [](const Point& v) { return v != Point(0, 0); });
-}
-
 /// Whether something has been changed by hand since the lists were made.
 bool isChanged(const State& state) {
     const BroadPhase& broad = state.broad;
@@ -63,8 +58,10 @@ bool isChanged(const State& state) {
 /// Whether a tick would change nothing but the clock: all that could move sleeps.
 bool allRest(const State& state) {
     const auto& movers = state.work.bodies;
-    return !isChanged(state) && std::none_of(movers.begin(), movers.end(),
-                                             [&](auto body) { return isDriven(state, body); });
+    const auto moves = [&](std::uint32_t body) {
+        return state.bodies[body].kind == BodyKind::dynamic || isDriven(state, body);
+    };
+    return !isChanged(state) && std::none_of(movers.begin(), movers.end(), moves);
 }
 
 void clear(Events& events) {
@@ -108,7 +105,8 @@ void runStep(State& state) {
     else
         runStages(state);
     timed(state, Stage::sensors, updateSensors);
-    state.lastTick = static_cast<double>(state.h);
+    state.lastSteps[static_cast<std::size_t>(state.steps.pace)] = static_cast<double>(state.h);
+    ++state.steps.done;
 }
 
 template <class Event>
@@ -151,33 +149,75 @@ void orderPairs(std::vector<Event>& events) {
     std::swap(events, ordered);
 }
 
+/// The whole tick of bodies whose ticks are not divided, while the others stand by.
+void runWhole(State& state) {
+    enterPace(state, Pace::whole);
+    runStep(state);
+    append(state.told, state.events);
+}
+
+/// The steps of bodies whose ticks are divided.
 void runDivided(State& state) {
-    clear(state.told);
-    for (; state.substeps.done < state.substeps.count; ++state.substeps.done) {
+    enterPace(state, Pace::divided);
+    while (state.steps.done < state.steps.count) {
+        if (state.steps.done > 0) applyForcesAgain(state);
         runStep(state);
         append(state.told, state.events);
     }
+}
+
+/// What was told in several steps, as that of one tick.
+void tellOnce(State& state) {
     std::swap(state.events, state.told);
     dropGone(state, state.events.contactsBegun);
     orderPairs(state.events.contactsBegun);
     orderPairs(state.events.contactsEnded);
 }
 
+/// A tick in which the ticks of some bodies, or of all, are divided.
+void runPaces(State& state) {
+    thread_local std::vector<ContactPersisted> persisted;
+    clear(state.told);
+    keepAppliedForces(state);
+    std::uint32_t contacts = 0;
+    persisted.clear();
+    const bool mixed = state.steps.mixed;
+    if (mixed) {
+        runWhole(state);
+        contacts = state.statistics.contacts;
+        std::swap(persisted, state.told.contactsPersisted);
+    }
+    runDivided(state);
+    state.statistics.contacts += contacts;
+    leavePaces(state);
+    tellOnce(state);
+    if (!mixed) return;
+    append(state.events.contactsPersisted, persisted);
+    orderPairs(state.events.contactsPersisted);
+}
+
+/// Lists that name all that moves, of both paces, and the structure that they follow.
+void updateLists(State& state) {
+    const bool parkedBehind =
+        state.work.movers != Movers::all && state.steps.parkedWork.madeAfter != state.listChanges;
+    state.work.stale = state.work.stale || parkedBehind;
+    if (state.structure.stale || state.work.stale) timed(state, Stage::changes, applyChanges);
+}
+
 }  // namespace
 
 void step(State& state) {
     clearStatistics(state.statistics);
-    // Who asks for short steps is told by the lists.
-    if (mayDivideTicks(state) && (state.structure.stale || state.work.stale))
-        timed(state, Stage::changes, applyChanges);
-    chooseSubsteps(state);
-    state.substeps.done = 0;
-    if (state.substeps.count > 1) {
-        runDivided(state);
-    } else {
-        runStep(state);
-        state.substeps.done = 1;
+    if (mayDivideTicks(state) || state.anyDivided) {
+        const bool changed = state.structure.stale;
+        updateLists(state);
+        timed(state, Stage::changes, [&](State& s) { choosePaces(s, changed); });
     }
+    state.steps.done = 0;
+    if (state.anyDivided)
+        runPaces(state);
+    else
+        runStep(state);
     ++state.tick;
 }
 

@@ -165,6 +165,27 @@ std::vector<std::uint8_t> stiffJoints(const Joints& joints) {
     return stiff;
 }
 
+/// s, the last step of the bodies in a tree: that of the first one that physics moves.
+double lastStepAround(const State& state, const Tree& tree) {
+    for (auto k = tree.first; k < tree.last; ++k) {
+        const TreeNode& n = state.trees.nodes[k];
+        const auto body = n.cluster != none    ? state.clusters.list[n.cluster].body
+                          : n.particle != none ? state.particles.body[n.particle]
+                                               : none;
+        if (body != none && state.bodies[body].kind == BodyKind::dynamic)
+            return state.lastStepOfBody(body);
+    }
+    return state.lastStep(Pace::whole);
+}
+
+/// The tree that moves a particle alone, or none.
+std::uint32_t treeOf(const State& state, std::uint32_t particle) {
+    // What was added since the last tick is in no tree yet.
+    if (state.trees.list.empty() || particle >= state.trees.ofParticle.size()) return none;
+    const auto cluster = state.particles.cluster[particle];
+    return cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
+}
+
 class TreeBuilder {
 public:
     explicit TreeBuilder(State& state)
@@ -231,7 +252,6 @@ private:
     Tree begin() const {
         Tree tree;
         tree.first = static_cast<std::uint32_t>(trees_.nodes.size());
-        tree.lastStep = state_.lastTick;
         return tree;
     }
 
@@ -244,6 +264,7 @@ private:
     void finish(Tree tree) {
         tree.last = static_cast<std::uint32_t>(trees_.nodes.size());
         const auto index = static_cast<std::uint32_t>(trees_.list.size());
+        tree.lastStep = lastStepAround(state_, tree);
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = trees_.nodes[k];
             if (n.cluster != none) tree.points = 0;
@@ -415,19 +436,19 @@ private:
 
 }  // namespace
 
+bool movesInTree(const State& state, std::uint32_t particle) {
+    return treeOf(state, particle) != none;
+}
+
 double lastStepOf(const State& state, std::uint32_t particle) {
-    if (state.trees.list.empty()) return state.lastTick;
-    // What was added since the last tick is in no tree yet.
-    if (particle >= state.trees.ofParticle.size()) return state.lastTick;
-    const auto cluster = state.particles.cluster[particle];
-    const auto tree =
-        cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
-    return tree == none ? state.lastTick : state.trees.list[tree].lastStep;
+    const auto tree = treeOf(state, particle);
+    return tree == none ? state.lastStepOfBody(state.particles.body[particle])
+                        : state.trees.list[tree].lastStep;
 }
 
 void dissolveTrees(State& state) {
     for (const Tree& tree : state.trees.list) {
-        const double late = (state.lastTick - tree.lastStep) / 2;
+        const double late = (lastStepAround(state, tree) - tree.lastStep) / 2;
         if (!tree.alone || late == 0) continue;
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = state.trees.nodes[k];

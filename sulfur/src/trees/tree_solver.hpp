@@ -40,4 +40,7 @@ inline Vec2& forceOf(State& state, const TreeNode& node) {
 /// Duration of the last step (s) that moved this particle.
 double lastStepOf(const State& state, std::uint32_t particle);
 
+/// Whether a tree that moves alone has the particle or its cluster.
+bool movesInTree(const State& state, std::uint32_t particle);
+
 }  // namespace sulfur::detail

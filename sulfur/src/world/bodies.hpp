@@ -20,6 +20,10 @@ struct BodyRecord {
     bool placed = true;               // made or moved by hand since the last tick
     bool selfCollision = false;       // its own parts touch each other
     bool strained = false;            // they were not, because it was bent out of shape
+    bool divided = false;             // its ticks are divided into short steps
+    bool asksForShortSteps = false;   // something in the last tick does
+    bool standsBy = false;            // takes no part in the present steps; false between ticks
+    double dividedFor = 0;            // s, for which its ticks go on being divided
     Real restingTime = 0;             // s for which its island has been at rest
     BodyId nextAsleep;                // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index
@@ -42,6 +46,9 @@ struct BodyRecord {
         a(stopping);
         a(clustersStale);
         a(strained);
+        a(divided);
+        a(asksForShortSteps);
+        a(dividedFor);
         a(selfCollision);
         a(placed);
         a(restingTime);

@@ -83,7 +83,9 @@ void World::setTickRate(int tickRate) {
     state.rateTime = time();
     state.rateTick = state.tick;
     state.settings.tickRate = tickRate;
-    setStep(state, 1 / static_cast<Real>(tickRate));
+    state.h = detail::stepDuration(state, detail::Pace::whole);
+    state.structure.stale = true;
+    state.broad.pairsStale = true;
 }
 
 void World::setDamper(Damper damper) {

@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x33735f7266756c53u;  // "Slfr_s3", little-endian
+constexpr std::uint64_t snapshotMark = 0x34735f7266756c53u;  // "Slfr_s4", little-endian
 
 /// Everything that decides how the world goes on. Candidates are not part of it: contacts depend
 /// on geometry alone, not on when their candidates were found.
@@ -23,8 +23,8 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.damper);
     a(state.settings.friction);
     a(state.settings.rasterisation);
-    a(state.lastTick);
-    a(state.substeps);
+    a(state.lastSteps);
+    a(state.anyDivided);
     a(state.rateTick);
     a(state.rateTime);
     a(state.tick);
@@ -67,6 +67,9 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.moving);
         hasher(body.stopping);
         hasher(body.restingTime);
+        hasher(body.divided);
+        hasher(body.asksForShortSteps);
+        hasher(body.dividedFor);
         hasher(body.nextAsleep);
         hasher(body.selfCollision);
         hasher(body.placed);

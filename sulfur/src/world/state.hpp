@@ -1,6 +1,7 @@
 // Everything that a world is.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <sulfur/events.hpp>
 #include <sulfur/statistics.hpp>
@@ -46,8 +47,10 @@ inline constexpr std::uint8_t noColour = 63;
 struct Structure {
     // What no tree has taken, in the order of the sweeps: joints of one colour share no particle.
     std::vector<std::uint32_t> sweptJoints, sweptAttachments, sweptHinges;
-    std::vector<std::uint8_t> colours;     // of all joints; those of `noColour` share particles
-    std::vector<std::uint8_t> unresolved;  // of all joints: springs that ask for short steps
+    std::vector<std::uint8_t> colours;  // of all joints; those of `noColour` share particles
+    // Of all bodies: they have springs that ask for short steps; or that whole ticks and short
+    // steps solve in different ways.
+    std::vector<std::uint8_t> unresolved, dependsOnStep;
     bool stale = true;
 
     template <class Archive>
@@ -57,9 +60,13 @@ struct Structure {
         a(sweptHinges);
         a(colours);
         a(unresolved);
+        a(dependsOnStep);
         a(stale);
     }
 };
+
+/// Whom the lists below name: all that moves, or those of one pace.
+enum class Movers : std::uint8_t { all, whole, divided };
 
 /// What the stages loop over, so that they never ask each particle whether it takes part.
 /// Derived from the structure and from who is awake whenever `stale`.
@@ -88,29 +95,47 @@ struct WorkLists {
     std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
-    bool anyUnresolved = false;  // a spring that takes part asks for short steps
+    std::uint64_t madeAfter = 0;                          // State::listChanges
+    Movers movers = Movers::all;
     bool stale = true;
 };
 
-/// How the present tick is divided.
-struct Substeps {
-    std::uint32_t count = 1, done = 0;
-    std::uint8_t strained = 0;  // something in the last tick asks for short steps
-    double left = 0;            // s, for which they go on
+/// How often bodies step in a tick: whole ticks, or divided ones.
+enum class Pace : std::uint8_t { whole, divided };
 
-    template <class Archive>
-    void archive(Archive& a) {
-        a(count);
-        a(strained);
-        a(left);
-    }
+/// The velocity of something stands for a time that is `late` seconds before that of its pace.
+struct LateParticle {
+    ParticleId particle;
+    double late = 0;  // s
+};
+
+/// A force of the caller, which acts during all of a tick.
+struct AppliedForce {
+    ParticleId particle;
+    Point force{0, 0};  // N
+};
+
+/// How the present tick is run: where the ticks of some bodies are divided and those of others are
+/// not, first the others go their whole tick, then these, while the rest stands by.
+struct Steps {
+    Pace pace = Pace::whole;            // that of the present steps
+    bool mixed = false;                 // bodies of the other pace stand by
+    std::uint32_t count = 1, done = 0;  // of the present pace
+    std::vector<LateParticle> late;     // of bodies that have changed their pace in this tick
+    std::vector<AppliedForce> applied;  // to bodies whose ticks are divided
+    // What belongs to the pace that stands by, while both run.
+    WorkLists parkedWork;
+    Triangles parkedTriangles;        // all but `all` and `stale`
+    std::vector<std::uint8_t> still;  // bodies that take no part; empty unless mixed
 };
 
 struct State {
     WorldSettings settings;
-    Real h = 0;           // s, the step: a tick, or one of its substeps
-    double lastTick = 0;  // s, the step before: the velocities stand in its middle
-    Substeps substeps;
+    Real h = 0;  // s, the step: a tick, or one of its substeps
+    /// s, the step before, of bodies of each pace: their velocities stand in its middle.
+    std::array<double, 2> lastSteps{0, 0};
+    Steps steps;
+    bool anyDivided = false;  // the ticks of some body are divided
     std::uint64_t tick = 0;
     // When the rate was set last: the clock counts from there.
     std::uint64_t rateTick = 0;
@@ -136,6 +161,7 @@ struct State {
 
     Structure structure;
     WorkLists work;
+    std::uint64_t listChanges = 1;  // how often lists of all paces have become stale
     Triangles triangles;
     BroadPhase broad;
     std::vector<Contact> contacts;
@@ -162,8 +188,16 @@ struct State {
         statistics.items[static_cast<std::size_t>(stage)] += static_cast<std::uint32_t>(items);
     }
 
-    bool movable(std::uint32_t body) const {
+    bool awake(std::uint32_t body) const {
         return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep;
+    }
+    /// Whether it takes part in the present steps.
+    bool movable(std::uint32_t body) const { return awake(body) && !bodies[body].standsBy; }
+
+    double lastStep(Pace pace) const { return lastSteps[static_cast<std::size_t>(pace)]; }
+    double lastStep() const { return lastStep(steps.pace); }
+    double lastStepOfBody(std::uint32_t body) const {
+        return lastStep(bodies[body].divided ? Pace::divided : Pace::whole);
     }
 };
 

@@ -33,7 +33,8 @@ std::string validateArrays(const State& state) {
     const int rate = state.settings.tickRate;
     if (rate < minTickRate || rate > maxTickRate) return "tick rate out of range";
     if (state.settings.sweeps < 1 || state.settings.sweeps > 100) return "sweeps out of range";
-    if (!(state.h > 0) || !(state.lastTick > 0)) return "a tick without duration";
+    if (!(state.h > 0) || !(state.lastSteps[0] > 0) || !(state.lastSteps[1] > 0))
+        return "a tick without duration";
     return {};
 }
 
@@ -201,7 +202,7 @@ std::string validateContacts(const State& state) {
         if (m.particle < last) return problem("contact out of order", i);
         if (!m.normal.allFinite() || !std::isfinite(m.normalLambda) ||
             !std::isfinite(m.tangentLambda) || !std::isfinite(m.sustained) || m.sustained < 0 ||
-            !std::isfinite(m.drift))
+            !std::isfinite(m.drift) || !(m.step > 0))
             return problem("contact that is not finite", i);
         last = m.particle;
     }
@@ -225,7 +226,8 @@ std::string validateStructure(const State& state) {
         !within(s.sweptAttachments, state.attachments.size()) ||
         !within(s.sweptHinges, state.clusters.hinges.size()))
         return "a list that names what there is not";
-    if (s.unresolved.size() != state.joints.size()) return "stiff springs of other joints";
+    if (s.unresolved.size() != state.bodies.size() || s.dependsOnStep.size() != state.bodies.size())
+        return "stiff springs of other bodies";
     return s.colours.size() == state.joints.size() ? "" : "colours of other joints";
 }
 

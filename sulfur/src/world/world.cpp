@@ -6,6 +6,7 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
+#include "solver/substeps.hpp"
 #include "trees/tree_solver.hpp"
 #include "world/impl.hpp"
 
@@ -89,7 +90,7 @@ World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     detail::validateSettings(settings);
     impl_->state.settings = settings;
     impl_->state.h = 1 / static_cast<Real>(settings.tickRate);
-    impl_->state.lastTick = static_cast<double>(impl_->state.h);
+    impl_->state.lastSteps.fill(static_cast<double>(impl_->state.h));
 }
 
 World::~World() = default;
@@ -297,7 +298,9 @@ Point World::interpolated(ParticleId id, double alpha) const {
     const auto& p = impl_->state.particles;
     const auto i = indexOf(impl_->state, id);
     // Of a divided tick the last step stands for all.
-    const double steps = impl_->state.substeps.count;
+    const bool divided = impl_->state.bodies[p.body[i]].divided;
+    const double steps =
+        stepsPerTick(impl_->state, divided ? detail::Pace::divided : detail::Pace::whole);
     return p.position[i] - (1 - alpha) * steps * p.displacement[i].cast<double>();
 }
 
@@ -314,7 +317,7 @@ std::vector<ContactInfo> World::contacts() const {
         const Point point =
             p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
         // Of a divided tick the last step stands for all.
-        const Real perTick = static_cast<Real>(state.substeps.count) / state.h;
+        const Real perTick = tickDuration() / (c.step * c.step);
         found.push_back({state.bodies[p.body[c.particle]].id, state.bodies[p.body[c.a]].id, point,
                          c.normal, c.normalLambda * perTick, c.tangentLambda * perTick});
     }

@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 2030848912884968345u);
 #else
-    EXPECT_EQ(world.hash(), 17326799337360788450u);
+    EXPECT_EQ(world.hash(), 18325580053374767705u);
 #endif
 }
 

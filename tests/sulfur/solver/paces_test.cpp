@@ -1,0 +1,241 @@
+// Bodies whose ticks are divided beside others whose ticks are not.
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+WorldSettings settings(int rate, bool sleeping = false) {
+    return {.tickRate = rate, .sleeping = sleeping};
+}
+
+void run(World& world, double seconds) {
+    const int ticks = static_cast<int>(seconds * world.settings().tickRate + 0.5);
+    for (int i = 0; i < ticks; ++i) world.step();
+}
+
+/// A ball that goes on bouncing between walls far away at x metres, and asks for short steps.
+Body addRestless(World& world, double x) {
+    world.add(shapes::ground({.points = {{-2, 4}, {-2, 0}, {2, 0}, {2, 4}}}), {.position = {x, 0}});
+    const Body ball = world.add(shapes::ball(), {.position = {x, 2}});
+    world.setVelocity(ball.id(), {20, 0});
+    world.setMaterial(ball.id(), {.restitution = 1});
+    return ball;
+}
+
+Body addRope(World& world, double x) {
+    return world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .radius = 0, .pinFirst = true}),
+                     {.position = {x, 0}});
+}
+
+TEST(Paces, DivideOnlyTheTicksOfTheIslandThatAsks) {
+    World world(settings(120));
+    addRestless(world, 100);
+    for (int i = 0; i < 5; ++i) addRope(world, 4 * i);
+    run(world, 1);
+    EXPECT_EQ(world.statistics().substeps, 4u);
+    EXPECT_EQ(world.statistics().dividedBodies, 1u);
+    EXPECT_EQ(world.statistics().trees, 5u);
+}
+
+/// To the last bit: what stands by while others step is as if it were alone.
+TEST(Paces, LeaveWhatIsFarAwayAsIfItWereAlone) {
+    World alone(settings(120)), both(settings(120));
+    const Body first = addRope(alone, 0), second = addRope(both, 0);
+    const Body jelly = alone.add(shapes::jelly({.stiffness = 20}), {.position = {20, 3}});
+    const Body same = both.add(shapes::jelly({.stiffness = 20}), {.position = {20, 3}});
+    for (World* world : {&alone, &both})
+        world->add(shapes::ground({.points = {{-5, 0}, {5, 0}}}), {.position = {20, 0}});
+    run(alone, 2), run(both, 2);
+    addRestless(both, 100);
+    std::uint32_t most = 0, least = 100;
+    for (int i = 0; i < 240; ++i) {
+        alone.step(), both.step();
+        most = std::max(most, both.statistics().dividedBodies);
+        least = std::min(least, both.statistics().dividedBodies);
+    }
+    EXPECT_GT(most, 0u);
+    for (std::size_t k = 0; k < first.size(); ++k)
+        EXPECT_EQ(alone.position(first[k]), both.position(second[k])) << k;
+    for (std::size_t k = 0; k < jelly.size(); ++k)
+        EXPECT_EQ(alone.position(jelly[k]), both.position(same[k])) << k;
+}
+
+/// What takes up short steps, and what gives them up, falls as far as before.
+TEST(Paces, ChangeWithoutLosingTime) {
+    World world(settings(120));
+    const Body ball = world.add(shapes::ball({.radius = 0.2f}), {.position = {0, 0}});
+    // It is slow, then fast: its ticks are divided from a while after the start on.
+    for (const double seconds : {0.1, 0.5, 1.0}) {
+        while (world.time() < seconds - 1e-9) world.step();
+        EXPECT_NEAR(world.centreOfMass(ball.id())[1], -9.81 / 2 * seconds * seconds, 1e-5 * seconds)
+            << seconds;
+    }
+    EXPECT_EQ(world.statistics().substeps, 4u);
+}
+
+/// A swinging pendulum that is tied to nothing keeps its energy while its ticks are divided and
+/// when they no longer are.
+TEST(Paces, KeepTheEnergyOfASpringThatChangesThem) {
+    World world(settings(120));
+    world.setGravity({0, 0});
+    Blueprint spring;
+    spring.particles = {{.position = {0, 0}, .mass = 1, .radius = 0.3f},
+                        {.position = {1, 0}, .mass = 1, .radius = 0.3f}};
+    spring.joints = {{.a = 0, .b = 1, .stiffness = 50}};
+    const Body body = world.add(spring);
+    run(world, 1);
+    world.setVelocity(body[0], {-2, 0}), world.setVelocity(body[1], {2, 0});
+    run(world, 0.25);
+    const double energy = world.energy();
+    double most = 0;
+    std::uint32_t changes = 0, before = world.statistics().dividedBodies;
+    for (int i = 0; i < 600; ++i) {
+        world.step();
+        most = std::max(most, std::abs(world.energy() / energy - 1));
+        changes += world.statistics().dividedBodies != before ? 1 : 0;
+        before = world.statistics().dividedBodies;
+    }
+    EXPECT_LT(most, 0.02) << changes;
+}
+
+/// A force acts for a whole tick, in however many steps.
+TEST(Paces, LetAppliedForcesActForTheWholeTick) {
+    for (const double speed : {0.0, 20.0}) {
+        World world(settings(120));
+        world.setGravity({0, 0});
+        const Body ball = world.add(shapes::ball({.mass = 2}));
+        run(world, 1);
+        world.setVelocity(ball.id(), {static_cast<float>(speed), 0});
+        run(world, 0.1);
+        EXPECT_EQ(world.statistics().substeps, speed > 0 ? 4u : 1u);
+        for (int i = 0; i < 12; ++i) {
+            for (const ParticleId id : world.particles(ball.id()))
+                world.applyForce(id, {0, 10.f / static_cast<float>(ball.size())});
+            world.step();
+        }
+        run(world, 0.1);
+        EXPECT_NEAR(world.meanVelocity(ball.id())[1], 10 * 0.1 / 2, 1e-3) << speed;
+    }
+}
+
+/// What is fast hits what is calm in the tick in which it comes from far, and gives it all that it
+/// would give to what is awake and steps with it.
+TEST(Paces, LetABulletPushWhatWasCalm) {
+    for (const int rate : {120, 240, 500}) {
+        World world(settings(rate));
+        world.setGravity({0, 0});
+        const Body target = world.add(shapes::box({.mass = 1}), {.position = {0, 0}});
+        run(world, 1);
+        const Body bullet =
+            world.add(shapes::ball({.radius = 0.1f, .mass = 1}), {.position = {-30, 0}});
+        world.setVelocity(bullet.id(), {300, 0});
+        run(world, 0.3);
+        const double sum = static_cast<double>(world.meanVelocity(target.id())[0]) +
+                           static_cast<double>(world.meanVelocity(bullet.id())[0]);
+        EXPECT_NEAR(sum, 300, 0.1) << rate;
+        EXPECT_GT(world.meanVelocity(target.id())[0], 140) << rate;
+    }
+}
+
+/// Two islands come together: from then on they step together, and the momentum is kept.
+TEST(Paces, JoinIslandsThatMeet) {
+    World world(settings(240));
+    world.setGravity({0, 0});
+    const Body calm = world.add(shapes::box(), {.position = {0, 0}});
+    const Body row = world.add(shapes::box(), {.position = {1.2, 0}});
+    run(world, 1);
+    const Body fast = world.add(shapes::box(), {.position = {-6, 0}});
+    world.setVelocity(fast.id(), {8, 0});
+    std::uint32_t most = 0;
+    for (int i = 0; i < 480; ++i) {
+        world.step();
+        most = std::max(most, world.statistics().dividedBodies);
+    }
+    EXPECT_EQ(most, 3u);
+    double sum = 0;
+    for (const BodyId id : {calm.id(), row.id(), fast.id()})
+        sum += static_cast<double>(world.meanVelocity(id)[0]);
+    EXPECT_NEAR(sum, 8, 1e-3);
+}
+
+TEST(Paces, WakeSleepersThatAreHit) {
+    World world(settings(120, true));
+    world.add(shapes::ground({.points = {{-50, 0}, {50, 0}}}));
+    addRope(world, 200);
+    const Body sleeper = world.add(shapes::box(), {.position = {0, 0.5}});
+    run(world, 3);
+    ASSERT_TRUE(world.asleep(sleeper.id()));
+    const Body ball = world.add(shapes::ball({.radius = 0.3f}), {.position = {-8, 0.4}});
+    world.setVelocity(ball.id(), {15, 0});
+    run(world, 1);
+    EXPECT_FALSE(world.asleep(sleeper.id()));
+    EXPECT_GT(world.centreOfMass(sleeper.id())[0], 0.3);
+    run(world, 10);
+    EXPECT_TRUE(world.asleep(sleeper.id()));
+    EXPECT_EQ(world.validate(), "");
+}
+
+template <class Event>
+std::pair<BodyId, BodyId> pairOf(const Event& e) {
+    return std::minmax(e.a, e.b);
+}
+
+/// Who touches in either pace goes on touching, and is told once a tick.
+TEST(Paces, TellEachTouchOnce) {
+    World world({.tickRate = 120, .sleeping = false, .tellPersisting = true});
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    world.add(shapes::box(), {.position = {0, 0.6}});
+    run(world, 2);
+    addRestless(world, 100);
+    std::size_t begun = 0, ended = 0;
+    for (int i = 0; i < 240; ++i) {
+        world.step();
+        std::vector<std::pair<BodyId, BodyId>> pairs;
+        for (const auto& e : world.events().contactsPersisted) pairs.push_back(pairOf(e));
+        EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+        EXPECT_EQ(std::adjacent_find(pairs.begin(), pairs.end()), pairs.end());
+        const auto resting = std::pair(world.bodies()[0], world.bodies()[1]);
+        EXPECT_EQ(std::count(pairs.begin(), pairs.end(), resting), 1) << i;
+        for (const auto& e : world.events().contactsBegun) begun += pairOf(e) == resting;
+        for (const auto& e : world.events().contactsEnded) ended += pairOf(e) == resting;
+    }
+    EXPECT_EQ(begun + ended, 0u);
+}
+
+TEST(Paces, GoOnAfterASnapshot) {
+    World world(settings(120));
+    addRestless(world, 100);
+    addRope(world, 0);
+    world.add(shapes::jelly({.stiffness = 2000}), {.position = {50, 0}});
+    run(world, 0.7);
+    const auto saved = world.snapshot();
+    World other(settings(500));
+    other.restore(saved);
+    EXPECT_EQ(other.hash(), world.hash());
+    run(world, 1), run(other, 1);
+    EXPECT_EQ(other.hash(), world.hash());
+}
+
+/// Something breaks in one pace, bodies are added and go, the rate changes: nothing is lost.
+TEST(Paces, OutliveChangesOfTheirBodies) {
+    World world(settings(120, true));
+    addRestless(world, 100);
+    addRope(world, 0);
+    Blueprint weak = shapes::rope({.from = {0, 0}, .to = {3, 0}, .radius = 0.05f});
+    weak.particles.front().pinned = true;
+    for (JointSpec& j : weak.joints) j.strength = 20;
+    for (int i = 0; i < 20; ++i) {
+        const Body rope = world.add(weak, {.position = {20.0 + 5 * i, 5}});
+        run(world, 0.1);
+        if (i % 3 == 0) world.remove(rope.id());
+        if (i == 10) world.setTickRate(240);
+        if (i == 13) world.setTickRate(600);
+        if (i == 16) world.setTickRate(60);
+        EXPECT_EQ(world.validate(), "");
+    }
+    run(world, 5);
+    EXPECT_EQ(world.validate(), "");
+}
+
+}  // namespace
+}  // namespace sulfur
