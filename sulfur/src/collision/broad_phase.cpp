@@ -168,9 +168,10 @@ void forEachOuting(const State& state, Real lookAhead, Function&& f) {
         }
     };
     for (const Range& range : state.work.awake) look(range);
-    // Lists of one pace do not name those of the other.
+    // Between ticks, lists of one pace do not name those of the other; in steps those stand by.
     const WorkLists& parked = state.steps.parkedWork;
-    if (state.work.movers != Movers::all && parked.madeAfter == state.listChanges)
+    const bool named = state.work.movers == Movers::all || state.steps.mixed;
+    if (!named && parked.madeAfter == state.listChanges)
         for (const Range& range : parked.awake) look(range);
 }
 

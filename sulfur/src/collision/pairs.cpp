@@ -342,7 +342,13 @@ void measureOutings(const State& state, const std::vector<Vec2>& displacements, 
     const Particles& p = state.particles;
     auto& [ofParticle, ofBody] = outings;
     ofParticle.resize(p.size(), 0);
-    ofBody.assign(state.bodies.size(), 0);
+    if (state.steps.mixed) {
+        // What stands by is as far out as its own steps have led it.
+        ofBody.resize(state.bodies.size(), 0);
+        for (const auto body : state.work.bodies) ofBody[body] = 0;
+    } else {
+        ofBody.assign(state.bodies.size(), 0);
+    }
     for (const Range range : state.work.awake)
         for (auto i = range.first; i < range.last; ++i) {
             ofParticle[i] = (p.position[i] - state.broad.reference[i]).cast<Real>().norm() +
