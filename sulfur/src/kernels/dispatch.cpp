@@ -7,6 +7,7 @@
 #include "kernels/chain_lanes.hpp"
 #include "kernels/cluster_motion.hpp"
 #include "kernels/contact_sweep.hpp"
+#include "kernels/joint_force.hpp"
 #include "kernels/joint_sweep.hpp"
 #include "kernels/meeting_lanes.hpp"
 #include "kernels/particle_motion.hpp"
@@ -50,6 +51,13 @@ const SweepKernels& sweepKernels() {
     if (mayUse(Instructions::avx2)) return avx2Sweep;
 #endif
     return baselineSweep;
+}
+
+const ForceKernels& forceKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Forces;
+#endif
+    return baselineForces;
 }
 
 const MotionKernels& motionKernels() {

@@ -131,6 +131,7 @@ void listJoints(State& state) {
             work.explicitJoints.push_back(j);
         if (joints.kind[j] != JointKind::explicitElastic) work.stiffJoints.push_back(j);
     }
+    batchExplicitJoints(state);
     for (const auto j : state.structure.sweptJoints) {
         if (!takesPart(state, j)) continue;
         (joints.kind[j] == JointKind::rigid ? work.rigidJoints : work.implicitJoints).push_back(j);

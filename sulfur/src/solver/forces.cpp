@@ -1,6 +1,7 @@
 // Stage: forces of explicit elastic joints.
 #include <cmath>
 
+#include "kernels/joint_force.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -36,11 +37,37 @@ void addElasticForce(State& state, std::uint32_t j) {
     particles.force[b] -= force;
 }
 
+ForceView viewOf(State& state) {
+    Particles& p = state.particles;
+    const ExplicitJoints& j = state.work.explicitBatches;
+    return {p.position.data()->data(),
+            p.velocity.data()->data(),
+            p.force.data()->data(),
+            state.joints.force.data(),
+            j.joint.data(),
+            j.a.data(),
+            j.b.data(),
+            j.rest.data(),
+            j.stiffness.data(),
+            j.damping.data()};
+}
+
 }  // namespace
 
 void gatherForces(State& state) {
-    state.looked(Stage::forces, state.work.explicitJoints.size());
-    for (const auto j : state.work.explicitJoints) addElasticForce(state, j);
+    const auto& list = state.work.explicitJoints;
+    state.looked(Stage::forces, list.size());
+    if (list.empty()) return;
+    const ForceView view = viewOf(state);
+    const bool full = state.settings.damper == Damper::full;
+    for (const ForceBatch& batch : state.work.explicitBatches.batches) {
+        if (!batch.wide || (full && batch.damped)) {
+            for (auto k = batch.first; k < batch.last; ++k) addElasticForce(state, list[k]);
+            continue;
+        }
+        const auto add = batch.damped ? forceKernels().damped : forceKernels().elastic;
+        add(view, batch.place, batch.last - batch.first);
+    }
 }
 
 }  // namespace sulfur::detail

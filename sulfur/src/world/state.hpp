@@ -17,6 +17,7 @@
 #include "joints/triangles.hpp"
 #include "particles/particles.hpp"
 #include "rigid/clusters.hpp"
+#include "solver/explicit_joints.hpp"
 #include "solver/sensing.hpp"
 #include "solver/swept_joints.hpp"
 #include "trees/chain_batches.hpp"
@@ -84,6 +85,7 @@ struct WorkLists {
     std::vector<std::uint32_t> lines;      // trees that are solved in the sweeps
     std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints;  // the latter two swept
     SweptJoints implicitSweep, rigidSweep;                                   // their batches
+    ExplicitJoints explicitBatches;
     std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
     std::vector<std::uint32_t> breakableJoints;
     // All joints that are not rigid, body by body, asleep or not; where those of each body begin.

@@ -1,0 +1,32 @@
+// Elastic joints that are forces, in batches that the kernels take as a whole.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <vector>
+
+namespace sulfur::detail {
+
+struct State;
+
+/// Neighbours in the list that share no particle: of several instances of one blueprint, the same
+/// joint of each.
+struct ForceBatch {
+    std::uint32_t first = 0, last = 0;  // in the list
+    std::uint32_t place = 0;            // of the first in the arrays, if `wide`
+    bool wide = false;                  // enough of them for a kernel
+    bool damped = false;                // some of them have dampers
+};
+
+/// The arrays that ForceView points into, derived with the work lists.
+struct ExplicitJoints {
+    std::vector<ForceBatch> batches;
+    std::vector<std::uint32_t> joint, a, b;
+    std::vector<Real> rest, stiffness, damping;
+};
+
+/// Orders the list of explicit joints so that joints that share a particle stay in their order, and
+/// with that the sums of forces the same to the last bit; and divides it into batches.
+void batchExplicitJoints(State& state);
+
+}  // namespace sulfur::detail
