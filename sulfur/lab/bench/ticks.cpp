@@ -213,10 +213,9 @@ std::vector<Growth> growths(bool quick) {
         {"sleepers", "sleeping crates, none awake", upTo({100, 300, 1000, 3000, 25000}),
          sleepingWorld},
         {"extent", "extent of a world with 1000 bodies (m)", upTo({64, 640, 6400, 64000, 640000}),
-         extentWorld}};
-    if (hasThreads())
-        all.push_back({"threads", "threads, for 6000 contacts of crates on a floor", threadCounts(),
-                       threadedWorld, true});
+         extentWorld},
+        {"threads", "threads, for 6000 contacts of crates on a floor", threadCounts(),
+         threadedWorld, true}};
     return all;
 }
 

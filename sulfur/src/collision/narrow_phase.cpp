@@ -358,8 +358,8 @@ void considerCrossing(const State& state, const Crossing& crossing, Found& found
     keepIfNear(state, t, found);
 }
 
-/// A piece of work for a thread has at least so many runs of candidates.
-constexpr std::size_t leastRuns = 1024;
+/// Runs of candidates, of which most are far; and contacts that are copied.
+constexpr std::size_t runsInMicrosecond = 100, copiedInMicrosecond = 100;
 
 /// The first run from `i` on that is of another particle than the one before: contacts of one
 /// particle are found by one thread.
@@ -390,7 +390,7 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
     BroadPhase& broad = state.broad;
     const std::size_t count = broad.watchRuns.size();
     const Real slip = slipOfRest(state);
-    const std::size_t pieces = piecesOf(state.tasks, count, leastRuns);
+    const std::size_t pieces = piecesOf(state.tasks, count, runsInMicrosecond);
     if (found.size() < pieces) found.resize(pieces);
     runPieces(state.tasks, pieces, [&](std::size_t i) {
         Piece& piece = found[i];

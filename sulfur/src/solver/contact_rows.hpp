@@ -69,8 +69,10 @@ private:
     bool anyErrorBeyond(Real most) const;
     bool anySingleBeyond(const State& state, Real most) const;
     void takeShifts(const State& state);
-    void giveShifts(State& state) const;
-    void applyShifts(State& state) const;
+    void giveShifts(State& state);
+    void applyShifts(State& state);
+    template <class Function>
+    void forEachMover(Function&& f);
     void sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three, bool backwards);
     std::uint32_t moverOf(const State& state, const Grip& grip);
     bool isSingle(const State& state, const Contact& c) const;

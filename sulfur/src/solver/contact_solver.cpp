@@ -12,8 +12,8 @@ namespace sulfur::detail {
 
 namespace {
 
-/// A piece of work for a thread has at least so many.
-constexpr std::size_t leastContacts = 512;
+/// Contacts in a microsecond: of what goes on from the last tick, of what is only looked at.
+constexpr std::size_t inheritedInMicrosecond = 150, judgedInMicrosecond = 250;
 
 /// How deep the sweeps may leave a contact, as a share of its thickness.
 constexpr Real guardedDepth = Real(0.25);
@@ -146,7 +146,7 @@ void warmStartContacts(State& state) {
         return a.particle < b.particle;
     };
     const std::size_t count = state.contacts.size();
-    std::size_t pieces = piecesOf(state.tasks, count, leastContacts);
+    std::size_t pieces = piecesOf(state.tasks, count, inheritedInMicrosecond);
     if (pieces > 1 && !std::is_sorted(state.contacts.begin(), state.contacts.end(), byParticle))
         pieces = 1;
     runPieces(state.tasks, pieces, [&](std::size_t i) {
@@ -229,7 +229,7 @@ void judgeSliding(const State& state, Contact& c, Real restSlip) {
 
 void finishContacts(State& state) {
     const Real restSlip = slipOfRest(state);
-    inPieces(state.tasks, state.contacts.size(), leastContacts,
+    inPieces(state.tasks, state.contacts.size(), judgedInMicrosecond,
              [&](std::size_t first, std::size_t last) {
                  for (auto i = first; i < last; ++i)
                      if (state.contacts[i].rough) judgeSliding(state, state.contacts[i], restSlip);
@@ -238,8 +238,18 @@ void finishContacts(State& state) {
 }
 
 void guardContacts(State& state) {
-    for (Contact& c : state.contacts)
-        if (gapLeft(state, c) < -guardedDepth * c.thickness) solveNormal(state, c);
+    const auto isDeep = [&](const Contact& c) {
+        return gapLeft(state, c) < -guardedDepth * c.thickness;
+    };
+    // Until one is solved no motion changes, so that all may be looked at at once; mostly none is.
+    auto& contacts = state.contacts;
+    const auto anyDeep = [&](std::size_t first, std::size_t last) {
+        const auto begin = contacts.begin();
+        return std::any_of(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last), isDeep);
+    };
+    if (!anyInPieces(state.tasks, contacts.size(), judgedInMicrosecond, anyDeep)) return;
+    for (Contact& c : contacts)
+        if (isDeep(c)) solveNormal(state, c);
 }
 
 }  // namespace sulfur::detail

@@ -179,6 +179,7 @@ void step(State& state) {
         state.substeps.done = 1;
     }
     ++state.tick;
+    if (state.tasks) state.tasks->rest();
 }
 
 }  // namespace sulfur::detail

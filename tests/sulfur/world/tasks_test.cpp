@@ -13,6 +13,7 @@ class Backwards final : public Tasks {
 public:
     explicit Backwards(std::size_t threads) : threads_(threads) {}
     std::size_t threads() const override { return threads_; }
+    double overhead() const override { return 0.01; }  // divide all that can be
     void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
         ++runs;
         for (std::size_t i = count; i-- > 0;) task(context, i);
@@ -27,6 +28,7 @@ private:
 class Threads final : public Tasks {
 public:
     std::size_t threads() const override { return 4; }
+    double overhead() const override { return 0.01; }
     void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
         std::vector<std::thread> threads;
         for (std::size_t i = 0; i < count; ++i) threads.emplace_back(task, context, i);
