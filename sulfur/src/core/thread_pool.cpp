@@ -24,7 +24,7 @@ constexpr std::size_t mostThreads = 32;
 /// How long a thread stays awake without work: in a tick, whose longest part that is not divided
 /// may take so long in a large world; and after it, in case that the next one follows at once.
 constexpr auto patience = std::chrono::milliseconds(2);
-constexpr auto patienceAtRest = std::chrono::microseconds(30);
+constexpr auto patienceAtRest = std::chrono::microseconds(100);
 
 std::size_t checked(std::size_t threads) {
     if (threads > mostThreads)
@@ -109,8 +109,12 @@ private:
             static_cast<std::uint32_t>(~std::uint64_t{0} >> (64 - job_.shares)) & ~1u;
         ++number_;
         offered_.store(std::uint64_t{number_} << 32 | mask, std::memory_order_seq_cst);
-        if (sleepers_.load(std::memory_order_seq_cst) == 0) return;
-        { const std::lock_guard lock(mutex_); }
+        // To wake them takes a while, within which nobody need be woken again.
+        if (sleepers_.load(std::memory_order_seq_cst) == 0 || called_.exchange(true)) return;
+        {
+            const std::lock_guard lock(mutex_);
+            ++calls_;
+        }
         wake_.notify_all();
     }
 
@@ -154,18 +158,25 @@ private:
             if (looks % 64 != 0) continue;
             const auto now = Clock::now();
             if (looks == 64) begin = now;
-            if (now - begin >
-                (resting_.load(std::memory_order_relaxed) ? patienceAtRest : patience))
-                return sleep();
-            if (looks % 4096 == 0) std::this_thread::yield();
+            const bool resting = resting_.load(std::memory_order_relaxed);
+            if (now - begin > (resting ? patienceAtRest : patience)) {
+                if (!sleep()) return false;
+                looks = 0;
+            } else if (looks % 4096 == 0) {
+                std::this_thread::yield();
+            }
         }
         return true;
     }
 
+    /// Until it is called. What it was called for may be done by then, but more of it will follow.
+    /// Returns false when the thread shall end.
     bool sleep() {
         std::unique_lock lock(mutex_);
         sleepers_.fetch_add(1, std::memory_order_seq_cst);
-        wake_.wait(lock, [&] { return stop_ || isOffered(); });
+        called_ = false;
+        const auto before = calls_;
+        if (!isOffered()) wake_.wait(lock, [&] { return stop_ || calls_ != before; });
         sleepers_.fetch_sub(1, std::memory_order_relaxed);
         return !stop_;
     }
@@ -179,7 +190,9 @@ private:
     std::atomic<bool> resting_{true};
     std::uint32_t number_ = 0;
     std::atomic<int> sleepers_{0};
+    std::atomic<bool> called_{false};  // since somebody fell asleep
     bool stop_ = false;
+    std::uint32_t calls_ = 0;
     std::mutex mutex_;
     std::condition_variable wake_;
     std::vector<std::thread> threads_;
