@@ -358,8 +358,8 @@ void considerCrossing(const State& state, const Crossing& crossing, Found& found
     keepIfNear(state, t, found);
 }
 
-/// Runs of candidates, of which most are far; and contacts that are copied.
-constexpr std::size_t runsInMicrosecond = 100, copiedInMicrosecond = 100;
+/// Runs of candidates, of which most are far.
+constexpr std::size_t runsInMicrosecond = 100;
 
 /// The first run from `i` on that is of another particle than the one before: contacts of one
 /// particle are found by one thread.

@@ -78,6 +78,8 @@ void ContactForest::divide(Tasks* tasks) {
         Piece& piece = pieces_[i];
         piece.firstRow = startOf(i);
         piece.lastRow = i + 1 < pieceCount_ ? startOf(i + 1) : static_cast<std::uint32_t>(count);
+        piece.leadingOn.reserve(piece.lastRow - piece.firstRow);
+        piece.tallies.reserve(piece.lastRow - piece.firstRow);
         piece.firstNode = nodeAt(piece.firstRow);
         piece.lastNode =
             i + 1 < pieceCount_ ? nodeAt(piece.lastRow) : static_cast<std::uint32_t>(nodes_.size());

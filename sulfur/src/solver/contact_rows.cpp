@@ -233,7 +233,7 @@ void ContactRows::fillAll(const State& state, const std::vector<std::uint32_t>& 
              });
 }
 
-void ContactRows::collect(const State& state) {
+void ContactRows::colour(const State& state) {
     tasks_ = state.tasks;
     movers_.assign(1, Mover{});
     owners_.assign(1, Owner{});
@@ -243,6 +243,9 @@ void ContactRows::collect(const State& state) {
         ofParticle_.assign(state.particles.size(), none);
     }
     colourContacts(state);
+}
+
+void ContactRows::collect(const State& state) {
     placeContacts(state);
 }
 

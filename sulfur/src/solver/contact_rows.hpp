@@ -19,7 +19,10 @@ namespace sulfur::detail {
 /// memory only.
 class ContactRows {
 public:
-    /// Lays out the contacts with the multipliers that they have.
+    /// Hands colours to the contacts. Looks neither at multipliers nor at what is known of them
+    /// from the last tick.
+    void colour(const State& state);
+    /// Lays them out with the multipliers that they have.
     void collect(const State& state);
     /// Pushes with these multipliers.
     void warmStart(State& state);
