@@ -277,6 +277,11 @@ void watchFound(const State& state, Finder& finder, std::vector<WatchedPair>& pa
         auto& [itsPairs, itsWatches] = finder.watched[i];
         itsPairs.clear();
         itsWatches.clear();
+        // One day most are in one piece.
+        if (i > 0) {
+            itsWatches.reserve(broad.watches.capacity());
+            itsPairs.reserve(broad.pairs.capacity());
+        }
         const auto last = pieceStart(i + 1, pieces, count);
         for (auto k = pieceStart(i, pieces, count); k < last; ++k) {
             const Found& pair = finder.found[k];

@@ -256,8 +256,8 @@ void clearMultipliers(State& state) {
                          }
                      });
     };
-    start(work.implicitJoints, work.implicitSweep, prepareImplicit);
-    start(work.rigidJoints, work.rigidSweep, prepareRigid);
+    start(work.implicitJoints, work.implicitSweep, [](auto&&... all) { prepareImplicit(all...); });
+    start(work.rigidJoints, work.rigidSweep, [](auto&&... all) { prepareRigid(all...); });
     for (const auto i : work.attachments) state.attachments[i].force = Vec2(0, 0);
     for (const auto i : work.hinges) state.clusters.hinges[i].force = Vec2(0, 0);
 }
