@@ -15,5 +15,6 @@
 #include <sulfur/queries.hpp>
 #include <sulfur/shapes.hpp>
 #include <sulfur/statistics.hpp>
+#include <sulfur/thread_pool.hpp>
 #include <sulfur/version.hpp>
 #include <sulfur/world.hpp>

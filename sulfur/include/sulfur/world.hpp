@@ -387,9 +387,9 @@ public:
     std::vector<MemoryUse> memory() const;
     /// Whether statistics() also measures the time of each stage. It does not affect results.
     void setProfiling(bool on);
-    /// Lends the world threads for its ticks; null, as at first: it uses the caller's alone.
-    /// `tasks` stays the host's and must live until others are lent or the world is gone. It does
-    /// not affect results.
+    /// Lends the world threads for its ticks, and for the first query after a change; null, as at
+    /// first: it uses the caller's alone. `tasks` stays the host's and must live until others are
+    /// lent or the world is gone. It does not affect results.
     void setTasks(Tasks* tasks);
 
     // --- queries ---------------------------------------------------------------------------

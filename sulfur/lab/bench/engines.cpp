@@ -129,15 +129,13 @@ bool Engine::offers(Feature feature) const {
 namespace {
 
 Engine ours() {
-    Engine engine{.key = "sulfur",
-                  .title = "Sulfur",
-                  .ours = true,
-                  .version = version(),
-                  .features = {squares, ropes, blobs},
-                  .make = makeSulfur,
-                  .how = {}};
-    if (hasThreads()) engine.features.push_back(threads);
-    return engine;
+    return {.key = "sulfur",
+            .title = "Sulfur",
+            .ours = true,
+            .version = version(),
+            .features = {squares, ropes, blobs, threads},
+            .make = makeSulfur,
+            .how = {}};
 }
 
 }  // namespace

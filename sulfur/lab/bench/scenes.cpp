@@ -75,8 +75,7 @@ std::vector<Scene> scenes(const std::vector<std::string>& names, Extent extent) 
 
 std::vector<Setting> settingsFor(const Engine& engine, const Scene& scene) {
     const bool threaded = scene.needs == Feature::threads;
-    // In the scene of threads ours and each engine that has them run; ours with one without oneTBB.
-    if (!engine.offers(scene.needs) && !(threaded && engine.ours)) return {};
+    if (!engine.offers(scene.needs)) return {};
     std::vector<Setting> all;
     const int most = threaded && engine.offers(Feature::threads) ? 2 : 1;
     for (const Choice& choice : choices(engine.key, scene))

@@ -1,33 +1,13 @@
 #include "bench/threads.hpp"
 
-#ifdef SULFUR_LAB_TBB
 #include <map>
-#include <sulfur/tbb_tasks.hpp>
-#endif
+#include <sulfur/thread_pool.hpp>
 
 namespace sulfur::lab::bench {
 
-#ifdef SULFUR_LAB_TBB
-
-bool hasThreads() {
-    return true;
-}
-
 Tasks* tasksFor(std::size_t threads) {
-    static std::map<std::size_t, TbbTasks> all;
+    static std::map<std::size_t, ThreadPool> all;
     return threads < 2 ? nullptr : &all.try_emplace(threads, threads).first->second;
 }
-
-#else
-
-bool hasThreads() {
-    return false;
-}
-
-Tasks* tasksFor(std::size_t) {
-    return nullptr;
-}
-
-#endif
 
 }  // namespace sulfur::lab::bench

@@ -1,4 +1,4 @@
-// Threads for our worlds, where the laboratory is built with oneTBB.
+// Threads for our worlds.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +6,7 @@
 
 namespace sulfur::lab::bench {
 
-/// Whether there are any.
-bool hasThreads();
-
-/// Tasks for so many threads, which live as long as the program; null for one, or without oneTBB.
+/// Tasks for so many threads, which live as long as the program; null for one.
 Tasks* tasksFor(std::size_t threads);
 
 }  // namespace sulfur::lab::bench

@@ -66,6 +66,30 @@ std::unique_ptr<World> threadedWorld(double threads) {
     return world;
 }
 
+/// A pyramid of 40 rows.
+std::unique_ptr<World> threadedPyramid(double threads) {
+    constexpr int base = 40;
+    auto world = std::make_unique<World>(awake());
+    addFloor(*world, base, {});
+    const Blueprint plan = crate();
+    for (int row = 0; row < base; ++row)
+        for (int column = 0; column < base - row; ++column)
+            world->add(plan, {.position = Point(0.5 * row + column - base / 2.0, 0.5 + row)});
+    world->setTasks(tasksFor(static_cast<std::size_t>(threads)));
+    return world;
+}
+
+/// 100 soft bodies that lie in a heap.
+std::unique_ptr<World> threadedBlobs(double threads) {
+    auto world = std::make_unique<World>(awake());
+    addFloor(*world, 40, {});
+    const Blueprint plan = shapes::jelly();
+    for (int i = 0; i < 100; ++i)
+        world->add(plan, {.position = Point(1.05 * (i % 20) - 10, 0.5 + 1.05 * (i / 20))});
+    world->setTasks(tasksFor(static_cast<std::size_t>(threads)));
+    return world;
+}
+
 /// 1, 2, 4 and so on, up to what the machine has, but at least two.
 std::vector<double> threadCounts() {
     std::vector<double> counts;
@@ -232,10 +256,13 @@ std::vector<Growth> growths(bool quick) {
         {"sleepers", "sleeping crates, none awake", upTo({100, 300, 1000, 3000, 25000}),
          sleepingWorld},
         {"extent", "extent of a world with 1000 bodies (m)", upTo({64, 640, 6400, 64000, 640000}),
-         extentWorld}};
-    if (hasThreads())
-        all.push_back({"threads", "threads, for 6000 contacts of crates on a floor", threadCounts(),
-                       threadedWorld, true});
+         extentWorld},
+        {"threads", "threads, for 6000 contacts of crates on a floor", threadCounts(),
+         threadedWorld, true},
+        {"threads-pyramid", "threads, for a pyramid of 40 rows", threadCounts(), threadedPyramid,
+         true},
+        {"threads-blobs", "threads, for a heap of 100 soft bodies", threadCounts(), threadedBlobs,
+         true}};
     return all;
 }
 

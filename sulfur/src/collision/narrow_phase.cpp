@@ -365,8 +365,8 @@ void considerCrossing(const State& state, const Crossing& crossing, Found& found
     keepIfNear(state, t, found);
 }
 
-/// A piece of work for a thread has at least so many runs of candidates.
-constexpr std::size_t leastRuns = 1024;
+/// Runs of candidates, of which most are far.
+constexpr std::size_t runsInMicrosecond = 100;
 
 /// The first run from `i` on that is of another particle than the one before: contacts of one
 /// particle are found by one thread.
@@ -400,7 +400,7 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
     const auto passOver = [&](const WatchRun& run) {
         return areStill(state, state.particles.body[run.one], run.other);
     };
-    const std::size_t pieces = piecesOf(state.tasks, count, leastRuns);
+    const std::size_t pieces = piecesOf(state.tasks, count, runsInMicrosecond);
     if (found.size() < pieces) found.resize(pieces);
     runPieces(state.tasks, pieces, [&](std::size_t i) {
         Piece& piece = found[i];

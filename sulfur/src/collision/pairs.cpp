@@ -6,6 +6,7 @@
 #include "collision/covering.hpp"
 #include "collision/geometry.hpp"
 #include "core/bucket_sort.hpp"
+#include "core/pieces.hpp"
 
 namespace sulfur::detail {
 
@@ -48,11 +49,18 @@ struct Found {
     friend auto operator<=>(const Found&, const Found&) = default;
 };
 
+/// What one piece of the pairs that were found came to.
+struct Watched {
+    std::vector<WatchedPair> pairs;
+    std::vector<Watch> watches;
+};
+
 /// Scratch memory only.
 struct Finder {
     std::vector<Found> found, foundScratch;
     std::vector<WatchedPair> pairs, mergedPairs;
     std::vector<Watch> watches, watchScratch;
+    std::vector<Watched> watched;  // of all pieces but the first
     std::vector<std::uint32_t> start;
 };
 
@@ -261,9 +269,31 @@ void watchFound(const State& state, Finder& finder, std::vector<WatchedPair>& pa
     const BroadPhase& broad = state.broad;
     pairs.clear();
     watches.clear();
-    for (const Found& pair : finder.found)
-        if (mayTouch(state, broad.collider(pair.first).body, broad.collider(pair.second).body))
-            watchPair(state, pair, pairs, watches);
+    constexpr std::size_t foundInMicrosecond = 40;
+    const std::size_t count = finder.found.size();
+    const std::size_t pieces = piecesOf(state.tasks, count, foundInMicrosecond);
+    if (finder.watched.size() < pieces) finder.watched.resize(pieces);
+    runPieces(state.tasks, pieces, [&](std::size_t i) {
+        auto& [itsPairs, itsWatches] = finder.watched[i];
+        itsPairs.clear();
+        itsWatches.clear();
+        // One day most are in one piece.
+        if (i > 0) {
+            itsWatches.reserve(broad.watches.capacity());
+            itsPairs.reserve(broad.pairs.capacity());
+        }
+        const auto last = pieceStart(i + 1, pieces, count);
+        for (auto k = pieceStart(i, pieces, count); k < last; ++k) {
+            const Found& pair = finder.found[k];
+            if (mayTouch(state, broad.collider(pair.first).body, broad.collider(pair.second).body))
+                watchPair(state, pair, i == 0 ? pairs : itsPairs, i == 0 ? watches : itsWatches);
+        }
+    });
+    for (std::size_t i = 1; i < pieces; ++i) {
+        const Watched& more = finder.watched[i];
+        pairs.insert(pairs.end(), more.pairs.begin(), more.pairs.end());
+        watches.insert(watches.end(), more.watches.begin(), more.watches.end());
+    }
     bucketSort(watches, finder.watchScratch, finder.start, state.particles.size(),
                [](const Watch& w) { return w.candidate.particle; });
     const auto same = [](const Watch& p, const Watch& q) { return p.candidate == q.candidate; };
@@ -349,13 +379,23 @@ void measureOutings(const State& state, const std::vector<Vec2>& displacements, 
     } else {
         ofBody.assign(state.bodies.size(), 0);
     }
-    for (const Range range : state.work.awake)
-        for (auto i = range.first; i < range.last; ++i) {
-            ofParticle[i] = (p.position[i] - state.broad.reference[i]).cast<Real>().norm() +
-                            displacements[i].norm();
-            Real& most = ofBody[p.body[i]];
-            most = std::max(most, ofParticle[i]);
-        }
+    // Pieces end where bodies do.
+    const auto bodyStart = [&](std::size_t i) {
+        while (i > 0 && i < p.size() && p.body[i] == p.body[i - 1]) ++i;
+        return static_cast<std::uint32_t>(i);
+    };
+    constexpr std::size_t particlesInMicrosecond = 300;
+    inPieces(
+        state.tasks, p.size(), particlesInMicrosecond, [&](std::size_t begin, std::size_t end) {
+            const auto from = bodyStart(begin), to = bodyStart(end);
+            for (const Range range : state.work.awake)
+                for (auto i = std::max(range.first, from); i < std::min(range.last, to); ++i) {
+                    ofParticle[i] = (p.position[i] - state.broad.reference[i]).cast<Real>().norm() +
+                                    displacements[i].norm();
+                    Real& most = ofBody[p.body[i]];
+                    most = std::max(most, ofParticle[i]);
+                }
+        });
     for (const auto& [one, other] : state.broad.tied)
         ofBody[one] = ofBody[other] = std::max(ofBody[one], ofBody[other]);
 }

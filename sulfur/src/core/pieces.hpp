@@ -2,16 +2,22 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <sulfur/tasks.hpp>
 #include <type_traits>
 
 namespace sulfur::detail {
 
-/// Into how many pieces of at least `least` items `count` items are divided.
-inline std::size_t piecesOf(const Tasks* tasks, std::size_t count, std::size_t least) {
-    if (!tasks || count < 2 * least) return 1;
-    return std::max<std::size_t>(1, std::min(tasks->threads(), count / least));
+/// Into how many pieces `count` items are divided, of which a thread does so many in a microsecond:
+/// a piece takes twice as long as to hand it over.
+inline std::size_t piecesOf(const Tasks* tasks, std::size_t count, std::size_t inMicrosecond) {
+    if (!tasks || count < 2) return 1;
+    const double least = std::max(2 * tasks->overhead() * static_cast<double>(inMicrosecond), 1.0);
+    const double most = static_cast<double>(count) / least;
+    if (most < 2) return 1;
+    const std::size_t threads = std::max<std::size_t>(1, tasks->threads());
+    return most < static_cast<double>(threads) ? static_cast<std::size_t>(most) : threads;
 }
 
 /// Where piece `i` of so many begins; that of the last one's successor is `count`.
@@ -31,13 +37,38 @@ void runPieces(Tasks* tasks, std::size_t pieces, Function&& f) {
         &f);
 }
 
-/// Calls f(first, last) for pieces of [0, count) of at least `least` items each.
+/// Calls f(first, last) for pieces of [0, count); see piecesOf().
 template <class Function>
-void inPieces(Tasks* tasks, std::size_t count, std::size_t least, Function&& f) {
-    const std::size_t pieces = piecesOf(tasks, count, least);
+void inPieces(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, Function&& f) {
+    const std::size_t pieces = piecesOf(tasks, count, inMicrosecond);
+    if (pieces == 1) return f(std::size_t{0}, count);
     runPieces(tasks, pieces, [&](std::size_t i) {
         f(pieceStart(i, pieces, count), pieceStart(i + 1, pieces, count));
     });
+}
+
+/// Calls both, at once where there are threads for two.
+template <class First, class Second>
+void runBoth(Tasks* tasks, First&& first, Second&& second) {
+    if (!tasks || tasks->threads() < 2) {
+        first();
+        second();
+        return;
+    }
+    runPieces(tasks, 2, [&](std::size_t i) { i == 0 ? first() : second(); });
+}
+
+/// Whether f(first, last) is true for any of the pieces.
+template <class Function>
+bool anyInPieces(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, Function&& f) {
+    const std::size_t pieces = piecesOf(tasks, count, inMicrosecond);
+    if (pieces == 1) return f(std::size_t{0}, count);
+    std::atomic<bool> any{false};
+    runPieces(tasks, pieces, [&](std::size_t i) {
+        if (f(pieceStart(i, pieces, count), pieceStart(i + 1, pieces, count)))
+            any.store(true, std::memory_order_relaxed);
+    });
+    return any.load(std::memory_order_relaxed);
 }
 
 }  // namespace sulfur::detail

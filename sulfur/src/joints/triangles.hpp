@@ -34,6 +34,7 @@ struct Triangles {
     std::vector<Triangle> awake;           // of these, the ones that something moves
     std::vector<PressedTriangle> pressed;  // in this tick
     std::vector<std::uint8_t> isPressed;   // of those awake
+    bool anyRigid = false;                 // of those pressed, with a corner in a rigid component
     bool stale = true;                     // all of them must be found again
 };
 

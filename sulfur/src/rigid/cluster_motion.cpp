@@ -39,8 +39,8 @@ void adopt(const State& state, Cluster& cluster) {
 /// Calls f for clusters of a list, in pieces: no two have a member in common.
 template <class Function>
 void forEachCluster(State& state, const std::vector<std::uint32_t>& list, Function&& f) {
-    constexpr std::size_t leastPiece = 512;
-    inPieces(state.tasks, list.size(), leastPiece, [&](std::size_t first, std::size_t last) {
+    constexpr std::size_t inMicrosecond = 150;
+    inPieces(state.tasks, list.size(), inMicrosecond, [&](std::size_t first, std::size_t last) {
         for (auto k = first; k < last; ++k) f(state.clusters.list[list[k]]);
     });
 }
@@ -87,8 +87,8 @@ using PerCluster = std::array<Number, clusterBlock>;
 /// Calls f(const Block&) for the clusters of a list, in pieces.
 template <class Function>
 void forEachBlock(State& state, const std::vector<std::uint32_t>& list, Function&& f) {
-    constexpr std::size_t leastPiece = 512;
-    inPieces(state.tasks, list.size(), leastPiece, [&](std::size_t first, std::size_t last) {
+    constexpr std::size_t inMicrosecond = 80;
+    inPieces(state.tasks, list.size(), inMicrosecond, [&](std::size_t first, std::size_t last) {
         for (; first < last; first += clusterBlock)
             f(Block(state, list.data() + first, std::min(clusterBlock, last - first)));
     });

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/pieces.hpp"
 #include "rigid/grip.hpp"
 #include "solver/contact_recovery.hpp"
 
@@ -17,6 +19,9 @@ constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare 
 /// And what a triangle that is turned over may give in a tick: neighbours that are led back in
 /// opposite directions would lock each other.
 constexpr Real givenShare = Real(0.002);
+
+/// In a microsecond: triangles that are looked at, pushed, led back.
+constexpr std::size_t seenInMicrosecond = 120, pushedInMicrosecond = 40, ledInMicrosecond = 20;
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -106,22 +111,18 @@ struct Recovery {
     Real lambda = 0;
 };
 
-std::vector<Recovery>& recoveriesOf(const State& state) {
-    thread_local std::vector<Recovery> list;
-    list.clear();
-    for (const PressedTriangle& t : state.triangles.pressed) {
-        const auto [toB, toC] = sidesOf(state, t);
-        const Real lacks = recoveredShare * t.rest - cross(toB, toC);
-        // (Less is rounding, and what sweeps leave.)
-        if (!(lacks > Real(0.01) * t.rest)) continue;
-        Recovery recovery{&t, slopesOf(toB, toC), 0, 0};
-        recovery.response = response(state, t, recovery.slopes, recovery.slopes);
-        if (!(recovery.response > 0)) continue;
-        const Real most = recoverySpeed * state.h * std::sqrt(t.rest);
-        recovery.rise = std::min(lacks * recoveryShare, most);
-        list.push_back(recovery);
-    }
-    return list;
+/// Adds what is to be led back of a triangle, if anything is.
+void addRecovery(const State& state, const PressedTriangle& t, std::vector<Recovery>& list) {
+    const auto [toB, toC] = sidesOf(state, t);
+    const Real lacks = recoveredShare * t.rest - cross(toB, toC);
+    // (Less is rounding, and what sweeps leave.)
+    if (!(lacks > Real(0.01) * t.rest)) return;
+    Recovery recovery{&t, slopesOf(toB, toC), 0, 0};
+    recovery.response = response(state, t, recovery.slopes, recovery.slopes);
+    if (!(recovery.response > 0)) return;
+    const Real most = recoverySpeed * state.h * std::sqrt(t.rest);
+    recovery.rise = std::min(lacks * recoveryShare, most);
+    list.push_back(recovery);
 }
 
 void recover(State& state, Recovery& r) {
@@ -133,6 +134,65 @@ void recover(State& state, Recovery& r) {
     for (std::size_t i = 0; i < 3; ++i) shift(state, corners[i], (r.lambda - before) * r.slopes[i]);
 }
 
+/// The pressed triangles of some bodies.
+struct Share {
+    std::uint32_t first = 0, last = std::numeric_limits<std::uint32_t>::max();  // particles
+
+    bool has(const PressedTriangle& t) const {
+        const auto particle = t.corners[0].particle;
+        return particle >= first && particle < last;
+    }
+};
+
+/// Calls f(Share) for shares of the pressed triangles, at once: triangles of two bodies have no
+/// corner in common, and those of one body keep their order.
+template <class Function>
+void inShares(State& state, std::size_t inMicrosecond, Function&& f) {
+    constexpr std::size_t mostShares = 16;
+    const Triangles& triangles = state.triangles;
+    const std::size_t count = triangles.pressed.size();
+    // (Rigid components may be parts of several bodies.)
+    const std::size_t pieces =
+        triangles.anyRigid ? 1 : std::min(mostShares, piecesOf(state.tasks, count, inMicrosecond));
+    if (pieces == 1) return f(Share{});
+    std::array<std::uint32_t, mostShares> begins{};
+    for (std::size_t i = 1; i < pieces; ++i) {
+        const auto& middle = triangles.pressed[pieceStart(i, pieces, count)];
+        const auto body = state.particles.body[middle.corners[0].particle];
+        begins[i] = state.bodies[body].firstParticle;
+    }
+    std::sort(begins.begin(), begins.begin() + std::ptrdiff_t(pieces));
+    runPieces(state.tasks, pieces, [&](std::size_t i) {
+        Share share{.first = begins[i]};
+        if (i + 1 < pieces) share.last = begins[i + 1];
+        f(share);
+    });
+}
+
+/// Adds the triangles that the displacements so far lead to less than a share of their area.
+void pressBelow(State& state, Real share) {
+    Triangles& triangles = state.triangles;
+    constexpr std::uint8_t isNew = 2;
+    const auto look = [&](std::size_t first, std::size_t last) {
+        bool any = false;
+        for (auto i = first; i < last; ++i) {
+            const Triangle& t = triangles.awake[i];
+            if (triangles.isPressed[i] != 0 || areaAhead(state, t) >= share * t.rest) continue;
+            triangles.isPressed[i] = isNew;
+            any = true;
+        }
+        return any;
+    };
+    if (!anyInPieces(state.tasks, triangles.awake.size(), seenInMicrosecond, look)) return;
+    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
+        if (triangles.isPressed[i] != isNew) continue;
+        triangles.isPressed[i] = 1;
+        triangles.pressed.push_back(press(state, triangles.awake[i]));
+        for (const Grip& corner : triangles.pressed.back().corners)
+            triangles.anyRigid |= corner.cluster != none;
+    }
+}
+
 }  // namespace
 
 void startAreas(State& state) {
@@ -141,42 +201,41 @@ void startAreas(State& state) {
         triangles.pressed.clear();
         std::fill(triangles.isPressed.begin(), triangles.isPressed.end(), std::uint8_t{0});
     }
-    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
-        const Triangle& t = triangles.awake[i];
-        if (areaAhead(state, t) >= watchedShare * t.rest) continue;
-        triangles.isPressed[i] = 1;
-        triangles.pressed.push_back(press(state, t));
-    }
+    triangles.anyRigid = false;
+    pressBelow(state, watchedShare);
 }
 
 bool morePressed(State& state) {
     if (state.contacts.empty()) return false;
-    Triangles& triangles = state.triangles;
-    const std::size_t before = triangles.pressed.size();
-    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
-        const Triangle& t = triangles.awake[i];
-        if (triangles.isPressed[i] != 0 || areaAhead(state, t) >= leastShare * t.rest) continue;
-        triangles.isPressed[i] = 1;
-        triangles.pressed.push_back(press(state, t));
-    }
-    return triangles.pressed.size() > before;
+    const std::size_t before = state.triangles.pressed.size();
+    pressBelow(state, leastShare);
+    return state.triangles.pressed.size() > before;
 }
 
 void solveAreas(State& state) {
-    for (PressedTriangle& t : state.triangles.pressed) solveArea(state, t);
+    inShares(state, pushedInMicrosecond, [&](const Share& share) {
+        for (PressedTriangle& t : state.triangles.pressed)
+            if (share.has(t)) solveArea(state, t);
+    });
 }
 
 void recoverAreas(State& state) {
     if (state.triangles.pressed.empty()) return;
-    std::vector<Recovery>& recoveries = recoveriesOf(state);
-    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
-        for (Recovery& r : recoveries) recover(state, r);
-    for (const Recovery& r : recoveries) {
-        for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
-        // It must not fall asleep as it is.
-        const auto body = state.particles.body[r.triangle->corners[0].particle];
-        state.bodies[body].restingTime = 0;
-    }
+    inShares(state, ledInMicrosecond, [&](const Share& share) {
+        thread_local std::vector<Recovery> scratch;
+        std::vector<Recovery>& recoveries = scratch;
+        recoveries.clear();
+        for (const PressedTriangle& t : state.triangles.pressed)
+            if (share.has(t)) addRecovery(state, t, recoveries);
+        for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
+            for (Recovery& r : recoveries) recover(state, r);
+        for (const Recovery& r : recoveries) {
+            for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
+            // It must not fall asleep as it is.
+            const auto body = state.particles.body[r.triangle->corners[0].particle];
+            state.bodies[body].restingTime = 0;
+        }
+    });
 }
 
 }  // namespace sulfur::detail

@@ -4,6 +4,7 @@
 // in the same sweep; rigid joints come last, and trees, which are solved as a whole, last of all.
 #include <algorithm>
 
+#include "core/pieces.hpp"
 #include "rigid/loads.hpp"
 #include "solver/areas.hpp"
 #include "solver/constraint_kinds.hpp"
@@ -32,6 +33,15 @@ constexpr int mostForAreas = 16;
 constexpr int mostForDepth = 8, mostForDepthAlone = 16;
 
 namespace {
+
+/// Contacts begin with what they carried, while another thread hands out their colours.
+void startContacts(State& state, ContactRows& rows) {
+    constexpr std::size_t inMicrosecond = 200;
+    const bool apart = piecesOf(state.tasks, state.contacts.size(), inMicrosecond) > 1;
+    runBoth(
+        apart ? state.tasks : nullptr, [&] { rows.colour(state); },
+        [&] { warmStartContacts(state); });
+}
 
 /// Whether anything but contacts is solved in sweeps. Without, they end as soon as contacts hold.
 bool sweepsOthers(const State& state) {
@@ -143,7 +153,7 @@ void solveConstraints(State& state) {
     startGrabs(state);
     touchTrees(state);
     startAreas(state);
-    warmStartContacts(state);
+    startContacts(state, rows);
     forest.forget(state);
     rows.collect(state);
     rows.warmStart(state);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pieces.hpp"
 #include "rigid/grip.hpp"
 #include "solver/contact_motion.hpp"
 
@@ -35,6 +36,10 @@ constexpr Real leastStep = Real(0.1);
 /// It is left at once when more rows than these give way, and more than one in so many.
 constexpr std::uint32_t leastGiving = 96, mostGiving = 5;
 
+/// In a microsecond: rows in one part of a step, nodes and multipliers that are moved to and fro.
+constexpr std::size_t rowsInMicrosecond = 60, nodesInMicrosecond = 80;
+constexpr std::size_t multipliersInMicrosecond = 300, clearedInMicrosecond = 1500;
+
 /// What is not moved along an axis has as good as infinite mass there.
 double massOf(Real inverse) {
     return inverse > 0 ? 1 / static_cast<double>(inverse) : 1e30;
@@ -52,30 +57,102 @@ Vector3 masses(const State& state, std::uint32_t cluster, std::uint32_t particle
 
 }  // namespace
 
+/// Rows are divided between edges that begin at different nodes: edges are in the order of the
+/// nodes at which they begin.
+void ContactForest::divide(Tasks* tasks) {
+    tasks_ = tasks;
+    const std::size_t count = rows_.size();
+    pieceCount_ = piecesOf(tasks, count, rowsInMicrosecond);
+    if (pieces_.size() < pieceCount_) pieces_.resize(pieceCount_);
+    const auto begins = [&](const Row& row) { return edges_[row.edge].a; };
+    const auto startOf = [&](std::size_t i) {
+        auto row = pieceStart(i, pieceCount_, count);
+        while (row > 0 && row < count && begins(rows_[row]) == begins(rows_[row - 1])) ++row;
+        return static_cast<std::uint32_t>(row);
+    };
+    const auto nodeAt = [&](std::uint32_t row) {
+        if (row == 0) return std::uint32_t{0};
+        return row < count ? begins(rows_[row]) : static_cast<std::uint32_t>(nodes_.size());
+    };
+    for (std::size_t i = 0; i < pieceCount_; ++i) {
+        Piece& piece = pieces_[i];
+        piece.firstRow = startOf(i);
+        piece.lastRow = i + 1 < pieceCount_ ? startOf(i + 1) : static_cast<std::uint32_t>(count);
+        piece.leadingOn.reserve(piece.lastRow - piece.firstRow);
+        piece.tallies.reserve(piece.lastRow - piece.firstRow);
+        piece.firstNode = nodeAt(piece.firstRow);
+        piece.lastNode =
+            i + 1 < pieceCount_ ? nodeAt(piece.lastRow) : static_cast<std::uint32_t>(nodes_.size());
+    }
+}
+
+/// Calls f(Piece&) for all, at once.
+template <class Function>
+void ContactForest::forEachPiece(Function&& f) {
+    runPieces(tasks_, pieceCount_, [&](std::size_t i) { f(pieces_[i]); });
+}
+
+template <class Function>
+void ContactForest::forEachNode(Function&& f) {
+    inPieces(tasks_, nodes_.size(), nodesInMicrosecond, [&](std::size_t first, std::size_t last) {
+        for (auto i = first; i < last; ++i) f(nodes_[i]);
+    });
+}
+
+/// Calls add(active row, its tree's tally) for the active rows of a piece.
+template <class Function>
+void ContactForest::tallyActive(Piece& piece, Function&& add) {
+    piece.tallies.clear();
+    Tally tally;
+    for (ActiveRow& active : activeOf(piece)) {
+        const auto root = rootOf(rows_[active.row]);
+        if (root != tally.root) {
+            if (tally.root != none) piece.tallies.push_back(tally);
+            tally = {.root = root};
+        }
+        add(active, tally);
+    }
+    if (tally.root != none) piece.tallies.push_back(tally);
+}
+
+/// Calls f(tree, tally) for what the pieces have found.
+template <class Function>
+void ContactForest::forEachTally(Function&& f) {
+    for (std::size_t i = 0; i < pieceCount_; ++i)
+        for (const Tally& tally : pieces_[i].tallies) f(nodes_[tally.root], tally);
+}
+
 void ContactForest::takeMotions(const State& state) {
-    for (Node& node : nodes_) {
+    forEachNode([&](Node& node) {
         if (node.cluster == none) {
             node.moved.displacement = state.particles.displacement[node.particle];
-            continue;
+            return;
         }
         const Cluster& c = state.clusters.list[node.cluster];
         node.moved = {c.displacement, c.sine, c.versine};
-    }
+    });
 }
 
 void ContactForest::takeMultipliers(const State& state) {
-    for (const Keyed& k : keyed_) {
-        const Contact& c = state.contacts[k.contact];
-        carried_[k.contact] = {.normal = c.normalLambda, .tangent = c.tangentLambda};
-    }
+    inPieces(tasks_, keyed_.size(), multipliersInMicrosecond,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto k = first; k < last; ++k) {
+                     const Contact& c = state.contacts[keyed_[k].contact];
+                     carried_[keyed_[k].contact] = {.normal = c.normalLambda,
+                                                    .tangent = c.tangentLambda};
+                 }
+             });
 }
 
 void ContactForest::giveMultipliers(State& state) const {
-    for (const Keyed& k : keyed_) {
-        Contact& c = state.contacts[k.contact];
-        c.normalLambda = carried_[k.contact].normal;
-        c.tangentLambda = carried_[k.contact].tangent;
-    }
+    inPieces(tasks_, keyed_.size(), multipliersInMicrosecond,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto k = first; k < last; ++k) {
+                     Contact& c = state.contacts[keyed_[k].contact];
+                     c.normalLambda = carried_[keyed_[k].contact].normal;
+                     c.tangentLambda = carried_[keyed_[k].contact].tangent;
+                 }
+             });
 }
 
 Vec2 ContactForest::wayOf(const Hold& hold) const {
@@ -96,7 +173,7 @@ Real ContactForest::errorOf(const State& state, const Member& m, bool isNormal) 
 
 /// Normals that push share what is added as they share what there is; where none does, those that
 /// should push begin alike.
-void ContactForest::activateNormal(const State& state, std::uint32_t index) {
+void ContactForest::activateNormal(const State& state, std::uint32_t index, Piece& piece) {
     const std::span<Member> members = membersOf(rows_[index]);
     Real sum = 0;
     for (Member& m : members) {
@@ -110,22 +187,22 @@ void ContactForest::activateNormal(const State& state, std::uint32_t index) {
             m.share = 1;
             sum += 1;
         }
-    activate(state, index, sum);
+    activate(state, index, sum, piece);
 }
 
 /// Tangents that stick share by what their normals carry.
-void ContactForest::activateTangent(const State& state, std::uint32_t index) {
+void ContactForest::activateTangent(const State& state, std::uint32_t index, Piece& piece) {
     Real sum = 0;
     for (Member& m : membersOf(rows_[index])) {
         const Carried& c = carried_[m.contact];
         m.share = m.friction > 0 && !c.slipping ? c.normal : 0;
         sum += m.share;
     }
-    activate(state, index, sum);
+    activate(state, index, sum, piece);
 }
 
 /// Adds the row, unless nobody has a share of it; the shares add up to `sum`, then to 1.
-void ContactForest::activate(const State& state, std::uint32_t index, Real sum) {
+void ContactForest::activate(const State& state, std::uint32_t index, Real sum, Piece& piece) {
     if (sum == 0) return;
     const Row& row = rows_[index];
     ActiveRow active{.row = index};
@@ -134,18 +211,28 @@ void ContactForest::activate(const State& state, std::uint32_t index, Real sum) 
         m.share /= sum;
         active.error += static_cast<double>(m.share * errorOf(state, m, row.isNormal));
     }
-    active_.push_back(active);
+    const auto other = edges_[row.edge].b;
+    if (other != none && other >= piece.lastNode) piece.leadingOn.push_back(piece.lastActive);
+    active_[piece.lastActive++] = active;
 }
 
-void ContactForest::activateRows(const State& state) {
-    active_.clear();
-    for (std::uint32_t r = 0; r < rows_.size(); ++r) {
-        if (!treeOf(rows_[r]).unfinished) continue;
-        if (rows_[r].isNormal)
-            activateNormal(state, r);
-        else
-            activateTangent(state, r);
-    }
+/// Returns whether there are any.
+bool ContactForest::activateRows(const State& state) {
+    active_.resize(rows_.size());
+    forEachPiece([&](Piece& piece) {
+        piece.firstActive = piece.lastActive = piece.firstRow;
+        piece.leadingOn.clear();
+        for (auto r = piece.firstRow; r < piece.lastRow; ++r) {
+            if (!treeOf(rows_[r]).unfinished) continue;
+            if (rows_[r].isNormal)
+                activateNormal(state, r, piece);
+            else
+                activateTangent(state, r, piece);
+        }
+    });
+    const auto end = pieces_.begin() + std::ptrdiff_t(pieceCount_);
+    return std::any_of(pieces_.begin(), end,
+                       [](const Piece& piece) { return piece.lastActive > piece.firstActive; });
 }
 
 namespace {
@@ -158,31 +245,52 @@ void addSquare(Cholesky3::Matrix& lower, const Vector3& v, const Vector3& weight
 
 }  // namespace
 
-/// (M + sum of weight J^T J) u = - sum of weight J^T error.
+void ContactForest::addToFirst(const ActiveRow& active) {
+    const Row& row = rows_[active.row];
+    const Edge& e = edges_[row.edge];
+    Node& a = nodes_[e.a];
+    const Vector3 weighted = row.weight * row.a;
+    addSquare(a.system, row.a, weighted);
+    a.motion -= active.error * weighted;
+    if (e.b != none && a.parent == e.b) a.towardsParent.noalias() += weighted * row.b.transpose();
+}
+
+void ContactForest::addToSecond(const ActiveRow& active) {
+    const Row& row = rows_[active.row];
+    const Edge& e = edges_[row.edge];
+    if (e.b == none) return;
+    Node& b = nodes_[e.b];
+    const Vector3 weighted = row.weight * row.b;
+    addSquare(b.system, row.b, weighted);
+    b.motion -= active.error * weighted;
+    if (b.parent == e.a) b.towardsParent.noalias() += weighted * row.a.transpose();
+}
+
+/// (M + sum of weight J^T J) u = - sum of weight J^T error. Each piece adds to its own nodes, in
+/// the order of all rows: first what leads there from the pieces before.
 void ContactForest::assemble(const State& state) {
-    for (Node& node : nodes_) {
-        node.motion.setZero();
-        if (!nodes_[node.root].unfinished) continue;
-        node.system = masses(state, node.cluster, node.particle).asDiagonal();
-        node.towardsParent.setZero();
-    }
-    for (const ActiveRow& active : active_) {
-        const Row& row = rows_[active.row];
-        const Edge& e = edges_[row.edge];
-        Node& a = nodes_[e.a];
-        const Vector3 weighted = row.weight * row.a;
-        addSquare(a.system, row.a, weighted);
-        a.motion -= active.error * weighted;
-        if (e.b == none) continue;
-        Node& b = nodes_[e.b];
-        const Vector3 other = row.weight * row.b;
-        addSquare(b.system, row.b, other);
-        b.motion -= active.error * other;
-        if (a.parent == e.b)
-            a.towardsParent.noalias() += weighted * row.b.transpose();
-        else
-            b.towardsParent.noalias() += other * row.a.transpose();
-    }
+    forEachPiece([&](Piece& piece) {
+        for (auto i = piece.firstNode; i < piece.lastNode; ++i) {
+            Node& node = nodes_[i];
+            node.motion.setZero();
+            if (!nodes_[node.root].unfinished) continue;
+            node.system = masses(state, node.cluster, node.particle).asDiagonal();
+            node.towardsParent.setZero();
+        }
+        const auto otherOf = [&](const ActiveRow& active) {
+            return edges_[rows_[active.row].edge].b;
+        };
+        for (const Piece* before = pieces_.data(); before != &piece; ++before)
+            for (const auto k : before->leadingOn) {
+                const auto node = otherOf(active_[k]);
+                if (node >= piece.firstNode && node < piece.lastNode) addToSecond(active_[k]);
+            }
+        for (const ActiveRow& active : activeOf(piece)) {
+            addToFirst(active);
+            const auto node = otherOf(active);
+            if (node < piece.lastNode) addToSecond(active);
+        }
+    });
 }
 
 /// From the leaves to the roots.
@@ -212,17 +320,22 @@ void ContactForest::substitute() {
 
 /// How much each multiplier must change for the solution.
 void ContactForest::findChanges() {
-    for (Carried& c : carried_) c.normalChange = 0;
-    for (ActiveRow& active : active_) {
-        const Row& row = rows_[active.row];
-        const Edge& e = edges_[row.edge];
-        double left = active.error + row.a.dot(nodes_[e.a].motion);
-        if (e.b != none) left += row.b.dot(nodes_[e.b].motion);
-        active.change = static_cast<Real>(-row.weight * left);
-        if (!row.isNormal) continue;
-        for (const Member& m : membersOf(row))
-            carried_[m.contact].normalChange = m.share * active.change;
-    }
+    inPieces(tasks_, carried_.size(), clearedInMicrosecond,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto i = first; i < last; ++i) carried_[i].normalChange = 0;
+             });
+    forEachPiece([&](Piece& piece) {
+        for (ActiveRow& active : activeOf(piece)) {
+            const Row& row = rows_[active.row];
+            const Edge& e = edges_[row.edge];
+            double left = active.error + row.a.dot(nodes_[e.a].motion);
+            if (e.b != none) left += row.b.dot(nodes_[e.b].motion);
+            active.change = static_cast<Real>(-row.weight * left);
+            if (!row.isNormal) continue;
+            for (const Member& m : membersOf(row))
+                carried_[m.contact].normalChange = m.share * active.change;
+        }
+    });
 }
 
 namespace {
@@ -259,27 +372,30 @@ Real ContactForest::allowedAcross(const ActiveRow& active) const {
 /// As far as its rows allow, per tree.
 void ContactForest::findSteps() {
     for (Node& node : nodes_) node.step = 1;
-    for (ActiveRow& active : active_) {
-        const Row& row = rows_[active.row];
-        active.allowed = row.isNormal ? allowedAlong(active) : allowedAcross(active);
-        Real& step = treeOf(row).step;
-        step = std::min(step, active.allowed);
-    }
+    forEachPiece([&](Piece& piece) {
+        tallyActive(piece, [&](ActiveRow& active, Tally& tally) {
+            const bool isNormal = rows_[active.row].isNormal;
+            active.allowed = isNormal ? allowedAlong(active) : allowedAcross(active);
+            tally.step = std::min(tally.step, active.allowed);
+        });
+    });
+    forEachTally(
+        [](Node& tree, const Tally& tally) { tree.step = std::min(tree.step, tally.step); });
 }
 
 /// Moves the nodes by what the impulses of their rows make of them.
 void ContactForest::moveNodes(State& state) {
-    for (Node& node : nodes_) {
+    forEachNode([&](Node& node) {
         const Vector3 motion = static_cast<double>(nodes_[node.root].step) * node.motion;
         const Vec2 displacement = motion.head<2>().cast<Real>();
         if (node.cluster == none) {
             state.particles.displacement[node.particle] += displacement;
-            continue;
+            return;
         }
         Cluster& c = state.clusters.list[node.cluster];
         c.displacement += displacement;
         turnBy(c, motion[2]);
-    }
+    });
     takeMotions(state);
 }
 
@@ -313,10 +429,10 @@ void ContactForest::shareTangents(const Row& row) {
 }
 
 /// Changes the multipliers of a row by its tree's step, and lets go of it if that is all that it
-/// allows.
-void ContactForest::takeStepOf(const ActiveRow& active) {
+/// allows. Returns whether it does.
+bool ContactForest::takeStepOf(const ActiveRow& active) {
     const Row& row = rows_[active.row];
-    Node& tree = treeOf(row);
+    const Node& tree = treeOf(row);
     const bool endsStep = tree.struck || active.allowed <= tree.step + givesWayWithin;
     const bool givesWay = active.allowed < 1 && endsStep;
     for (const Member& m : membersOf(row)) {
@@ -326,9 +442,7 @@ void ContactForest::takeStepOf(const ActiveRow& active) {
         if (givesWay && m.share > 0) (row.isNormal ? c.given : c.slipping) = true;
     }
     if (!row.isNormal) shareTangents(row);
-    tree.unfinished |= givesWay;
-    ++tree.activeRows;
-    tree.givingRows += givesWay ? 1 : 0;
+    return givesWay;
 }
 
 /// Takes each tree's step. Of a tree in which no row gave way nothing is active any more, nor, if
@@ -340,7 +454,17 @@ void ContactForest::takeStep(State& state, bool mayEnd) {
         node.unfinished = false;
         node.activeRows = node.givingRows = 0;
     }
-    for (const ActiveRow& active : active_) takeStepOf(active);
+    forEachPiece([&](Piece& piece) {
+        tallyActive(piece, [&](const ActiveRow& active, Tally& tally) {
+            ++tally.activeRows;
+            tally.givingRows += takeStepOf(active) ? 1 : 0;
+        });
+    });
+    forEachTally([](Node& tree, const Tally& tally) {
+        tree.unfinished |= tally.givingRows > 0;
+        tree.activeRows += tally.activeRows;
+        tree.givingRows += tally.givingRows;
+    });
     for (Node& node : nodes_) {
         if (!node.unfinished) continue;
         node.left *= 1 - node.step;
@@ -355,11 +479,12 @@ void ContactForest::takeStep(State& state, bool mayEnd) {
 bool ContactForest::leaveStruck(const State& state) {
     const double most = struckSpeed * static_cast<double>(state.h);
     for (Node& node : nodes_) node.activeRows = 0;
-    for (const ActiveRow& active : active_) {
-        Node& tree = treeOf(rows_[active.row]);
-        ++tree.activeRows;
-        tree.struck |= std::abs(active.error) > most;
-    }
+    for (std::size_t i = 0; i < pieceCount_; ++i)
+        for (const ActiveRow& active : activeOf(pieces_[i])) {
+            Node& tree = nodes_[rootOf(rows_[active.row])];
+            ++tree.activeRows;
+            tree.struck |= std::abs(active.error) > most;
+        }
     bool any = false;
     for (Node& node : nodes_) {
         if (!node.struck || node.activeRows < largeTree) continue;
@@ -371,6 +496,7 @@ bool ContactForest::leaveStruck(const State& state) {
 
 void ContactForest::solve(State& state) {
     if (!grown_) grow(state);
+    divide(state.tasks);
     takeMotions(state);
     takeMultipliers(state);
     for (Node& node : nodes_) {
@@ -379,9 +505,9 @@ void ContactForest::solve(State& state) {
         node.struck = false;
     }
     for (int i = 1; i <= mostSteps; ++i) {
-        activateRows(state);
-        if (i == 1 && leaveStruck(state)) activateRows(state);
-        if (active_.empty()) break;
+        bool any = activateRows(state);
+        if (i == 1 && leaveStruck(state)) any = activateRows(state);
+        if (!any) break;
         assemble(state);
         eliminate();
         substitute();

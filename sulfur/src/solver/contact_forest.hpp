@@ -104,6 +104,20 @@ private:
             return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
         }
     };
+    /// What rows of one tree add up to, for whoever joins what pieces found.
+    struct Tally {
+        std::uint32_t root = none;
+        Real step = 1;  // the least that any row allows
+        std::uint32_t activeRows = 0, givingRows = 0;
+    };
+    /// Work for a thread: the rows of some edges, and the nodes at which these begin. An edge may
+    /// lead on to a node of a later piece.
+    struct alignas(128) Piece {  // (Threads that write to one line of the caches wait for it.)
+        std::uint32_t firstRow = 0, lastRow = 0, firstNode = 0, lastNode = 0;
+        std::uint32_t firstActive = 0, lastActive = 0;  // part of active_, from firstRow on
+        std::vector<std::uint32_t> leadingOn;           // of these
+        std::vector<Tally> tallies;                     // of neighbours, in their order
+    };
     /// What a contact carries, and what it has given up in this call.
     struct Carried {
         Real normal = 0, tangent = 0;  // kg m
@@ -136,22 +150,37 @@ private:
     void giveMultipliers(State& state) const;
     Vec2 wayOf(const Hold& hold) const;
     Real errorOf(const State& state, const Member& m, bool isNormal) const;
-    void activateRows(const State& state);
-    void activateNormal(const State& state, std::uint32_t row);
-    void activateTangent(const State& state, std::uint32_t row);
-    void activate(const State& state, std::uint32_t row, Real sum);
+    void divide(Tasks* tasks);
+    template <class Function>
+    void forEachPiece(Function&& f);
+    template <class Function>
+    void forEachNode(Function&& f);
+    template <class Function>
+    void tallyActive(Piece& piece, Function&& add);
+    template <class Function>
+    void forEachTally(Function&& f);
+    std::span<ActiveRow> activeOf(const Piece& piece) {
+        return std::span(active_).subspan(piece.firstActive, piece.lastActive - piece.firstActive);
+    }
+    bool activateRows(const State& state);
+    void activateNormal(const State& state, std::uint32_t row, Piece& piece);
+    void activateTangent(const State& state, std::uint32_t row, Piece& piece);
+    void activate(const State& state, std::uint32_t row, Real sum, Piece& piece);
     void assemble(const State& state);
+    void addToFirst(const ActiveRow& active);
+    void addToSecond(const ActiveRow& active);
     void eliminate();
     void substitute();
     void findChanges();
     Real allowedAlong(const ActiveRow& active) const;
     Real allowedAcross(const ActiveRow& active) const;
-    Node& treeOf(const Row& row) { return nodes_[nodes_[edges_[row.edge].a].root]; }
+    std::uint32_t rootOf(const Row& row) const { return nodes_[edges_[row.edge].a].root; }
+    const Node& treeOf(const Row& row) const { return nodes_[rootOf(row)]; }
     void findSteps();
     void moveNodes(State& state);
     static bool isHopeless(const Node& tree);
     void shareTangents(const Row& row);
-    void takeStepOf(const ActiveRow& active);
+    bool takeStepOf(const ActiveRow& active);
     void takeStep(State& state, bool mayEnd);
     bool leaveStruck(const State& state);
 
@@ -159,7 +188,10 @@ private:
     std::vector<Edge> edges_;
     std::vector<Row> rows_;  // of the chosen edges, in their order: normals, then tangents
     std::vector<Member> members_;
-    std::vector<ActiveRow> active_;
+    std::vector<ActiveRow> active_;  // of each piece, from the number of its first row on
+    std::vector<Piece> pieces_;      // at least pieceCount_
+    std::size_t pieceCount_ = 1;
+    Tasks* tasks_ = nullptr;
     std::vector<Carried> carried_;  // by contact
     std::vector<Keyed> keyed_, keyedScratch_;
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;

@@ -30,9 +30,10 @@ constexpr Real deepError = Real(0.02);
 constexpr unsigned mostColours = 64;
 constexpr std::uint8_t noColourLeft = 0xff;
 
-/// A piece of work for a thread has at least so many: about 8 microseconds, several times what it
-/// takes to give it away.
-constexpr std::size_t leastBlocks = 128;
+/// In a microsecond: blocks that are filled, solved or looked at; motions and multipliers that are
+/// fetched or put back.
+constexpr std::size_t filledInMicrosecond = 10, solvedInMicrosecond = 20, seenInMicrosecond = 64;
+constexpr std::size_t motionsInMicrosecond = 200, multipliersInMicrosecond = 400;
 
 /// rad: after a larger turn the series of the kernels is replaced by the exact sine.
 constexpr Real exactBeyond = Real(0.05);
@@ -205,8 +206,8 @@ void ContactRows::placeContacts(const State& state) {
         colours_[k].firstThree = reserve(blocksOfThree, next[1][k]);
         colours_[k].lastThree = blocksOfThree;
     }
-    two_.assign(blocksOfTwo, ContactBlock{});
-    three_.assign(blocksOfThree, ContactBlock{});
+    two_.resize(blocksOfTwo);
+    three_.resize(blocksOfThree);
     contactsOfTwo_.assign(blocksOfTwo * contactLanes, none);
     contactsOfThree_.assign(blocksOfThree * contactLanes, none);
     for (std::uint32_t i = 0; i < marks_.size(); ++i) {
@@ -220,15 +221,19 @@ void ContactRows::placeContacts(const State& state) {
 
 void ContactRows::fillAll(const State& state, const std::vector<std::uint32_t>& contacts,
                           Blocks& blocks) const {
-    inPieces(state.tasks, blocks.size(), leastBlocks, [&](std::size_t first, std::size_t last) {
-        for (auto lane = first * contactLanes; lane < last * contactLanes; ++lane)
-            if (contacts[lane] != none)
-                fill(state, state.contacts[contacts[lane]], blocks[lane / contactLanes],
-                     lane % contactLanes);
-    });
+    inPieces(state.tasks, blocks.size(), filledInMicrosecond,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto k = first; k < last; ++k) {
+                     blocks[k] = {};
+                     for (std::size_t lane = 0; lane < contactLanes; ++lane) {
+                         const auto i = contacts[k * contactLanes + lane];
+                         if (i != none) fill(state, state.contacts[i], blocks[k], lane);
+                     }
+                 }
+             });
 }
 
-void ContactRows::collect(const State& state) {
+void ContactRows::colour(const State& state) {
     tasks_ = state.tasks;
     movers_.assign(1, Mover{});
     owners_.assign(1, Owner{});
@@ -238,37 +243,48 @@ void ContactRows::collect(const State& state) {
         ofParticle_.assign(state.particles.size(), none);
     }
     colourContacts(state);
+}
+
+void ContactRows::collect(const State& state) {
     placeContacts(state);
 }
 
+/// Calls f(mover, its owner) for all that have one, in pieces.
+template <class Function>
+void ContactRows::forEachMover(Function&& f) {
+    inPieces(tasks_, movers_.size(), motionsInMicrosecond,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto i = std::max<std::size_t>(first, 1); i < last; ++i)
+                     f(movers_[i], owners_[i]);
+             });
+}
+
 void ContactRows::takeMotions(const State& state) {
-    for (std::size_t i = 1; i < movers_.size(); ++i) {
-        Mover& m = movers_[i];
+    forEachMover([&](Mover& m, const Owner& owner) {
         m.turn = 0;
-        if (owners_[i].cluster == none) {
-            const Vec2& d = state.particles.displacement[owners_[i].particle];
+        if (owner.cluster == none) {
+            const Vec2& d = state.particles.displacement[owner.particle];
             m.x = d[0];
             m.y = d[1];
-            continue;
+            return;
         }
-        const Cluster& c = state.clusters.list[owners_[i].cluster];
+        const Cluster& c = state.clusters.list[owner.cluster];
         m.x = c.displacement[0];
         m.y = c.displacement[1];
         m.sine = c.sine;
         m.versine = c.versine;
-    }
+    });
 }
 
 void ContactRows::giveMotions(State& state) {
     constexpr double most = 1e5;  // rad in a tick: as good as any larger one
-    for (std::size_t i = 1; i < movers_.size(); ++i) {
-        Mover& m = movers_[i];
-        if (!canBePushed(m)) continue;
-        if (owners_[i].cluster == none) {
-            state.particles.displacement[owners_[i].particle] = Vec2(m.x, m.y);
-            continue;
+    forEachMover([&](Mover& m, const Owner& owner) {
+        if (!canBePushed(m)) return;
+        if (owner.cluster == none) {
+            state.particles.displacement[owner.particle] = Vec2(m.x, m.y);
+            return;
         }
-        Cluster& c = state.clusters.list[owners_[i].cluster];
+        Cluster& c = state.clusters.list[owner.cluster];
         c.displacement = Vec2(m.x, m.y);
         c.angle = std::clamp(c.angle + static_cast<double>(m.turn), -most, most);
         c.sine = m.sine;
@@ -277,18 +293,21 @@ void ContactRows::giveMotions(State& state) {
         m.sine = c.sine;
         m.versine = c.versine;
         m.turn = 0;
-    }
+    });
 }
 
 namespace {
 
-/// Calls f(contact, its block, its lane there) for all contacts in blocks of a kind.
+/// Calls f(contact, its block, its lane there) for all contacts in blocks of a kind, in pieces.
 template <class Contacts, class Blocks, class Function>
-void forEachLane(Contacts& contacts, const std::vector<std::uint32_t>& places, Blocks& blocks,
-                 Function&& f) {
-    for (std::size_t lane = 0; lane < places.size(); ++lane)
-        if (places[lane] != none)
-            f(contacts[places[lane]], blocks[lane / contactLanes], lane % contactLanes);
+void forEachLane(Tasks* tasks, Contacts& contacts, const std::vector<std::uint32_t>& places,
+                 Blocks& blocks, Function&& f) {
+    inPieces(
+        tasks, places.size(), multipliersInMicrosecond, [&](std::size_t first, std::size_t last) {
+            for (auto lane = first; lane < last; ++lane)
+                if (places[lane] != none)
+                    f(contacts[places[lane]], blocks[lane / contactLanes], lane % contactLanes);
+        });
 }
 
 }  // namespace
@@ -298,8 +317,8 @@ void ContactRows::takeMultipliers(const State& state) {
         block.normalLambda[lane] = c.normalLambda;
         block.tangentLambda[lane] = c.tangentLambda;
     };
-    forEachLane(state.contacts, contactsOfTwo_, two_, take);
-    forEachLane(state.contacts, contactsOfThree_, three_, take);
+    forEachLane(tasks_, state.contacts, contactsOfTwo_, two_, take);
+    forEachLane(tasks_, state.contacts, contactsOfThree_, three_, take);
 }
 
 void ContactRows::giveMultipliers(State& state) const {
@@ -307,15 +326,15 @@ void ContactRows::giveMultipliers(State& state) const {
         c.normalLambda = block.normalLambda[lane];
         c.tangentLambda = block.tangentLambda[lane];
     };
-    forEachLane(state.contacts, contactsOfTwo_, two_, give);
-    forEachLane(state.contacts, contactsOfThree_, three_, give);
+    forEachLane(tasks_, state.contacts, contactsOfTwo_, two_, give);
+    forEachLane(tasks_, state.contacts, contactsOfThree_, three_, give);
 }
 
 void ContactRows::sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three,
                               bool backwards) {
     const auto run = [&](ContactKernels::Sweep kernel, Blocks& blocks, std::size_t from,
                          std::size_t to) {
-        inPieces(tasks_, to - from, leastBlocks, [&](std::size_t first, std::size_t last) {
+        inPieces(tasks_, to - from, solvedInMicrosecond, [&](std::size_t first, std::size_t last) {
             kernel(movers_.data(), blocks.data() + from + first, last - first);
         });
     };
@@ -345,35 +364,33 @@ void ContactRows::warmStart(State& state) {
 }
 
 void ContactRows::takeShifts(const State& state) {
-    for (std::size_t i = 1; i < movers_.size(); ++i) {
-        Mover& m = movers_[i];
-        const Owner& owner = owners_[i];
+    forEachMover([&](Mover& m, const Owner& owner) {
         const bool rigid = owner.cluster != none;
         const Vec2& shift = rigid ? state.clusters.list[owner.cluster].shift
                                   : state.particles.shift[owner.particle];
         m.x = shift[0];
         m.y = shift[1];
         m.turn = rigid ? static_cast<Real>(state.clusters.list[owner.cluster].twist) : 0;
-    }
+    });
 }
 
-void ContactRows::giveShifts(State& state) const {
-    for (std::size_t i = 1; i < movers_.size(); ++i) {
-        const Mover& m = movers_[i];
-        if (!canBePushed(m)) continue;
-        if (owners_[i].cluster == none) {
-            state.particles.shift[owners_[i].particle] = Vec2(m.x, m.y);
-            continue;
+void ContactRows::giveShifts(State& state) {
+    forEachMover([&](const Mover& m, const Owner& owner) {
+        if (!canBePushed(m)) return;
+        if (owner.cluster == none) {
+            state.particles.shift[owner.particle] = Vec2(m.x, m.y);
+            return;
         }
-        Cluster& c = state.clusters.list[owners_[i].cluster];
+        Cluster& c = state.clusters.list[owner.cluster];
         c.shift = Vec2(m.x, m.y);
         c.twist = static_cast<double>(m.turn);
-    }
+    });
 }
 
-void ContactRows::applyShifts(State& state) const {
-    for (const Owner& owner : std::span(owners_).subspan(1))
+void ContactRows::applyShifts(State& state) {
+    forEachMover([&](const Mover&, const Owner& owner) {
         applyRecovery(state, {owner.particle, owner.cluster, Vec2(0, 0)});
+    });
     for (const auto i : single_) {
         const Contact& c = state.contacts[i];
         for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB})
@@ -412,8 +429,13 @@ void ContactRows::sweep(State& state, bool backwards) {
 
 bool ContactRows::anyErrorBeyond(Real most) const {
     const ContactKernels& kernels = contactKernels();
-    return kernels.anyErrorTwo(movers_.data(), two_.data(), two_.size(), most) ||
-           kernels.anyErrorThree(movers_.data(), three_.data(), three_.size(), most);
+    const auto any = [&](auto kernel, const Blocks& blocks) {
+        return anyInPieces(
+            tasks_, blocks.size(), seenInMicrosecond, [&](std::size_t first, std::size_t last) {
+                return kernel(movers_.data(), blocks.data() + first, last - first, most);
+            });
+    };
+    return any(kernels.anyErrorTwo, two_) || any(kernels.anyErrorThree, three_);
 }
 
 bool ContactRows::anySingleBeyond(const State& state, Real most) const {

@@ -19,7 +19,10 @@ namespace sulfur::detail {
 /// memory only.
 class ContactRows {
 public:
-    /// Lays out the contacts with the multipliers that they have.
+    /// Hands colours to the contacts. Looks neither at multipliers nor at what is known of them
+    /// from the last tick.
+    void colour(const State& state);
+    /// Lays them out with the multipliers that they have.
     void collect(const State& state);
     /// Pushes with these multipliers.
     void warmStart(State& state);
@@ -71,8 +74,10 @@ private:
     bool anyErrorBeyond(Real most) const;
     bool anySingleBeyond(const State& state, Real most) const;
     void takeShifts(const State& state);
-    void giveShifts(State& state) const;
-    void applyShifts(State& state) const;
+    void giveShifts(State& state);
+    void applyShifts(State& state);
+    template <class Function>
+    void forEachMover(Function&& f);
     void sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three, bool backwards);
     std::uint32_t moverOf(const State& state, const Grip& grip);
     bool isSingle(const State& state, const Contact& c) const;

@@ -13,8 +13,8 @@ namespace sulfur::detail {
 
 namespace {
 
-/// A piece of work for a thread has at least so many.
-constexpr std::size_t leastContacts = 512;
+/// Contacts that are looked at in a microsecond.
+constexpr std::size_t judgedInMicrosecond = 250;
 
 /// How deep the sweeps may leave a contact, as a share of its thickness.
 constexpr Real guardedDepth = Real(0.25);
@@ -92,28 +92,17 @@ void warmStart(State& state, Contact& c, const ContactMemory& before) {
     }
 }
 
-/// The first contact from `i` on that is of another particle than the one before.
-std::size_t particleStart(const State& state, std::size_t i) {
-    const auto& contacts = state.contacts;
-    while (i > 0 && i < contacts.size() && contacts[i].particle == contacts[i - 1].particle) ++i;
-    return i;
-}
-
-}  // namespace
-
-namespace {
-
 /// Which memories have an heir already: each has one.
 class Heirs {
 public:
     explicit Heirs(State& state) : state_(state) { taken().assign(state.contactMemory.size(), 0); }
 
-    /// Contacts [first, last) go on from where they were: first those whose place is the same to
-    /// the end, then, from what is left, those that have an end in common with what they were.
-    void inherit(std::size_t first, std::size_t last) {
+    /// So many contacts go on from where they were: first those whose place is the same to the end,
+    /// then, from what is left, those that have an end in common with what they were.
+    void inherit(std::size_t count) {
         thread_local std::vector<std::uint32_t> others;
         others.clear();
-        for (auto i = static_cast<std::uint32_t>(first); i < last; ++i)
+        for (std::uint32_t i = 0; i < count; ++i)
             if (!inherit(i, true)) others.push_back(i);
         for (const auto i : others) inherit(i, false);
     }
@@ -138,28 +127,13 @@ private:
     }
 
     State& state_;
-    std::vector<std::uint8_t>& taken_ = taken();  // of the calling thread, for all pieces
+    std::vector<std::uint8_t>& taken_ = taken();
 };
 
 }  // namespace
 
 void warmStartContacts(State& state) {
-    Heirs heirs(state);
-    // Only contacts of one particle may want the same memory. (What crosses comes last in the list,
-    // out of the order of particles.)
-    const auto byParticle = [](const Contact& a, const Contact& b) {
-        return a.particle < b.particle;
-    };
-    const std::size_t count = state.contacts.size();
-    std::size_t pieces = piecesOf(state.tasks, count, leastContacts);
-    if (pieces > 1 && !std::is_sorted(state.contacts.begin(), state.contacts.end(), byParticle))
-        pieces = 1;
-    runPieces(state.tasks, pieces, [&](std::size_t i) {
-        const auto start = [&](std::size_t piece) {
-            return particleStart(state, pieceStart(piece, pieces, count));
-        };
-        heirs.inherit(start(i), start(i + 1));
-    });
+    Heirs(state).inherit(state.contacts.size());
 }
 
 void solveContacts(State& state, const std::vector<std::uint32_t>& which, bool backwards) {
@@ -234,7 +208,7 @@ void judgeSliding(const State& state, Contact& c, Real restSlip) {
 
 void finishContacts(State& state) {
     const Real restSlip = slipOfRest(state);
-    inPieces(state.tasks, state.contacts.size(), leastContacts,
+    inPieces(state.tasks, state.contacts.size(), judgedInMicrosecond,
              [&](std::size_t first, std::size_t last) {
                  for (auto i = first; i < last; ++i)
                      if (state.contacts[i].rough) judgeSliding(state, state.contacts[i], restSlip);
@@ -243,8 +217,18 @@ void finishContacts(State& state) {
 }
 
 void guardContacts(State& state) {
-    for (Contact& c : state.contacts)
-        if (gapLeft(state, c) < -guardedDepth * c.thickness) solveNormal(state, c);
+    const auto isDeep = [&](const Contact& c) {
+        return gapLeft(state, c) < -guardedDepth * c.thickness;
+    };
+    // Until one is solved no motion changes, so that all may be looked at at once; mostly none is.
+    auto& contacts = state.contacts;
+    const auto anyDeep = [&](std::size_t first, std::size_t last) {
+        const auto begin = contacts.begin();
+        return std::any_of(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last), isDeep);
+    };
+    if (!anyInPieces(state.tasks, contacts.size(), judgedInMicrosecond, anyDeep)) return;
+    for (Contact& c : contacts)
+        if (isDeep(c)) solveNormal(state, c);
 }
 
 }  // namespace sulfur::detail

@@ -219,6 +219,7 @@ void step(State& state) {
     else
         runStep(state);
     ++state.tick;
+    if (state.tasks) state.tasks->rest();
 }
 
 }  // namespace sulfur::detail

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/limits.hpp"
+#include "core/pieces.hpp"
 #include "rigid/grip.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/motion.hpp"
@@ -131,13 +132,34 @@ SweepView viewOf(State& state, SweptJoints& s) {
     return view;
 }
 
-/// Calls f(joint, its place in the arrays) for all joints of wide batches.
+/// Joints that are swept or prepared in a microsecond.
+constexpr std::size_t inMicrosecond = 120;
+
+/// Calls f(batch, first, last) for the joints [first, last) of each batch, those of one part in the
+/// order of their batches: parts at once or, where there is only one, what a wide batch has.
 template <class Function>
-void forEachWide(const std::vector<std::uint32_t>& list, const SweptJoints& swept, Function&& f) {
-    for (const SweepBatch& batch : swept.batches)
-        if (batch.wide)
-            for (auto k = batch.first; k < batch.last; ++k)
-                f(list[k], std::size_t{batch.place} + (k - batch.first));
+void forEachBatch(const State& state, const SweptJoints& swept, std::size_t count, Function&& f) {
+    const std::size_t pieces =
+        std::min<std::size_t>(swept.parts, piecesOf(state.tasks, count, inMicrosecond));
+    if (pieces > 1)
+        return runPieces(state.tasks, pieces, [&](std::size_t i) {
+            const auto first = pieceStart(i, pieces, swept.parts);
+            const auto last = pieceStart(i + 1, pieces, swept.parts);
+            for (const SweepBatch& batch : swept.batches)
+                if (batch.part >= first && batch.part < last)
+                    f(batch, std::size_t{0}, batch.size());
+        });
+    for (const SweepBatch& batch : swept.batches) {
+        if (!batch.wide) {
+            f(batch, std::size_t{0}, batch.size());
+            continue;
+        }
+        const std::size_t blocks = (batch.size() + sweepLanes - 1) / sweepLanes;
+        inPieces(state.tasks, blocks, inMicrosecond / sweepLanes,
+                 [&](std::size_t first, std::size_t last) {
+                     f(batch, first * sweepLanes, std::min(last * sweepLanes, batch.size()));
+                 });
+    }
 }
 
 /// What all sweeps of a tick have in common; returns the joint's length at the tick's start.
@@ -180,12 +202,11 @@ void sweep(State& state, const std::vector<std::uint32_t>& list, SweptJoints& sw
            SolveMany many) {
     if (list.empty()) return;
     const SweepView view = viewOf(state, swept);
-    for (const SweepBatch& batch : swept.batches) {
-        if (batch.wide)
-            many(view, batch.place, batch.last - batch.first);
-        else
-            for (auto k = batch.first; k < batch.last; ++k) one(state, list[k]);
-    }
+    forEachBatch(state, swept, list.size(),
+                 [&](const SweepBatch& batch, std::size_t first, std::size_t last) {
+                     if (batch.wide) return many(view, batch.place + first, last - first);
+                     for (auto k = first; k < last; ++k) one(state, list[batch.first + k]);
+                 });
 }
 
 }  // namespace
@@ -224,14 +245,19 @@ bool touchedRigidJointsAreStrained(const State& state) {
 
 void clearMultipliers(State& state) {
     WorkLists& work = state.work;
-    for (const auto j : work.implicitJoints) state.joints.lambda[j] = 0;
-    for (const auto j : work.rigidJoints) state.joints.lambda[j] = 0;
-    forEachWide(work.implicitJoints, work.implicitSweep, [&](std::uint32_t j, std::size_t k) {
-        prepareImplicit(state, j, work.implicitSweep, k);
-    });
-    forEachWide(work.rigidJoints, work.rigidSweep, [&](std::uint32_t j, std::size_t k) {
-        prepareRigid(state, j, work.rigidSweep, k);
-    });
+    const auto start = [&](const std::vector<std::uint32_t>& list, SweptJoints& swept,
+                           auto prepare) {
+        forEachBatch(state, swept, list.size(),
+                     [&](const SweepBatch& batch, std::size_t first, std::size_t last) {
+                         for (auto k = first; k < last; ++k) {
+                             const auto j = list[batch.first + k];
+                             state.joints.lambda[j] = 0;
+                             if (batch.wide) prepare(state, j, swept, batch.place + k);
+                         }
+                     });
+    };
+    start(work.implicitJoints, work.implicitSweep, [](auto&&... all) { prepareImplicit(all...); });
+    start(work.rigidJoints, work.rigidSweep, [](auto&&... all) { prepareRigid(all...); });
     for (const auto i : work.attachments) state.attachments[i].force = Vec2(0, 0);
     for (const auto i : work.hinges) state.clusters.hinges[i].force = Vec2(0, 0);
 }
@@ -241,9 +267,9 @@ void recordForces(State& state) {
     const WorkLists& work = state.work;
     for (const auto& [list, swept] : {std::pair(&work.implicitJoints, &work.implicitSweep),
                                       std::pair(&work.rigidJoints, &work.rigidSweep)})
-        forEachWide(*list, *swept, [&, from = swept](std::uint32_t j, std::size_t k) {
-            joints.lambda[j] = from->lambda[k];
-        });
+        for (const SweepBatch& batch : swept->batches)
+            for (std::size_t k = 0; batch.wide && k < batch.size(); ++k)
+                joints.lambda[(*list)[batch.first + k]] = swept->lambda[batch.place + k];
     const Real scale = -newtonsPerMultiplier(state);
     for (const auto j : state.work.stiffJoints) {
         // What is a force as well has been recorded as one already.

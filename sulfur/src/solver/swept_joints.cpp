@@ -1,5 +1,8 @@
 #include "solver/swept_joints.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -15,10 +18,54 @@ bool isFree(const State& state, std::uint32_t j) {
            state.structure.colours[j] != noColour;
 }
 
+/// Divides joints by the bodies that they belong to: where parts begin, by particles.
+class Parts {
+public:
+    /// Into one part where joints hold clusters or bodies to each other.
+    Parts(const State& state, const std::vector<std::uint32_t>& list) : state_(state) {
+        constexpr std::size_t leastJoints = 512;  // in a part; less is not worth the lanes
+        const auto parts = std::min<std::size_t>(most, list.size() / leastJoints);
+        if (parts < 2) return;
+        thread_local std::vector<std::uint32_t> scratch;
+        std::vector<std::uint32_t>& joints = scratch;  // by bodies
+        joints.assign(state.bodies.size(), 0);
+        for (const auto j : list) ++joints[state.particles.body[state.joints.a[j]]];
+        std::size_t before = 0;
+        for (std::size_t body = 0; body < joints.size() && count_ < parts; ++body) {
+            if (count_ < parts && before * parts >= count_ * list.size() && before > 0)
+                begins_[count_++] = state.bodies[body].firstParticle;
+            before += joints[body];
+        }
+        if (!std::all_of(list.begin(), list.end(), [&](auto j) { return isWithin(j); })) count_ = 1;
+    }
+
+    std::uint32_t count() const { return count_; }
+    std::uint32_t of(std::uint32_t joint) const { return ofParticle(state_.joints.a[joint]); }
+
+private:
+    static constexpr std::size_t most = 4;
+
+    std::uint32_t ofParticle(std::uint32_t particle) const {
+        std::uint32_t part = count_ - 1;
+        while (particle < begins_[part]) --part;
+        return part;
+    }
+    bool isWithin(std::uint32_t j) const {
+        return isFree(state_, j) &&
+               ofParticle(state_.joints.a[j]) == ofParticle(state_.joints.b[j]);
+    }
+
+    const State& state_;
+    std::uint32_t count_ = 1;
+    std::array<std::uint32_t, most> begins_{};
+};
+
 }  // namespace
 
 void batchJoints(const State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
     swept.batches.clear();
+    const Parts parts(state, list);
+    swept.parts = parts.count();
     std::size_t places = 0;
     const auto size = static_cast<std::uint32_t>(list.size());
     for (std::uint32_t first = 0, last = 0; first < size; first = last) {
@@ -27,10 +74,14 @@ void batchJoints(const State& state, const std::vector<std::uint32_t>& list, Swe
                    isFree(state, list[k]) == isFree(state, list[first]);
         };
         while (last < size && same(last)) ++last;
-        SweepBatch batch{first, last, static_cast<std::uint32_t>(places), false};
-        batch.wide = isFree(state, list[first]) && last - first >= fewest;
-        if (batch.wide) places += (last - first + sweepLanes - 1) / sweepLanes * sweepLanes;
-        swept.batches.push_back(batch);
+        const bool wide = isFree(state, list[first]) && last - first >= fewest;
+        // Neighbours of one part; where bodies do not come in their order, of a few.
+        for (std::uint32_t from = first, to = first; from < last; from = to) {
+            const auto part = parts.of(list[from]);
+            while (to < last && parts.of(list[to]) == part) ++to;
+            swept.batches.push_back({from, to, static_cast<std::uint32_t>(places), wide, part});
+            if (wide) places += (to - from + sweepLanes - 1) / sweepLanes * sweepLanes;
+        }
     }
     // What lies behind the last joint of a batch takes hold of a particle that there is.
     swept.a.assign(places, 0);

@@ -10,6 +10,7 @@ namespace {
 class Serial final : public Tasks {
 public:
     std::size_t threads() const override { return 5; }
+    double overhead() const override { return 0.5; }
     void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
         for (std::size_t i = count; i-- > 0;) task(context, i);
     }

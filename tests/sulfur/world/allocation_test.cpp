@@ -4,6 +4,7 @@
 // glibc and no sanitizer stands in its place, those of malloc too, which Eigen calls itself.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <limits>
 #include <new>
@@ -11,7 +12,7 @@
 
 namespace {
 
-std::size_t allocations = 0;
+std::atomic<std::size_t> allocations{0};
 
 }  // namespace
 
@@ -26,15 +27,16 @@ void* malloc(std::size_t size) {
 }
 #endif
 
-void* operator new(std::size_t size) {
+// (Not inlined: GCC would hold free() against what it sees of new.)
+[[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
@@ -141,6 +143,29 @@ TEST(Allocation, NoneByBallsThatBounceInDividedTicks) {
     EXPECT_GT(begun, 5u);
     EXPECT_GT(persisted, 500u);
     EXPECT_GT(ended, 5u);
+}
+
+/// All that can be divided is.
+TEST(Allocation, NoneWithThreads) {
+    struct Eager final : Tasks {
+        std::size_t threads() const override { return pool.threads(); }
+        double overhead() const override { return 0.01; }
+        void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
+            pool.run(count, task, context);
+        }
+        ThreadPool pool{3};
+    } tasks;
+    World world({.sleeping = false});
+    world.setTasks(&tasks);
+    world.add(shapes::floor({-40, 0}, {40, 0}));
+    for (int row = 0; row < 12; ++row)
+        for (int column = 0; column < 12 - row; ++column)
+            world.add(shapes::box(), {.position = {0.5 * row + 1.05 * column - 6, 0.5 + row}});
+    for (int i = 0; i < 10; ++i)
+        world.add(shapes::jelly({.size = {1, 1}, .columns = 3, .rows = 3}),
+                  {.position = {10 + 1.2 * (i % 5), 0.6 + 1.2 * (i / 5)}});
+    for (int i = 0; i < 800; ++i) world.step();
+    expectNoAllocations(world);
 }
 
 TEST(Allocation, NoneByCratesInFreeFall) {

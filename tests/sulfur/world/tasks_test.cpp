@@ -1,5 +1,6 @@
 // Threads that a host lends change nothing but the time that a tick takes.
-#include <sulfur/tasks.hpp>
+#include <algorithm>
+#include <sulfur/thread_pool.hpp>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,7 @@ class Backwards final : public Tasks {
 public:
     explicit Backwards(std::size_t threads) : threads_(threads) {}
     std::size_t threads() const override { return threads_; }
+    double overhead() const override { return 0.01; }  // divide all that can be
     void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
         ++runs;
         for (std::size_t i = count; i-- > 0;) task(context, i);
@@ -27,6 +29,7 @@ private:
 class Threads final : public Tasks {
 public:
     std::size_t threads() const override { return 4; }
+    double overhead() const override { return 0.01; }
     void run(std::size_t count, void (*task)(void*, std::size_t), void* context) override {
         std::vector<std::thread> threads;
         for (std::size_t i = 0; i < count; ++i) threads.emplace_back(task, context, i);
@@ -61,13 +64,53 @@ std::uint64_t play(Tasks* tasks, int ticks) {
 TEST(Tasks, ThreadsDoNotMatter) {
     constexpr int ticks = 12;
     const auto alone = play(nullptr, ticks);
-    for (const std::size_t threads : {1u, 2u, 3u, 7u}) {
+    for (const std::size_t threads : {1u, 2u, 3u, 4u, 7u}) {
         Backwards tasks(threads);
         EXPECT_EQ(play(&tasks, ticks), alone) << threads;
         EXPECT_EQ(tasks.runs > 3 * ticks, threads > 1) << "the work is divided: " << threads;
     }
     Threads threads;
     EXPECT_EQ(play(&threads, ticks), alone);
+}
+
+/// Soft bodies in parts, which a stone presses flat, and crates in trees of contacts.
+void buildHeap(World& world) {
+    world.add(shapes::ground({.points = {{-40, 0}, {40, 0}}}));
+    for (int i = 0; i < 60; ++i)
+        world.add(shapes::jelly({.size = {1, 1}, .columns = 4, .rows = 4, .stiffness = 200}),
+                  {.position = {-12 + 1.2 * (i % 20), 0.6 + 1.2 * (i / 20)}});
+    for (int i = 0; i < 8; ++i) {
+        const Body stone = world.add(shapes::ball({.radius = Real(0.5), .mass = 50}),
+                                     {.position = {-11 + 3.0 * i, 5}});
+        world.setVelocity(stone, Vec2(0, -10));
+    }
+    for (int i = 0; i < 100; ++i)
+        world.add(shapes::box(), {.position = {16 + 1.02 * (i % 10), 0.5 + i / 10}});
+}
+
+TEST(Tasks, DoNotMatterForSoftBodiesAndStacks) {
+    constexpr int ticks = 120;
+    std::uint32_t pressed = 0, rubbing = 0;
+    const auto playHeap = [&](Tasks* tasks) {
+        World world;
+        buildHeap(world);
+        world.setTasks(tasks);
+        for (int i = 0; i < ticks; ++i) {
+            world.step();
+            pressed = std::max(pressed, world.statistics().pressedTriangles);
+            rubbing = std::max(rubbing, world.statistics().rubbingContacts);
+        }
+        return world.hash();
+    };
+    const auto alone = playHeap(nullptr);
+    EXPECT_GT(pressed, 20u);
+    EXPECT_GT(rubbing, 100u);
+    for (const std::size_t threads : {2u, 3u, 4u, 7u}) {
+        Backwards tasks(threads);
+        EXPECT_EQ(playHeap(&tasks), alone) << threads;
+    }
+    ThreadPool pool(3);
+    EXPECT_EQ(playHeap(&pool), alone);
 }
 
 TEST(Tasks, CanBeTakenAway) {

@@ -19,6 +19,7 @@ public:
 
     std::size_t threads() const override;
     void run(std::size_t count, void (*task)(void* context, std::size_t i), void* context) override;
+    double overhead() const override { return 1; }
 
 private:
     struct Arena;
