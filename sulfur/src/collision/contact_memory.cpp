@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bucket_sort.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -66,8 +67,12 @@ void rememberContacts(State& state) {
             memory.push_back({c.particle, c.a, c.b, c.normal, c.normalLambda, c.tangentLambda,
                               sustained(c, h, slowest), c.drift, h,
                               static_cast<std::uint8_t>(c.sliding)});
-    if (!std::is_sorted(memory.begin(), memory.end(), byParticle))
-        std::stable_sort(memory.begin(), memory.end(), byParticle);
+    if (std::is_sorted(memory.begin(), memory.end(), byParticle)) return;
+    // What was kept came first. (A stable sort would take memory.)
+    thread_local std::vector<ContactMemory> scratch;
+    thread_local std::vector<std::uint32_t> start;
+    countingSort(memory, scratch, start, state.particles.size(),
+                 [](const ContactMemory& m) { return m.particle; });
 }
 
 }  // namespace sulfur::detail

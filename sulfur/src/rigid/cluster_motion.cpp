@@ -155,7 +155,12 @@ ClusterWay wayOf(const Cluster& c) {
 }  // namespace
 
 ClusterLoad loadOf(const State& state, const Cluster& c) {
-    if (c.inverseMass == 0 && c.inverseInertia == 0) return {};
+    Real inverseMass = c.inverseMass, inverseInertia = c.inverseInertia;
+    if (inverseMass == 0 && inverseInertia == 0) {
+        if (!state.bodies[c.body].standsBy) return {};
+        inverseMass = static_cast<Real>(c.freeInverseMass);
+        inverseInertia = static_cast<Real>(c.freeInverseInertia);
+    }
     const Particles& p = state.particles;
     const Point weight = c.mass * state.settings.gravity.cast<double>();
     Point force = weight;
@@ -166,8 +171,7 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
         force += f;
         torque += cross(p.arm[i].cast<double>(), f);
     }
-    return {static_cast<double>(c.inverseMass) * force,
-            static_cast<double>(c.inverseInertia) * torque};
+    return {static_cast<double>(inverseMass) * force, static_cast<double>(inverseInertia) * torque};
 }
 
 void adoptStirredClusters(State& state) {

@@ -111,8 +111,10 @@ void listAwakeParticles(State& state) {
 
 bool takesPart(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
-    return !joints.inCluster[j] && anyAwake(state, joints.a[j], joints.b[j]) &&
-           (inverseMassAwake(state, joints.a[j]) > 0 || inverseMassAwake(state, joints.b[j]) > 0);
+    const auto moves = [&](std::uint32_t p) {
+        return state.movable(state.particles.body[p]) && inverseMassAwake(state, p) > 0;
+    };
+    return !joints.inCluster[j] && (moves(joints.a[j]) || moves(joints.b[j]));
 }
 
 void listJoints(State& state) {

@@ -4,6 +4,7 @@
 
 #include "core/bucket_sort.hpp"
 #include "solver/stages.hpp"
+#include "solver/tell.hpp"
 
 namespace sulfur::detail {
 
@@ -154,7 +155,7 @@ void tellPersisted(State& state, const Touch& t) {
 }
 
 void tellAllPersisted(State& state, const std::vector<Touch>& touches) {
-    if (!state.settings.tellPersisting) return;
+    if (!tellsPersisting(state)) return;
     for (const Touch& touch : touches) tellPersisted(state, touch);
 }
 
@@ -201,7 +202,7 @@ void collectEvents(State& state) {
             continue;
         }
         now.push_back(pair);
-        if (touch.strongest != none && state.settings.tellPersisting) tellPersisted(state, touch);
+        if (touch.strongest != none && tellsPersisting(state)) tellPersisted(state, touch);
     }
     beginUntil(nullptr);
     std::swap(state.touching, now);

@@ -22,14 +22,33 @@ void stopClusters(State& state, std::uint32_t body) {
     }
 }
 
-/// It has no displacement, and as much mass as it takes to bear what runs into it.
+/// How far it is from where the broad phase has drawn it; it goes no farther.
+void measureOuting(State& state, const BodyRecord& body, std::uint32_t b) {
+    BroadPhase& broad = state.broad;
+    auto& [ofParticle, ofBody] = broad.outings;
+    const std::size_t last = body.firstParticle + body.particles.size();
+    // What has never been drawn is drawn before anybody asks.
+    if (broad.reference.size() < last || ofParticle.size() < last || ofBody.size() <= b) return;
+    ofBody[b] = 0;
+    for (std::size_t i = body.firstParticle; i < last; ++i) {
+        ofParticle[i] = (state.particles.position[i] - broad.reference[i]).cast<Real>().norm();
+        ofBody[b] = std::max(ofBody[b], ofParticle[i]);
+    }
+}
+
+/// Nothing moves it, and it bears what runs into it.
 void standBy(State& state, std::uint32_t b) {
     BodyRecord& body = state.bodies[b];
     body.standsBy = true;
     restoreInverseMass(state, b);
     stopClusters(state, b);
     const auto first = state.particles.displacement.begin() + body.firstParticle;
-    std::fill_n(first, body.particles.size(), Vec2(0, 0));
+    const auto last = first + static_cast<std::ptrdiff_t>(body.particles.size());
+    auto& stored = state.steps.displacements;
+    state.steps.standing.push_back({body.id, static_cast<std::uint32_t>(stored.size())});
+    stored.insert(stored.end(), first, last);
+    std::fill(first, last, Vec2(0, 0));
+    measureOuting(state, body, b);
 }
 
 void takePart(State& state, std::uint32_t b) {
@@ -37,13 +56,15 @@ void takePart(State& state, std::uint32_t b) {
     restoreInverseMass(state, b);
 }
 
-/// Who has gone its whole tick before the others shows by its velocity where it came from.
-void restoreDisplacement(State& state, const BodyRecord& body) {
-    Particles& p = state.particles;
-    const double tick = static_cast<double>(stepDuration(state, Pace::whole));
-    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
-        const auto i = body.firstParticle + k;
-        p.displacement[i] = (tick * p.velocity[i]).cast<Real>();
+/// Those with which it stood by, for whoever asks between ticks.
+void restoreDisplacements(State& state) {
+    const Steps& steps = state.steps;
+    for (const Standing& standing : steps.standing) {
+        if (!state.bodySlots.contains(standing.body)) continue;
+        const BodyRecord& body = state.bodies[state.bodySlots.dense(standing.body)];
+        if (!body.standsBy) continue;
+        std::copy_n(steps.displacements.begin() + standing.first, body.particles.size(),
+                    state.particles.displacement.begin() + body.firstParticle);
     }
 }
 
@@ -80,6 +101,8 @@ void enterPace(State& state, Pace pace) {
     if (steps.mixed) {
         // What follows from who takes part was found for the others.
         state.idle = state.touchingFrozen = false;
+        steps.standing.clear();
+        steps.displacements.clear();
         for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
             const BodyRecord& body = state.bodies[b];
             const bool standsBy = state.awake(b) && body.divided != (pace == Pace::divided);
@@ -94,11 +117,9 @@ void leavePaces(State& state) {
     Steps& steps = state.steps;
     if (steps.mixed) {
         state.idle = state.touchingFrozen = false;
-        for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
-            if (!state.bodies[b].standsBy) continue;
-            takePart(state, b);
-            restoreDisplacement(state, state.bodies[b]);
-        }
+        restoreDisplacements(state);
+        for (std::uint32_t b = 0; b < state.bodies.size(); ++b)
+            if (state.bodies[b].standsBy) takePart(state, b);
     }
     steps.still.clear();
     steps.mixed = false;

@@ -244,7 +244,7 @@ void sleepBody(State& state, std::uint32_t index) {
     body.asleep = true;
     body.nextAsleep = body.id;
     body.dividedFor = 0;
-    body.asksForShortSteps = false;
+    body.asksForShortSteps = body.hasReach = false;
     setDivided(state, index, false);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;

@@ -7,6 +7,7 @@
 #include "solver/paces.hpp"
 #include "solver/stages.hpp"
 #include "solver/substeps.hpp"
+#include "solver/tell.hpp"
 
 namespace sulfur::detail {
 
@@ -29,6 +30,7 @@ void clearStatistics(Statistics& statistics) {
     statistics.seconds.fill(0);
     statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
     statistics.pressedTriangles = statistics.plannedContacts = 0;
+    statistics.chainSteps = statistics.chainFallbacks = statistics.chainsInLanes = 0;
     statistics.substeps = 1;
     statistics.dividedBodies = 0;
 }
@@ -62,17 +64,6 @@ bool allRest(const State& state) {
         return state.bodies[body].kind == BodyKind::dynamic || isDriven(state, body);
     };
     return !isChanged(state) && std::none_of(movers.begin(), movers.end(), moves);
-}
-
-void clear(Events& events) {
-    events.contactsBegun.clear();
-    events.contactsPersisted.clear();
-    events.contactsEnded.clear();
-    events.jointsBroken.clear();
-    events.bodiesSplit.clear();
-    events.particlesLost.clear();
-    events.sensorsEntered.clear();
-    events.sensorsLeft.clear();
 }
 
 /// A tick of a world at rest.
@@ -109,51 +100,11 @@ void runStep(State& state) {
     ++state.steps.done;
 }
 
-template <class Event>
-void append(std::vector<Event>& events, const std::vector<Event>& more) {
-    events.insert(events.end(), more.begin(), more.end());
-}
-
-/// What was told in earlier steps of the tick comes first; who goes on touching is told once.
-void append(Events& events, Events& more) {
-    append(events.contactsBegun, more.contactsBegun);
-    append(events.contactsEnded, more.contactsEnded);
-    append(events.jointsBroken, more.jointsBroken);
-    append(events.bodiesSplit, more.bodiesSplit);
-    append(events.particlesLost, more.particlesLost);
-    append(events.sensorsEntered, more.sensorsEntered);
-    append(events.sensorsLeft, more.sensorsLeft);
-    std::swap(events.contactsPersisted, more.contactsPersisted);
-}
-
-/// Who began to touch in an earlier step of the tick may be gone since.
-void dropGone(const State& state, std::vector<ContactBegun>& begun) {
-    const auto exists = [&](BodyId id) { return state.bodySlots.contains(id); };
-    std::erase_if(begun, [&](const ContactBegun& e) { return !exists(e.a) || !exists(e.b); });
-}
-
-/// Each pair once, the first time that it was told, in the order of pairs. (A stable sort would
-/// take memory.)
-template <class Event>
-void orderPairs(std::vector<Event>& events) {
-    thread_local std::vector<std::pair<BodyPair, std::uint32_t>> order;
-    thread_local std::vector<Event> ordered;
-    order.clear();
-    ordered.clear();
-    for (const Event& e : events)
-        order.emplace_back(BodyPair::of(e.a, e.b), static_cast<std::uint32_t>(order.size()));
-    std::sort(order.begin(), order.end());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        if (i == 0 || order[i].first != order[i - 1].first)
-            ordered.push_back(events[order[i].second]);
-    std::swap(events, ordered);
-}
-
 /// The whole tick of bodies whose ticks are not divided, while the others stand by.
 void runWhole(State& state) {
     enterPace(state, Pace::whole);
     runStep(state);
-    append(state.told, state.events);
+    tellStep(state);
 }
 
 /// The steps of bodies whose ticks are divided.
@@ -162,38 +113,23 @@ void runDivided(State& state) {
     while (state.steps.done < state.steps.count) {
         if (state.steps.done > 0) applyForcesAgain(state);
         runStep(state);
-        append(state.told, state.events);
+        tellStep(state);
     }
-}
-
-/// What was told in several steps, as that of one tick.
-void tellOnce(State& state) {
-    std::swap(state.events, state.told);
-    dropGone(state, state.events.contactsBegun);
-    orderPairs(state.events.contactsBegun);
-    orderPairs(state.events.contactsEnded);
 }
 
 /// A tick in which the ticks of some bodies, or of all, are divided.
 void runPaces(State& state) {
-    thread_local std::vector<ContactPersisted> persisted;
-    clear(state.told);
+    startTelling(state);
     keepAppliedForces(state);
-    std::uint32_t contacts = 0;
-    persisted.clear();
-    const bool mixed = state.steps.mixed;
-    if (mixed) {
+    std::uint32_t contactsOfWhole = 0;
+    if (state.steps.mixed) {
         runWhole(state);
-        contacts = state.statistics.contacts;
-        std::swap(persisted, state.told.contactsPersisted);
+        contactsOfWhole = state.statistics.contacts;
     }
     runDivided(state);
-    state.statistics.contacts += contacts;
+    state.statistics.contacts += contactsOfWhole;
     leavePaces(state);
-    tellOnce(state);
-    if (!mixed) return;
-    append(state.events.contactsPersisted, persisted);
-    orderPairs(state.events.contactsPersisted);
+    tellTick(state);
 }
 
 /// Lists that name all that moves, of both paces, and the structure that they follow.
@@ -201,7 +137,7 @@ void updateLists(State& state) {
     const bool parkedBehind =
         state.work.movers != Movers::all && state.steps.parkedWork.madeAfter != state.listChanges;
     state.work.stale = state.work.stale || parkedBehind;
-    if (state.structure.stale || state.work.stale) timed(state, Stage::changes, applyChanges);
+    if (state.work.stale) timed(state, Stage::changes, applyChanges);
 }
 
 }  // namespace
@@ -210,8 +146,11 @@ void step(State& state) {
     clearStatistics(state.statistics);
     if (mayDivideTicks(state) || state.anyDivided) {
         const bool changed = state.structure.stale;
+        timed(state, Stage::changes, updateStructure);
         updateLists(state);
         timed(state, Stage::changes, [&](State& s) { choosePaces(s, changed); });
+        // While nobody stands by: what does has no velocity that could follow.
+        timed(state, Stage::changes, updateStructure);
     }
     state.steps.done = 0;
     if (state.anyDivided)

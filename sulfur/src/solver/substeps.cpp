@@ -16,7 +16,7 @@ namespace {
 constexpr int wantedRate = 480;     // Hz, of steps, while something asks for it
 constexpr double calmAfter = 0.5;   // s
 constexpr double fastTravel = 0.1;  // radii in a tick
-/// Islands are found once in so many ticks, and where something new asks.
+/// Islands are found once in so many ticks, and where something new asks or goes astray.
 constexpr int ticksAhead = 8;
 
 double tickOf(const State& state) {
@@ -68,7 +68,7 @@ void ask(State& state) {
 /// Which of those that are awake have a reason of their own for short steps.
 struct Reasons {
     bool any = false, all = true;
-    bool anyNew = false;  // one whose ticks were not divided before
+    bool changed = false;  // some have one, or have one no longer, other than in the last tick
 };
 
 /// Sets, of each body by itself, for how long its ticks go on being divided.
@@ -77,46 +77,71 @@ Reasons countDown(State& state) {
     Reasons reasons;
     forEachAwake(state, [&](std::uint32_t b) {
         BodyRecord& body = state.bodies[b];
-        reasons.anyNew |= body.asksForShortSteps && !body.divided;
         body.dividedFor =
             body.asksForShortSteps ? calmAfter : std::max(body.dividedFor - tick, 0.0);
         body.asksForShortSteps = false;
+        if (body.kind != BodyKind::dynamic && !(body.dividedFor > 0)) return;
         reasons.any |= body.dividedFor > 0;
-        reasons.all &= body.dividedFor > 0 || body.kind != BodyKind::dynamic;
+        reasons.all &= body.dividedFor > 0;
+        reasons.changed |= body.divided != (body.dividedFor > 0);
     });
     return reasons;
 }
 
-/// What a body can touch within the ticks that islands look ahead.
+/// What a body can touch in some time, for one that has no surface nothing.
 struct Reach {
     Point low, high;
     std::uint32_t body = 0;
+
+    bool isEmpty() const { return low[0] > high[0]; }
 };
+
+/// Of so many ticks from now on, as velocities lead, as far as contacts are watched.
+Reach reachOf(const State& state, std::uint32_t b, int ticks) {
+    const Particles& p = state.particles;
+    const BodyRecord& body = state.bodies[b];
+    const double ahead = ticks * tickOf(state);
+    const double fall = static_cast<double>(state.settings.gravity.norm()) * ahead * ahead / 2;
+    const double most = std::numeric_limits<double>::max();
+    Reach reach{{most, most}, {-most, -most}, b};
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        if (p.reach[i] == 0) continue;
+        const double margin = 1.5 * static_cast<double>(p.reach[i]) + fall;
+        const Point way = body.moving ? Point(ticks * (goalOf(state, body, i) - p.position[i]))
+                                      : Point(ahead * p.velocity[i]);
+        const Point end = p.position[i] + way;
+        reach.low = reach.low.cwiseMin(p.position[i].cwiseMin(end) - Point(margin, margin));
+        reach.high = reach.high.cwiseMax(p.position[i].cwiseMax(end) + Point(margin, margin));
+    }
+    return reach;
+}
+
+/// Whether any body can touch in this tick what it could not when islands were found.
+bool anyLeavesItsReach(const State& state) {
+    bool any = false;
+    forEachAwake(state, [&](std::uint32_t b) {
+        if (any) return;
+        const BodyRecord& body = state.bodies[b];
+        const Reach now = reachOf(state, b, 1);
+        any = !body.hasReach ||
+              (!now.isEmpty() && ((now.low.array() < body.reachLow.array()).any() ||
+                                  (now.high.array() > body.reachHigh.array()).any()));
+    });
+    return any;
+}
 
 /// Of bodies that move and have a surface, by their left ends. From geometry alone: candidates
 /// depend on when they were found, and how the world goes on must not.
-void findReaches(const State& state, std::vector<Reach>& reaches) {
-    const Particles& p = state.particles;
-    const double ahead = ticksAhead * tickOf(state);
-    const double fall = static_cast<double>(state.settings.gravity.norm()) * ahead * ahead / 2;
-    const double most = std::numeric_limits<double>::max();
+void findReaches(State& state, std::vector<Reach>& reaches) {
     reaches.clear();
     forEachAwake(state, [&](std::uint32_t b) {
-        const BodyRecord& body = state.bodies[b];
-        Reach reach{{most, most}, {-most, -most}, b};
-        for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
-            const auto i = body.firstParticle + k;
-            if (p.reach[i] == 0) continue;
-            // As far as contacts are watched.
-            const double margin = 1.5 * static_cast<double>(p.reach[i]) + fall;
-            const Point way = body.moving
-                                  ? Point(ticksAhead * (goalOf(state, body, i) - p.position[i]))
-                                  : Point(ahead * p.velocity[i]);
-            const Point end = p.position[i] + way;
-            reach.low = reach.low.cwiseMin(p.position[i].cwiseMin(end) - Point(margin, margin));
-            reach.high = reach.high.cwiseMax(p.position[i].cwiseMax(end) + Point(margin, margin));
-        }
-        if (reach.low[0] <= reach.high[0]) reaches.push_back(reach);
+        const Reach reach = reachOf(state, b, ticksAhead + 1);
+        BodyRecord& body = state.bodies[b];
+        body.hasReach = true;
+        body.reachLow = reach.low;
+        body.reachHigh = reach.high;
+        if (!reach.isEmpty()) reaches.push_back(reach);
     });
     std::sort(reaches.begin(), reaches.end(), [](const Reach& a, const Reach& b) {
         return a.low[0] != b.low[0] ? a.low[0] < b.low[0] : a.body < b.body;
@@ -126,9 +151,10 @@ void findReaches(const State& state, std::vector<Reach>& reaches) {
 /// Bodies that physics moves and that may act on each other, also by what their caller drives.
 class Islands {
 public:
-    void find(const State& state) {
+    void find(State& state) {
         state_ = &state;
         sets_.reset(state.bodies.size());
+        findReaches(state, reaches_);
         joinNeighbours();
         joinTied();
     }
@@ -145,7 +171,6 @@ private:
 
     /// Sweep and prune along x (Baraff 1992).
     void joinNeighbours() {
-        findReaches(*state_, reaches_);
         active_.clear();
         for (const Reach& next : reaches_) {
             std::erase_if(active_, [&](const Reach& r) { return r.high[0] < next.low[0]; });
@@ -256,8 +281,10 @@ void choosePaces(State& state, bool changed) {
     ask(state);
     const Reasons reasons = countDown(state);
     const bool divides = reasons.any && mayDivideTicks(state);
-    const bool due = changed || reasons.anyNew || state.tick % ticksAhead == 0;
-    if (divides && !reasons.all && due) spreadReasons(state);
+    if (divides && !reasons.all) {
+        const bool due = changed || reasons.changed || state.tick % ticksAhead == 0;
+        if (due || anyLeavesItsReach(state)) spreadReasons(state);
+    }
     if (divides || state.anyDivided) givePaces(state, divides);
 }
 

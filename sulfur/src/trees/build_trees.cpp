@@ -178,6 +178,11 @@ double lastStepAround(const State& state, const Tree& tree) {
     return state.lastStep(Pace::whole);
 }
 
+/// Whether physics moves it, in these steps or in those of the other pace.
+bool movesAwake(const State& state, std::uint32_t particle) {
+    return state.awake(state.particles.body[particle]) && inverseMassAwake(state, particle) > 0;
+}
+
 /// The tree that moves a particle alone, or none.
 std::uint32_t treeOf(const State& state, std::uint32_t particle) {
     // What was added since the last tick is in no tree yet.
@@ -457,7 +462,7 @@ void dissolveTrees(State& state) {
                 const ClusterLoad load = loadOf(state, c);
                 c.velocity -= late * load.acceleration;
                 c.spin -= late * load.turning;
-            } else if (n.particle != none && state.particles.inverseMass[n.particle] > 0) {
+            } else if (n.particle != none && movesAwake(state, n.particle)) {
                 state.particles.velocity[n.particle] -=
                     late * state.settings.gravity.cast<double>();
             }

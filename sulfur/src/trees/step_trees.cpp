@@ -473,9 +473,6 @@ void stepTree(State& state, Tree& tree) {
 }  // namespace
 
 void stepTrees(State& state) {
-    state.statistics.chainSteps = 0;
-    state.statistics.chainFallbacks = 0;
-    state.statistics.chainsInLanes = 0;
     if (state.work.lonelyTrees.empty()) return;
     thread_local std::vector<std::uint32_t> left;
     left.clear();

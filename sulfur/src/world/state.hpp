@@ -117,6 +117,12 @@ struct AppliedForce {
     Point force{0, 0};  // N
 };
 
+/// A body that stands by, and where its displacements are kept.
+struct Standing {
+    BodyId body;
+    std::uint32_t first = 0;
+};
+
 /// How the present tick is run: where the ticks of some bodies are divided and those of others are
 /// not, first the others go their whole tick, then these, while the rest stands by.
 struct Steps {
@@ -124,6 +130,8 @@ struct Steps {
     bool mixed = false;                 // bodies of the other pace stand by
     std::uint32_t count = 1, done = 0;  // of the present pace
     std::vector<LateParticle> late;     // of bodies that have changed their pace in this tick
+    std::vector<Standing> standing;     // bodies of the other pace
+    std::vector<Vec2> displacements;    // m, that they had
     std::vector<AppliedForce> applied;  // to bodies whose ticks are divided
     // What belongs to the pace that stands by, while both run.
     WorkLists parkedWork;
