@@ -237,5 +237,143 @@ TEST(Paces, OutliveChangesOfTheirBodies) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// What is tied together has one pace, also where only one of it asks; a rope that stepped at both
+/// exploded.
+TEST(Paces, StayTheSameForWhatIsTiedTogether) {
+    for (const int rate : {60, 120, 240}) {
+        World world(settings(rate));
+        const Body rope = addRope(world, 0);
+        const Body box =
+            world.add(shapes::box({.size = {0.4f, 0.4f}, .mass = 5}), {.position = {2.2, 0}});
+        world.connect(rope.back(), box[0], {.stiffness = 500, .damping = 1});
+        world.step();
+        const double start = world.energy();
+        for (int i = 0; i < 6 * rate; ++i) {
+            world.step();
+            ASSERT_LT(world.energy(), start + 3) << rate << " Hz, tick " << i;
+            const auto divided = world.statistics().dividedBodies;
+            EXPECT_TRUE(divided == 0 || divided == 2) << divided;
+        }
+    }
+}
+
+/// Balls at rest that one strikes one after the other: each goes on in the tick after its blow.
+TEST(Paces, KeepTheMomentumOfAShotAmongManyAtRest) {
+    const Material smooth{.staticFriction = 0, .kineticFriction = 0, .restitution = 1};
+    const Blueprint plan = shapes::ball({.radius = 0.1f, .mass = 1, .material = smooth});
+    for (const int rate : {60, 120, 240}) {
+        test::Random random(5);
+        const auto noise = [&] { return static_cast<double>(random.bits() % 1000) / 5000 - 0.1; };
+        for (int shot = 0; shot < 10; ++shot) {
+            World world(settings(rate));
+            world.setGravity({0, 0});
+            for (int i = 0; i < 25; ++i)
+                world.add(plan, {.position = {i % 5 * 0.6 + noise(), i / 5 * 0.6 + noise()}});
+            run(world, 1);
+            const Body ball = world.add(plan, {.position = {-2, 1.2 + noise()}});
+            world.setVelocity(ball.id(), {30, 0});
+            run(world, 1);
+            Vec2 sum(0, 0);
+            for (const BodyId id : world.bodies()) sum += world.meanVelocity(id);
+            EXPECT_NEAR((sum - Vec2(30, 0)).norm(), 0, 0.01) << rate << " Hz, shot " << shot;
+        }
+    }
+}
+
+/// A body that stands still beside a divided one, and a sleeper, collect no forces.
+TEST(Paces, PullOnceOnWhatHangsOnAKinematicBody) {
+    Blueprint plan;
+    plan.kind = BodyKind::kinematic;
+    plan.particles = {{.position = {0, 0}}};
+    {
+        World world(settings(120));
+        addRope(world, 100);
+        const Body anchor = world.add(plan, {.position = {0, 5}});
+        const Body ball =
+            world.add(shapes::ball({.radius = 0.1f, .mass = 1}), {.position = {0, 4}});
+        world.connect(anchor[0], ball[0], {.stiffness = 50, .restLength = 1.f});
+        world.setVelocity(ball.id(), {6, 0});
+        run(world, 0.1);
+        const double start = world.energy();
+        for (int i = 0; i < 480; ++i) {
+            world.step();
+            EXPECT_NEAR(world.energy(), start, 0.1);
+        }
+    }
+    for (const int rate : {120, 500}) {
+        World world(settings(rate, true));
+        addRope(world, 100);
+        const Body anchor = world.add(plan, {.position = {0, 5}});
+        const Body ball = world.add(shapes::ball({.radius = 0.1f}), {.position = {0, 4}});
+        world.connect(anchor[0], ball[0], {.stiffness = 10, .damping = 4, .restLength = 1.f});
+        run(world, 30);
+        EXPECT_TRUE(world.asleep(ball.id()));
+        world.wake(ball.id());
+        run(world, 0.1);
+        EXPECT_LT(world.meanVelocity(ball.id()).norm(), 0.01) << rate;
+    }
+}
+
+/// Balls that rebound in the middle of ticks: begun and ended say in turns who touches.
+TEST(Paces, TellWhoBeganAndEndedInTurns) {
+    World world({.tickRate = 60, .sleeping = false, .tellPersisting = true});
+    world.add(shapes::ground({.points = {{-6, 6}, {-6, 0}, {6, 0}, {6, 6}}}));
+    addRope(world, 100);
+    test::Random random(3);
+    const auto uniform = [&](double most) {
+        return static_cast<double>(random.bits() % 2001) / 1000 * most - most;
+    };
+    for (int i = 0; i < 8; ++i) {
+        const Body ball =
+            world.add(shapes::ball({.radius = 0.2f}), {.position = {uniform(5), 3 + uniform(2)}});
+        world.setMaterial(ball.id(), {.restitution = 0.7f});
+        world.setVelocity(ball.id(), Point(uniform(8), uniform(8)).cast<Real>());
+    }
+    std::vector<std::pair<BodyId, BodyId>> touching;
+    const auto among = [&](const auto& pair) {
+        return std::count(touching.begin(), touching.end(), pair);
+    };
+    for (int i = 0; i < 240; ++i) {
+        world.step();
+        const Events& events = world.events();
+        for (const auto& e : events.contactsBegun) {
+            EXPECT_EQ(among(pairOf(e)), 0);
+            touching.push_back(pairOf(e));
+        }
+        for (const auto& e : events.contactsEnded) {
+            EXPECT_EQ(among(pairOf(e)), 1);
+            std::erase(touching, pairOf(e));
+        }
+        for (const auto& e : events.contactsPersisted) EXPECT_EQ(among(pairOf(e)), 1);
+    }
+}
+
+/// Over a tick's duration the impulse of what lies is its weight, in however many steps.
+TEST(Paces, AddUpTheImpulsesOfATick) {
+    World world({.tickRate = 120, .sleeping = false, .tellPersisting = true});
+    world.add(shapes::ground({.points = {{-5, 0}, {5, 0}}}));
+    for (int i = 0; i < 2; ++i) world.add(shapes::box({.mass = 2}), {.position = {0, 0.5 + i}});
+    run(world, 3);
+    ASSERT_EQ(world.statistics().substeps, 4u);
+    ASSERT_EQ(world.events().contactsPersisted.size(), 2u);
+    Real most = 0;
+    for (const auto& e : world.events().contactsPersisted) most = std::max(most, e.impulse);
+    EXPECT_NEAR(most * 120, 4 * 9.81, 0.4);
+}
+
+/// What stood by is drawn where it was, between its places in two ticks.
+TEST(Paces, InterpolateWhatStoodBy) {
+    World world(settings(60));
+    addRestless(world, 200);
+    const Body rope = addRope(world, 0);
+    std::vector<Point> before(rope.size());
+    for (int i = 0; i < 120; ++i) {
+        for (std::size_t k = 0; k < rope.size(); ++k) before[k] = world.position(rope[k]);
+        world.step();
+        for (std::size_t k = 0; k < rope.size(); ++k)
+            EXPECT_NEAR((world.interpolated(rope[k], 0) - before[k]).norm(), 0, 1e-5);
+    }
+}
+
 }  // namespace
 }  // namespace sulfur

@@ -143,6 +143,28 @@ TEST(Allocation, NoneByBallsThatBounceInDividedTicks) {
     EXPECT_GT(ended, 5u);
 }
 
+/// Where the ticks of some are divided and those of others are not.
+TEST(Allocation, NoneByBodiesOfTwoPaces) {
+    World world({.tickRate = 120, .sleeping = false, .tellPersisting = true});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 3; ++i) {
+        world.add(shapes::ball({.material = {.restitution = 1}}), {.position = {3.0 * i - 6, 3}});
+        world.add(shapes::box(), {.position = {3.0 * i + 6, 0.5}});
+        world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .radius = 0, .pinFirst = true}),
+                  {.position = {100.0 + 5 * i, 0}});
+    }
+    for (int i = 0; i < 2000; ++i) world.step();
+    std::size_t mixed = 0;
+    const std::size_t before = allocations;
+    for (int i = 0; i < 500; ++i) {
+        world.step();
+        const auto divided = world.statistics().dividedBodies;
+        mixed += divided > 0 && divided < 9 ? 1 : 0;
+    }
+    EXPECT_EQ(allocations - before, 0u);
+    EXPECT_EQ(mixed, 500u);
+}
+
 /// All that can be divided is. (By one thread: each has scratch memory of its own, and which of
 /// them meets which piece first is chance.)
 TEST(Allocation, NoneByDividedWork) {
