@@ -155,8 +155,10 @@ void tellPersisted(State& state, const Touch& t) {
 }
 
 void tellAllPersisted(State& state, const std::vector<Touch>& touches) {
-    if (!tellsPersisting(state)) return;
-    for (const Touch& touch : touches) tellPersisted(state, touch);
+    const bool anyBegan = state.steps.done > 0 && !state.told.contactsBegun.empty();
+    if (!state.settings.tellPersisting && !anyBegan) return;
+    for (std::size_t k = 0; k < touches.size(); ++k)
+        if (tellsPersisting(state, state.touching[k])) tellPersisted(state, touches[k]);
 }
 
 /// Whether neither of two bodies takes part, so that what touched still touches.
@@ -202,7 +204,7 @@ void collectEvents(State& state) {
             continue;
         }
         now.push_back(pair);
-        if (touch.strongest != none && tellsPersisting(state)) tellPersisted(state, touch);
+        if (touch.strongest != none && tellsPersisting(state, pair)) tellPersisted(state, touch);
     }
     beginUntil(nullptr);
     std::swap(state.touching, now);

@@ -149,8 +149,12 @@ void tellTick(State& state) {
     tellPersisting(state);
 }
 
-bool tellsPersisting(const State& state) {
-    return state.settings.tellPersisting || state.steps.count > 1;
+bool tellsPersisting(const State& state, const BodyPair& pair) {
+    if (state.settings.tellPersisting) return true;
+    const auto& begun = state.told.contactsBegun;
+    return state.steps.done > 0 &&
+           std::any_of(begun.begin(), begun.end(),
+                       [&](const ContactBegun& e) { return BodyPair::of(e.a, e.b) == pair; });
 }
 
 }  // namespace sulfur::detail

@@ -13,7 +13,8 @@ void startTelling(State& state);
 void tellStep(State& state);
 void tellTick(State& state);
 
-/// Whether steps tell who goes on touching: in several steps, what they push is added up.
-bool tellsPersisting(const State& state);
+/// Whether a step tells that a pair goes on touching: on request, and where it began in an earlier
+/// step of the tick, whose push it goes on with.
+bool tellsPersisting(const State& state, const BodyPair& pair);
 
 }  // namespace sulfur::detail

@@ -162,7 +162,7 @@ TEST(Allocation, NoneByBodiesOfTwoPaces) {
         mixed += divided > 0 && divided < 9 ? 1 : 0;
     }
     EXPECT_EQ(allocations - before, 0u);
-    EXPECT_EQ(mixed, 500u);
+    EXPECT_GT(mixed, 400u);
 }
 
 /// All that can be divided is. (By one thread: each has scratch memory of its own, and which of
