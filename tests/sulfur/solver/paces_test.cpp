@@ -46,6 +46,8 @@ TEST(Paces, LeaveWhatIsFarAwayAsIfItWereAlone) {
     for (World* world : {&alone, &both})
         world->add(shapes::ground({.points = {{-5, 0}, {5, 0}}}), {.position = {20, 0}});
     run(alone, 2), run(both, 2);
+    // What is added makes trees anew, in both.
+    addRope(alone, 100);
     addRestless(both, 100);
     std::uint32_t most = 0, least = 100;
     for (int i = 0; i < 240; ++i) {

@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 2030848912884968345u);
+    EXPECT_EQ(world.hash(), 9955970225460301655u);
 #else
     EXPECT_EQ(world.hash(), 18325580053374767705u);
 #endif
