@@ -54,6 +54,22 @@ Real inverseMassAwake(const State& state, std::uint32_t particle) {
 
 namespace {
 
+/// Links of ropes and trees may move in shorter steps than the forces of the springs that pull on
+/// them are found in. A force that is held for steps of its own feeds the spring: a light link
+/// between a rope and a weight on a spring would swing ever faster. So such springs are forces only
+/// while they are much softer.
+constexpr Real weightOfLinks = 16;
+
+std::vector<Real> weightsOf(const State& state) {
+    const Joints& joints = state.joints;
+    std::vector<Real> weights(state.particles.size(), 1);
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (isRigid(joints, j))
+            for (const auto p : {joints.a[j], joints.b[j]})
+                if (state.particles.cluster[p] == none) weights[p] = weightOfLinks;
+    return weights;
+}
+
 /// s, the step of the body of a joint.
 Real stepOfJoint(const State& state, std::uint32_t j) {
     const auto& body = state.particles.body;
@@ -70,12 +86,13 @@ std::vector<Load> loadsOf(const State& state, StepOf&& stepOf) {
     std::vector<Real> w(state.particles.size());
     for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, i);
     std::vector<Load> load(state.particles.size());
+    const std::vector<Real> weight = weightsOf(state);
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         if (isRigid(joints, j)) continue;
         const Real sum = w[joints.a[j]] + w[joints.b[j]];
         const Real h = stepOf(j);
         for (const auto p : {joints.a[j], joints.b[j]}) {
-            load[p].stiffness += h * h * joints.stiffness[j] * sum;
+            load[p].stiffness += weight[p] * h * h * joints.stiffness[j] * sum;
             load[p].damping += h * joints.damping[j] * sum;
         }
     }

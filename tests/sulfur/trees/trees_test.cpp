@@ -154,5 +154,24 @@ TEST(Trees, ARodThatLandsOnItsEndIsNotTurnedOver) {
     }
 }
 
+/// A weight on a spring at the end of a rope: its light last link would swing ever faster if the
+/// spring were a force that is held for the rope's shorter steps (8,600 J in six seconds).
+TEST(Trees, AWeightOnASpringAtARopesEndGainsNoEnergy) {
+    for (const Real stiffness : {Real(200), Real(1000), Real(2000), Real(20000)}) {
+        World world({.sleeping = false});
+        const Body rope =
+            world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .radius = 0, .pinFirst = true}));
+        const Body weight = world.add(shapes::box({.size = {Real(0.4), Real(0.4)}, .mass = 5}),
+                                      {.position = {2.2, 0}});
+        world.connect(rope.back(), weight[0], {.stiffness = stiffness, .damping = 1});
+        world.step();
+        const double start = world.energy();
+        for (int i = 0; i < 3000; ++i) {
+            world.step();
+            ASSERT_LT(world.energy(), start + 2) << stiffness << " N/m, tick " << i;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace sulfur
