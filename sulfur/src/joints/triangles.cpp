@@ -134,9 +134,15 @@ void listTriangles(State& state) {
     const auto moves = [&](std::uint32_t particle) {
         return inverseMassAwake(state, particle) > 0 || state.particles.cluster[particle] != none;
     };
-    for (const Triangle& t : triangles.all)
-        if (state.movable(state.particles.body[t.a]) && (moves(t.a) || moves(t.b) || moves(t.c)))
-            triangles.awake.push_back(t);
+    const auto isHeld = [&](std::uint32_t particle) {
+        return state.particles.cluster[particle] != none;
+    };
+    for (const Triangle& t : triangles.all) {
+        if (!state.movable(state.particles.body[t.a])) continue;
+        if (!moves(t.a) && !moves(t.b) && !moves(t.c)) continue;
+        triangles.awake.push_back(t);
+        triangles.awake.back().rigid = isHeld(t.a) || isHeld(t.b) || isHeld(t.c);
+    }
     triangles.isPressed.assign(triangles.awake.size(), 0);
     triangles.pressed.clear();
 }

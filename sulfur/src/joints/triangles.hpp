@@ -16,6 +16,7 @@ struct State;
 struct Triangle {
     std::uint32_t a = none, b = none, c = none;  // dense indices, anticlockwise at rest
     Real rest = 0;                               // m^2, twice its area at rest
+    bool rigid = false;  // a rigid component has one of its corners; of those awake only
 };
 
 /// One that this tick would press too flat, or that is turned over already.

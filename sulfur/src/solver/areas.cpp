@@ -32,14 +32,22 @@ Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
 }
 
 /// Twice the area to which the displacements so far lead.
-Real areaAhead(const State& state, const Triangle& t) {
+template <class Moved>
+Real areaAhead(const State& state, const Triangle& t, Moved&& moved) {
     const Particles& p = state.particles;
-    const auto moved = [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); };
     const Vec2 a = moved(t.a);
     const auto way = [&](std::uint32_t to) {
         return Vec2((p.position[to] - p.position[t.a]).cast<Real>() + (moved(to) - a));
     };
     return cross(way(t.b), way(t.c));
+}
+
+/// Nearly all are of particles alone, and all of them are looked at in every tick.
+Real areaAhead(const State& state, const Triangle& t) {
+    const auto& displacement = state.particles.displacement;
+    if (!t.rigid) return areaAhead(state, t, [&](std::uint32_t i) { return displacement[i]; });
+    return areaAhead(state, t,
+                     [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); });
 }
 
 PressedTriangle press(const State& state, const Triangle& t) {
