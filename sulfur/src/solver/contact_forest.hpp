@@ -7,6 +7,7 @@
 
 #include "core/cholesky3.hpp"
 #include "core/disjoint_sets.hpp"
+#include "core/pieces.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -151,8 +152,11 @@ private:
     Vec2 wayOf(const Hold& hold) const;
     Real errorOf(const State& state, const Member& m, bool isNormal) const;
     void divide(Tasks* tasks);
+    /// Calls f(Piece&) for all, at once.
     template <class Function>
-    void forEachPiece(Function&& f);
+    void forEachPiece(Function&& f) {
+        runPieces(tasks_, pieceCount_, [&](std::size_t i) { f(pieces_[i]); });
+    }
     template <class Function>
     void forEachNode(Function&& f);
     template <class Function>
