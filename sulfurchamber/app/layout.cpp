@@ -137,7 +137,7 @@ void MainFrame::makePanels() {
 
 void MainFrame::makeStatusBar() {
     constexpr int fields = 4;
-    const std::array<int, fields> widths{-1, FromDIP(330), FromDIP(150), FromDIP(120)};
+    const std::array<int, fields> widths{-1, FromDIP(330), FromDIP(150), FromDIP(160)};
     CreateStatusBar(fields);
     SetStatusWidths(fields, widths.data());
     SetStatusBarPane(-1);  // menus' help would hide the hint
