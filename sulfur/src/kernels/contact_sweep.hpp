@@ -35,6 +35,7 @@ struct alignas(8 * sizeof(SweepReal)) ContactBlock {
     Lane armX, armY;        // m, from the particle's mover to the particle
     Lane armAX, armAY, armBX, armBY;
     Lane start;                    // m, the gap at the start of the tick that may be used up
+    Lane deepest;                  // m, below which sweeps must not leave the gap
     Lane conveyed;                 // m, by which its surfaces run along the tangent in this tick
     Lane normalMass, tangentMass;  // kg, effective; 0: nothing can be pushed that way
     Lane coupling;                 // 1/kg, motion along the tangent by a push along the normal
@@ -61,6 +62,9 @@ struct ContactKernels {
                         SweepReal most);
     bool (*anyErrorThree)(const Mover* movers, const ContactBlock* blocks, std::size_t count,
                           SweepReal most);
+    /// Whether any of them is left deeper than it may be.
+    bool (*anyDeepTwo)(const Mover* movers, const ContactBlock* blocks, std::size_t count);
+    bool (*anyDeepThree)(const Mover* movers, const ContactBlock* blocks, std::size_t count);
 };
 
 extern const ContactKernels baselineContacts;

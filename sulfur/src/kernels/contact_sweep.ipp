@@ -315,6 +315,17 @@ bool anyError(const Mover* movers, const ContactBlock* blocks, std::size_t count
     return false;
 }
 
+template <bool three>
+bool anyDeep(const Mover* movers, const ContactBlock* blocks, std::size_t count) {
+    for (const ContactBlock* block = blocks; block != blocks + count; ++block)
+        for (int lane = 0; lane < static_cast<int>(contactLanes); lane += width) {
+            const auto deep = Held<three>(movers, *block, lane).gap < load(block->deepest + lane);
+            for (int i = 0; i < width; ++i)
+                if (deep[i] != 0) return true;
+        }
+    return false;
+}
+
 }  // namespace
 
 }  // namespace sulfur::detail

@@ -6,8 +6,8 @@
 
 namespace sulfur::detail {
 
-const ContactKernels avx2Contacts = {solve<false>,    solve<true>,   warm<false>,  warm<true>,
-                                     recover<false>,  recover<true>, drift<false>, drift<true>,
-                                     anyError<false>, anyError<true>};
+const ContactKernels avx2Contacts = {
+    solve<false>, solve<true>, warm<false>,     warm<true>,     recover<false>, recover<true>,
+    drift<false>, drift<true>, anyError<false>, anyError<true>, anyDeep<false>, anyDeep<true>};
 
 }  // namespace sulfur::detail

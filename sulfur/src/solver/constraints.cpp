@@ -56,6 +56,7 @@ bool sweepsOthers(const State& state) {
 /// All contacts at once along the paths of load, where they are left with an error. Motions are
 /// with the rows before and after.
 void solveForest(State& state, ContactRows& rows, ContactForest& forest) {
+    if (!forest.mayHelp()) return;
     rows.giveMotions(state);
     rows.giveMultipliers(state);
     forest.solve(state);
@@ -162,7 +163,7 @@ void solveConstraints(State& state) {
     rows.giveMultipliers(state);
     // (Blocks have their motions still.)
     if (mayDivideTicks(state)) noteStrain(state, rows);
-    guardContacts(state);
+    if (rows.anyTooDeep(state)) guardContacts(state);
     limitImpacts(state);
     holdBack(state);
     finishContacts(state);

@@ -18,10 +18,7 @@ using Vector3 = Cholesky3::Vector;
 constexpr int leastSteps = 2, mostSteps = 10;
 constexpr Real mostLeft = Real(0.5);
 
-/// m/s, of the largest error: a tree that something strikes. So many rows give way in it that one
-/// of so many active rows is left to the sweeps (nine tenths of such work had no effect), and a
-/// smaller one takes the least number of steps and lets go of all such rows at once.
-constexpr double struckSpeed = 0.1;
+/// A tree with so many active rows is large.
 constexpr std::uint32_t largeTree = 96;
 
 /// As shares of the change: rows that allow no more than this beyond the step give way with the one
@@ -373,7 +370,7 @@ void ContactForest::takeStep(State& state, bool mayEnd) {
 /// Finds the trees that something strikes, and leaves large ones to the sweeps. Returns whether
 /// there were any such.
 bool ContactForest::leaveStruck(const State& state) {
-    const double most = struckSpeed * static_cast<double>(state.h);
+    const double most = static_cast<double>(struckSpeed * state.h);
     for (Node& node : nodes_) node.activeRows = 0;
     for (std::size_t i = 0; i < pieceCount_; ++i)
         for (const ActiveRow& active : activeOf(pieces_[i])) {
@@ -411,6 +408,8 @@ void ContactForest::solve(State& state) {
         takeStep(state, i >= leastSteps);
     }
     for (Node& node : nodes_) node.hopeless |= node.unfinished && node.step < leastStep;
+    mayHelp_ = std::any_of(rows_.begin(), rows_.end(),
+                           [&](const Row& row) { return !treeOf(row).hopeless; });
     giveMultipliers(state);
 }
 

@@ -27,6 +27,8 @@ public:
     void forget(const State& state);
     /// Changes multipliers and displacements so that the active constraints of each tree hold.
     void solve(State& state);
+    /// Whether there is, or may be, a tree in this tick that is not left to the sweeps.
+    bool mayHelp() const { return mayHelp_; }
 
 private:
     using Vector3 = Cholesky3::Vector;
@@ -42,6 +44,7 @@ private:
         std::uint32_t cluster = none, particle = none;
         std::uint32_t parent = none;  // node
         std::uint32_t root = none;    // of its tree
+        std::uint32_t carrying = 0;   // contacts that carry something, of which it is the first
         Motion moved;
         Matrix3 system;         // of the linear system, its lower half only
         Matrix3 towardsParent;  // its other part, then what elimination makes of it
@@ -105,6 +108,12 @@ private:
             return p.nodes != q.nodes ? p.nodes < q.nodes : p.contact < q.contact;
         }
     };
+    /// Nodes that contacts join, by the first of them.
+    struct Heap {
+        std::uint32_t first = 0;     // of the heap to which the node with this number belongs
+        std::uint32_t carrying = 0;  // contacts
+        bool struck = false;
+    };
     /// What rows of one tree add up to, for whoever joins what pieces found.
     struct Tally {
         std::uint32_t root = none;
@@ -130,8 +139,13 @@ private:
 
     void grow(const State& state);
     std::uint32_t nodeOf(const State& state, const Grip& grip);
+    std::uint32_t addNode(const State& state, const Grip& grip);
     std::uint32_t knownNodeOf(const Grip& grip) const;
     void collectContacts(const State& state);
+    static std::uint32_t firstOf(const Keyed& k);
+    static std::uint32_t secondOf(const Keyed& k);
+    bool findHeaps();
+    void leaveStruckHeaps(const State& state);
     void collectEdges(const State& state);
     void chooseEdges();
     void orderNodes();
@@ -198,12 +212,18 @@ private:
     Tasks* tasks_ = nullptr;
     std::vector<Carried> carried_;  // by contact
     std::vector<Keyed> keyed_, keyedScratch_;
+    std::vector<Heap> heaps_;  // by node
     std::vector<std::uint32_t> nodeOfCluster_, nodeOfParticle_;
     std::vector<std::uint32_t> byLoad_, byLoadScratch_;  // edges
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> start_, neighbour_;
     DisjointSets trees_;
-    bool grown_ = false;
+    bool grown_ = false, mayHelp_ = true;
+
+    /// m/s, of the largest error: a tree that something strikes. So many rows give way in it that
+    /// one of so many active rows is left to the sweeps (nine tenths of such work had no effect),
+    /// and a smaller one takes the least number of steps and lets go of all such rows at once.
+    static constexpr Real struckSpeed = Real(0.1);
 };
 
 }  // namespace sulfur::detail

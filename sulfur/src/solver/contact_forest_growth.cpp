@@ -59,10 +59,31 @@ bool areAlike(const Vector3& p, const Vector3& q) {
            std::abs(p[2] - q[2]) <= alikeWithin * lever;
 }
 
+/// A heap in which so many contacts carry something has a large tree.
+constexpr std::uint32_t largeHeap = 48;
+
+/// Whether what a contact carries, or should, leaves it with an error of more than `most` m.
+bool isStruck(const State& state, const Contact& c, Real most) {
+    const Vec2 moved = relativeDisplacement(state, c);
+    const Real gap = gapLeft(c, moved);
+    if (c.normalLambda <= 0) return gap < -most;
+    const bool holds = c.rough && !c.sliding && c.tangentInverseMass > 0;
+    return std::abs(gap) > most || (holds && std::abs(slipOf(c, moved)) > most);
+}
+
 }  // namespace
+
+std::uint32_t ContactForest::firstOf(const Keyed& k) {
+    return static_cast<std::uint32_t>(k.nodes >> 32);
+}
+
+std::uint32_t ContactForest::secondOf(const Keyed& k) {
+    return static_cast<std::uint32_t>(k.nodes);
+}
 
 void ContactForest::forget(const State& state) {
     grown_ = false;
+    mayHelp_ = true;
     nodeOfCluster_.reserve(state.clusters.list.size());
     nodeOfParticle_.reserve(state.particles.size());
     start_.reserve(std::max<std::size_t>(state.particles.size(), loadLevels) + 1);
@@ -73,9 +94,13 @@ void ContactForest::forget(const State& state) {
 /// The node of what the grip holds; or `still` if it does not move, `soft` if it is part of
 /// something soft.
 std::uint32_t ContactForest::nodeOf(const State& state, const Grip& grip) {
+    const auto node = knownNodeOf(grip);
+    return node != unknown ? node : addNode(state, grip);
+}
+
+std::uint32_t ContactForest::addNode(const State& state, const Grip& grip) {
     const bool rigid = grip.cluster != none;
     auto& node = rigid ? nodeOfCluster_[grip.cluster] : nodeOfParticle_[grip.particle];
-    if (node != unknown) return node;
     if (isStill(state, grip)) return node = still;
     if (isSoft(state, grip)) return node = soft;
     node = static_cast<std::uint32_t>(nodes_.size());
@@ -100,10 +125,45 @@ void ContactForest::collectContacts(const State& state) {
         if (a == soft || b == soft) continue;
         if (c.shareB != 0 && nodeOf(state, c.gripOfB) == soft) continue;
         if (a > b) std::swap(a, b);
-        if (a != still) keyed_.push_back({a << 32 | b, i});
+        if (a == still) continue;
+        keyed_.push_back({a << 32 | b, i});
+        if (c.normalLambda > 0) ++nodes_[a].carrying;
     }
-    bucketSort(keyed_, keyedScratch_, start_, nodes_.size(),
-               [](const Keyed& k) { return static_cast<std::uint32_t>(k.nodes >> 32); });
+    leaveStruckHeaps(state);
+    bucketSort(keyed_, keyedScratch_, start_, nodes_.size(), firstOf);
+}
+
+/// Which contacts join into heaps, whether or not a tree will have them. Returns whether any heap
+/// is large.
+bool ContactForest::findHeaps() {
+    trees_.reset(nodes_.size());
+    for (const Keyed& k : keyed_)
+        if (secondOf(k) != still) trees_.unite(firstOf(k), secondOf(k));
+    heaps_.assign(nodes_.size(), {});
+    bool anyLarge = false;
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+        const auto first = trees_.find(i);
+        heaps_[i].first = first;
+        heaps_[first].carrying += nodes_[i].carrying;
+        anyLarge |= heaps_[first].carrying >= largeHeap;
+    }
+    return anyLarge;
+}
+
+/// Leaves heaps to the sweeps whose tree would be large and struck, before one is grown in them:
+/// where things drop onto a heap all the time, that is most of what growing would cost.
+void ContactForest::leaveStruckHeaps(const State& state) {
+    if (!findHeaps()) return;
+    const auto heapOf = [&](const Keyed& k) -> Heap& { return heaps_[heaps_[firstOf(k)].first]; };
+    const Real most = struckSpeed * state.h;
+    bool anyStruck = false;
+    for (const Keyed& k : keyed_) {
+        Heap& heap = heapOf(k);
+        if (heap.carrying < largeHeap || heap.struck) continue;
+        heap.struck = isStruck(state, state.contacts[k.contact], most);
+        anyStruck |= heap.struck;
+    }
+    if (anyStruck) std::erase_if(keyed_, [&](const Keyed& k) { return heapOf(k).struck; });
 }
 
 void ContactForest::collectEdges(const State& state) {
@@ -112,8 +172,8 @@ void ContactForest::collectEdges(const State& state) {
         const auto nodes = keyed_[k].nodes;
         if (k == 0 || keyed_[k - 1].nodes != nodes) {
             edges_.emplace_back();
-            edges_.back().a = static_cast<std::uint32_t>(nodes >> 32);
-            const auto b = static_cast<std::uint32_t>(nodes);
+            edges_.back().a = firstOf(keyed_[k]);
+            const auto b = secondOf(keyed_[k]);
             edges_.back().b = b == still ? none : b;
             edges_.back().first = k;
         }

@@ -53,16 +53,28 @@ inline void shift(State& state, const Contact& c, const Vec2& impulse) {
     return 2 * std::max<Real>(state.settings.gravity.norm(), 1) * state.h * state.h;
 }
 
-/// By how much the gap at the end of the tick is more than it must be; what was negative at its
-/// start is taken back by the recovery.
-[[gnu::always_inline]] inline Real gapLeft(const State& state, const Contact& c) {
+/// By how much the gap at the end of the tick is more than it must be, when the sides move so
+/// against each other; what was negative at its start is taken back by the recovery.
+[[gnu::always_inline]] inline Real gapLeft(const Contact& c, const Vec2& moved) {
     const Real start = std::max<Real>(c.gap - c.slack, 0);
-    return start - c.rise + c.normal.dot(relativeDisplacement(state, c));
+    return start - c.rise + c.normal.dot(moved);
+}
+[[gnu::always_inline]] inline Real gapLeft(const State& state, const Contact& c) {
+    return gapLeft(c, relativeDisplacement(state, c));
+}
+
+/// m, below which the sweeps must not leave the gap: this share of the thickness.
+inline Real deepestOf(const Contact& c) {
+    constexpr Real guardedDepth = Real(0.25);
+    return -guardedDepth * c.thickness;
 }
 
 /// How far the surfaces slide along the tangent in this tick.
+[[gnu::always_inline]] inline Real slipOf(const Contact& c, const Vec2& moved) {
+    return c.conveyed + tangentOf(c).dot(moved);
+}
 [[gnu::always_inline]] inline Real slipOf(const State& state, const Contact& c) {
-    return c.conveyed + tangentOf(c).dot(relativeDisplacement(state, c));
+    return slipOf(c, relativeDisplacement(state, c));
 }
 
 }  // namespace sulfur::detail

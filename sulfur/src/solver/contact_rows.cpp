@@ -56,18 +56,17 @@ Vec2 armOf(const Grip& grip) {
     return grip.cluster == none ? Vec2(0, 0) : grip.arm;
 }
 
-/// 1/kg: how a push along the normal moves the grip along the tangent.
-Real couplingOf(const State& state, const Grip& grip, const Vec2& normal) {
-    if (grip.cluster == none) return 0;
-    return state.clusters.list[grip.cluster].inverseInertia * cross(grip.arm, normal) *
-           cross(grip.arm, perpendicular(normal));
+/// 1/kg: how a push along the normal moves along the tangent what is held `arm` away.
+Real couplingOf(const Mover& mover, const Vec2& arm, const Vec2& normal) {
+    return mover.inertia * cross(arm, normal) * cross(arm, perpendicular(normal));
 }
 
-Real couplingOf(const State& state, const Contact& c) {
-    Real sum = couplingOf(state, c.gripOfParticle, c.normal) +
-               c.shareA * c.shareA * couplingOf(state, c.gripOfA, c.normal);
-    if (c.shareB != 0) sum += c.shareB * c.shareB * couplingOf(state, c.gripOfB, c.normal);
-    return sum;
+/// Whether a part of a tree takes part: that is solved singly.
+bool isOnTree(const State& state, const Contact& c) {
+    const auto isIn = [&](const Grip& grip) {
+        return state.trees.ofParticle[grip.particle] != none;
+    };
+    return isIn(c.gripOfParticle) || isIn(c.gripOfA) || (c.shareB != 0 && isIn(c.gripOfB));
 }
 
 /// Whether one more sweep would push by more than `most` m.
@@ -84,11 +83,15 @@ bool leavesError(const State& state, const Contact& c, Real most) {
 
 }  // namespace
 
-/// A new mover where the grip has none yet.
+/// Of what the grip holds; the one that never moves for what does not.
 std::uint32_t ContactRows::moverOf(const State& state, const Grip& grip) {
+    const auto index = grip.cluster != none ? ofCluster_[grip.cluster] : ofParticle_[grip.particle];
+    return index != none ? index : addMover(state, grip);
+}
+
+std::uint32_t ContactRows::addMover(const State& state, const Grip& grip) {
     const bool rigid = grip.cluster != none;
     auto& index = rigid ? ofCluster_[grip.cluster] : ofParticle_[grip.particle];
-    if (index != none) return index;
     Mover m;
     Vec2 displacement;
     if (rigid) {
@@ -109,56 +112,58 @@ std::uint32_t ContactRows::moverOf(const State& state, const Grip& grip) {
     return index;
 }
 
-std::uint32_t ContactRows::indexOf(const Grip& grip) const {
-    return grip.cluster != none ? ofCluster_[grip.cluster] : ofParticle_[grip.particle];
-}
-
-bool ContactRows::isSingle(const State& state, const Contact& c) const {
-    if (state.settings.friction != Friction::coulomb) return true;
-    const auto inTree = [&](const Grip& grip) {
-        return state.trees.ofParticle[grip.particle] != none;
-    };
-    return inTree(c.gripOfParticle) || inTree(c.gripOfA) || (c.shareB != 0 && inTree(c.gripOfB));
+/// The first colour that none of the contact's movers has yet, if any is left.
+void ContactRows::colourContact(const State& state, const Contact& c, Mark& mark) {
+    mark.movers[0] = moverOf(state, c.gripOfParticle);
+    mark.movers[1] = moverOf(state, c.gripOfA);
+    if (mark.three) mark.movers[2] = moverOf(state, c.gripOfB);
+    std::uint64_t taken = 0;
+    for (const auto m : mark.movers) taken |= taken_[m];
+    const auto colour = static_cast<unsigned>(std::countr_one(taken));
+    if (colour >= mostColours || holdsTwice(mark.movers)) return;
+    mark.colour = static_cast<std::uint8_t>(colour);
+    for (const auto m : mark.movers)
+        if (canBePushed(movers_[m])) taken_[m] |= std::uint64_t{1} << colour;
 }
 
 void ContactRows::colourContacts(const State& state) {
     single_.clear();
     marks_.clear();
+    const bool allSingly = state.settings.friction != Friction::coulomb;
+    const bool anyTrees = !state.trees.list.empty();
     for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
         const Contact& c = state.contacts[i];
-        Mark mark{noColourLeft, c.shareB != 0};
-        if (!isSingle(state, c)) {
-            std::array<std::uint32_t, 3> held{moverOf(state, c.gripOfParticle),
-                                              moverOf(state, c.gripOfA), 0};
-            if (mark.three) held[2] = moverOf(state, c.gripOfB);
-            std::uint64_t taken = 0;
-            for (const auto m : held) taken |= taken_[m];
-            const auto colour = static_cast<unsigned>(std::countr_one(taken));
-            if (colour < mostColours && !holdsTwice(held)) {
-                mark.colour = static_cast<std::uint8_t>(colour);
-                for (const auto m : held)
-                    if (canBePushed(movers_[m])) taken_[m] |= std::uint64_t{1} << colour;
-            }
-        }
+        Mark& mark = marks_.emplace_back(noColourLeft, c.shareB != 0);
+        if (!allSingly && !(anyTrees && isOnTree(state, c))) colourContact(state, c, mark);
         if (mark.colour == noColourLeft) single_.push_back(i);
-        marks_.push_back(mark);
     }
 }
 
-void ContactRows::fill(const State& state, const Contact& c, ContactBlock& block,
+Real ContactRows::couplingOf(const Contact& c, const Mark& mark) const {
+    const auto of = [&](std::size_t k, const Grip& grip) {
+        return detail::couplingOf(movers_[mark.movers[k]], armOf(grip), c.normal);
+    };
+    Real sum = of(0, c.gripOfParticle) + c.shareA * c.shareA * of(1, c.gripOfA);
+    if (mark.three) sum += c.shareB * c.shareB * of(2, c.gripOfB);
+    return sum;
+}
+
+void ContactRows::fill(const State& state, std::uint32_t contact, ContactBlock& block,
                        std::size_t lane) const {
+    const Contact& c = state.contacts[contact];
+    const Mark& mark = marks_[contact];
     const auto set = [lane](auto& list, auto value) { list[lane] = value; };
-    set(block.particle, indexOf(c.gripOfParticle));
-    set(block.a, indexOf(c.gripOfA));
+    set(block.particle, mark.movers[0]);
+    set(block.a, mark.movers[1]);
     const Vec2 arm = armOf(c.gripOfParticle), armA = armOf(c.gripOfA);
     set(block.armX, arm[0]);
     set(block.armY, arm[1]);
     set(block.armAX, armA[0]);
     set(block.armAY, armA[1]);
     set(block.shareA, c.shareA);
-    if (c.shareB != 0) {
+    if (mark.three) {
         const Vec2 armB = armOf(c.gripOfB);
-        set(block.b, indexOf(c.gripOfB));
+        set(block.b, mark.movers[2]);
         set(block.armBX, armB[0]);
         set(block.armBY, armB[1]);
         set(block.shareB, c.shareB);
@@ -166,6 +171,7 @@ void ContactRows::fill(const State& state, const Contact& c, ContactBlock& block
     set(block.normalX, c.normal[0]);
     set(block.normalY, c.normal[1]);
     set(block.start, std::max<Real>(c.gap - c.slack, 0) - c.rise);
+    set(block.deepest, deepestOf(c));
     set(block.conveyed, c.conveyed);
     set(block.normalMass, reciprocal(c.inverseEffectiveMass));
     set(block.normalLambda, c.normalLambda);
@@ -180,7 +186,7 @@ void ContactRows::fill(const State& state, const Contact& c, ContactBlock& block
     }
     if (c.staticFriction <= 0) return;
     set(block.tangentMass, reciprocal(c.tangentInverseMass));
-    set(block.coupling, couplingOf(state, c));
+    set(block.coupling, couplingOf(c, mark));
     set(block.friction, frictionOf(c));
 }
 
@@ -227,7 +233,7 @@ void ContactRows::fillAll(const State& state, const std::vector<std::uint32_t>& 
                      blocks[k] = {};
                      for (std::size_t lane = 0; lane < contactLanes; ++lane) {
                          const auto i = contacts[k * contactLanes + lane];
-                         if (i != none) fill(state, state.contacts[i], blocks[k], lane);
+                         if (i != none) fill(state, i, blocks[k], lane);
                      }
                  }
              });
@@ -425,6 +431,20 @@ void ContactRows::sweep(State& state, bool backwards) {
     if (!backwards) inBlocks();
     solveContacts(state, single_, backwards);
     if (backwards) inBlocks();
+}
+
+bool ContactRows::anyTooDeep(const State& state) const {
+    const ContactKernels& kernels = contactKernels();
+    const auto any = [&](auto kernel, const Blocks& blocks) {
+        return anyInPieces(tasks_, blocks.size(), seenInMicrosecond,
+                           [&](std::size_t first, std::size_t last) {
+                               return kernel(movers_.data(), blocks.data() + first, last - first);
+                           });
+    };
+    return any(kernels.anyDeepTwo, two_) || any(kernels.anyDeepThree, three_) ||
+           std::any_of(single_.begin(), single_.end(), [&](std::uint32_t i) {
+               return gapLeft(state, state.contacts[i]) < deepestOf(state.contacts[i]);
+           });
 }
 
 bool ContactRows::anyErrorBeyond(Real most) const {

@@ -56,15 +56,20 @@ public:
     bool anyDeepError(const State& state) const;
     bool anyDeepErrorSingly(const State& state) const;
 
+    /// Whether the sweeps have left any contact deeper than they may.
+    bool anyTooDeep(const State& state) const;
+
 private:
     using Blocks = std::vector<ContactBlock>;
     /// Blocks of one colour.
     struct Colour {
         std::uint32_t firstTwo = 0, lastTwo = 0, firstThree = 0, lastThree = 0;
     };
+    /// Where a contact goes, and the movers of its particle and of the capsule's ends.
     struct Mark {
         std::uint8_t colour = 0;
         bool three = false;
+        std::array<std::uint32_t, 3> movers{};
     };
     /// What can be pushed, and in which order its motion is in movers_.
     struct Owner {
@@ -80,13 +85,15 @@ private:
     void forEachMover(Function&& f);
     void sweepBlocks(ContactKernels::Sweep two, ContactKernels::Sweep three, bool backwards);
     std::uint32_t moverOf(const State& state, const Grip& grip);
-    bool isSingle(const State& state, const Contact& c) const;
+    std::uint32_t addMover(const State& state, const Grip& grip);
+    void colourContact(const State& state, const Contact& c, Mark& mark);
     void colourContacts(const State& state);
     void placeContacts(const State& state);
     void fillAll(const State& state, const std::vector<std::uint32_t>& contacts,
                  Blocks& blocks) const;
-    void fill(const State& state, const Contact& c, ContactBlock& block, std::size_t lane) const;
-    std::uint32_t indexOf(const Grip& grip) const;
+    void fill(const State& state, std::uint32_t contact, ContactBlock& block,
+              std::size_t lane) const;
+    Real couplingOf(const Contact& c, const Mark& mark) const;
 
     Tasks* tasks_ = nullptr;
     std::vector<Mover> movers_;  // the first one never moves

@@ -16,9 +16,6 @@ namespace {
 /// Contacts that are looked at in a microsecond.
 constexpr std::size_t judgedInMicrosecond = 250;
 
-/// How deep the sweeps may leave a contact, as a share of its thickness.
-constexpr Real guardedDepth = Real(0.25);
-
 /// The accumulated multiplier never pulls.
 void solveNormal(State& state, Contact& c) {
     const Real before = c.normalLambda;
@@ -217,18 +214,8 @@ void finishContacts(State& state) {
 }
 
 void guardContacts(State& state) {
-    const auto isDeep = [&](const Contact& c) {
-        return gapLeft(state, c) < -guardedDepth * c.thickness;
-    };
-    // Until one is solved no motion changes, so that all may be looked at at once; mostly none is.
-    auto& contacts = state.contacts;
-    const auto anyDeep = [&](std::size_t first, std::size_t last) {
-        const auto begin = contacts.begin();
-        return std::any_of(begin + std::ptrdiff_t(first), begin + std::ptrdiff_t(last), isDeep);
-    };
-    if (!anyInPieces(state.tasks, contacts.size(), judgedInMicrosecond, anyDeep)) return;
-    for (Contact& c : contacts)
-        if (isDeep(c)) solveNormal(state, c);
+    for (Contact& c : state.contacts)
+        if (gapLeft(state, c) < deepestOf(c)) solveNormal(state, c);
 }
 
 }  // namespace sulfur::detail

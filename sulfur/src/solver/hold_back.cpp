@@ -30,7 +30,7 @@ Vec2 wayOf(const State& state, std::uint32_t particle) {
 /// Where the bodies go, roughly: which particle of one can cross which capsule of another.
 class Courses {
 public:
-    /// Returns whether anything moves so far that it could cross something that stays.
+    /// Returns whether anything moves so far that it could cross something that stays: is restless.
     bool find(const State& state) {
         courses_.assign(state.bodies.size(), {});
         for (std::size_t i = 0; i < courses_.size(); ++i)
@@ -38,12 +38,16 @@ public:
         addClusters(state);
         addParticles(state);
         for (const auto& [one, other] : state.broad.tied) merge(courses_[one], courses_[other]);
-        return std::any_of(courses_.begin(), courses_.end(),
-                           [](const Course& c) { return c.way.lpNorm<1>() + c.spread >= c.room; });
+        isRestless_.resize(courses_.size());
+        std::transform(courses_.begin(), courses_.end(), isRestless_.begin(), [](const Course& c) {
+            return c.way.lpNorm<1>() + c.spread >= c.room ? 1 : 0;
+        });
+        return std::find(isRestless_.begin(), isRestless_.end(), 1) != isRestless_.end();
     }
 
     /// Whether nothing of the two can move past the other by as much as may be pressed in.
     bool stayApart(std::uint32_t one, std::uint32_t other) const {
+        if ((isRestless_[one] | isRestless_[other]) == 0) return true;
         const Course &a = courses_[one], &b = courses_[other];
         return (a.way - b.way).lpNorm<1>() + (a.spread + b.spread) < a.room + b.room;
     }
@@ -93,6 +97,7 @@ private:
     }
 
     std::vector<Course> courses_;  // by body
+    std::vector<std::uint8_t> isRestless_;
 };
 
 /// A particle and a collider, with their ways.

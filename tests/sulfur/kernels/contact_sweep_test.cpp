@@ -101,6 +101,18 @@ TEST_P(ContactSweep, FindsErrors) {
     EXPECT_TRUE(any(1e-4));
 }
 
+TEST_P(ContactSweep, FindsWhatIsTooDeep) {
+    Falling f;
+    const auto any = [&](double deepest) {
+        f.block.deepest[f.lane] = static_cast<SweepReal>(deepest);
+        return GetParam()->anyDeepTwo(f.movers, &f.block, 1);
+    };
+    EXPECT_TRUE(any(-0.005));
+    EXPECT_FALSE(any(-0.007));
+    GetParam()->solveTwo(f.movers, &f.block, 1);
+    EXPECT_FALSE(any(-1e-6));
+}
+
 TEST_P(ContactSweep, LeadsApartWithoutChangingDisplacements) {
     Falling f;
     Mover shifts[2] = {{}, {.mass = 1}};
