@@ -60,7 +60,7 @@ bool areAlike(const Vector3& p, const Vector3& q) {
 }
 
 /// A heap in which so many contacts carry something has a large tree.
-constexpr std::uint32_t largeHeap = 48;
+constexpr std::uint32_t largeHeap = 128;
 
 /// Whether what a contact carries, or should, leaves it with an error of more than `most` m.
 bool isStruck(const State& state, const Contact& c, Real most) {
