@@ -50,28 +50,30 @@ struct Units {
 };
 
 /// As unitVector() has them, for a reduced angle.
-constexpr double sineDivisors[] = {156, 110, 72, 42, 20, 6};
-constexpr double cosineDivisors[] = {182, 132, 90, 56, 30, 12, 2};
+constexpr double sineFactors[] = {1.0 / 210, 1.0 / 156, 1.0 / 110, 1.0 / 72,
+                                  1.0 / 42,  1.0 / 20,  1.0 / 6};
+constexpr double cosineFactors[] = {1.0 / 240, 1.0 / 182, 1.0 / 132, 1.0 / 90,
+                                    1.0 / 56,  1.0 / 30,  1.0 / 12,  1.0 / 2};
 
 inline Lanes sineOf(Lanes r, Lanes r2) {
-    Lanes sum = 1 - r2 / 210;
-    for (const double divisor : sineDivisors) sum = 1 - r2 / divisor * sum;
-    return r * sum;
+    Lanes sum = all(1);
+    for (const double factor : sineFactors) sum = 1 - r2 * factor * sum;
+    return sum * r;
 }
 inline Lanes cosineOf(Lanes r2) {
-    Lanes sum = 1 - r2 / 240;
-    for (const double divisor : cosineDivisors) sum = 1 - r2 / divisor * sum;
+    Lanes sum = all(1);
+    for (const double factor : cosineFactors) sum = 1 - r2 * factor * sum;
     return sum;
 }
 
 inline Units unitVectors(Lanes angle) {
-    constexpr double quarter = 6.283185307179586 / 4;
+    constexpr double quarters = 4 / 6.283185307179586;
     constexpr double quarterHigh = 1.5707963267341256, quarterLow = 6.077100506506192e-11;
-    const Lanes turns = rounded(angle / quarter);
+    const Lanes turns = rounded(angle * quarters);
     const Lanes r = (angle - turns * quarterHigh) - turns * quarterLow;
     const Lanes r2 = r * r, s = sineOf(r, r2), c = cosineOf(r2);
     // Which quarter of the circle: 0 to 3.
-    const Lanes fours = turns / 4, near = rounded(fours);
+    const Lanes fours = turns * 0.25, near = rounded(fours);
     const Lanes below = near > fours ? near - 1 : near;
     const Lanes q = turns - 4 * below;
     const auto odd = (q == 1) | (q == 3);

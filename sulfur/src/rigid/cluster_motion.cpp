@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/limits.hpp"
 #include "core/pieces.hpp"
@@ -15,8 +16,8 @@ namespace {
 
 /// No member may be faster than any particle may.
 double limitedSpin(const Cluster& c, double spin) {
-    const double most = maxSpeed / c.reach;
-    return std::clamp(spin, -most, most);
+    if (std::abs(spin) * c.reach <= maxSpeed) return spin;  // (mostly, and without a division)
+    return std::copysign(maxSpeed / c.reach, spin);
 }
 
 /// The motion of a rigid body with the momentum and angular momentum that its particles have.
@@ -198,11 +199,11 @@ void spreadDisplacements(State& state) {
 }
 
 void updateClusterVelocities(State& state) {
-    const double h = static_cast<double>(state.h);
+    const double perTick = 1 / static_cast<double>(state.h);
     forEachCluster(state, state.work.awakeClusters, [&](Cluster& c) {
         const Vec2 change = c.displacement - c.predicted;
-        c.velocity = limited(c.velocity + change.cast<double>() / h);
-        c.spin = limitedSpin(c, c.spin + (c.angle - c.predictedAngle) / h);
+        c.velocity = limited(c.velocity + perTick * change.cast<double>());
+        c.spin = limitedSpin(c, c.spin + perTick * (c.angle - c.predictedAngle));
     });
 }
 
