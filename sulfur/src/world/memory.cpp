@@ -63,9 +63,9 @@ MemoryUse ofColdJoints(const State& state) {
 MemoryUse ofSweptJoints(const State& state) {
     Sum sum;
     for (const auto* swept : {&state.work.implicitSweep, &state.work.rigidSweep})
-        sum.add(swept->a, swept->b, swept->startX, swept->startY, swept->massA, swept->massB,
-                swept->rest, swept->lambda, swept->hk, swept->hb, swept->gain, swept->directionX,
-                swept->directionY, swept->scale, swept->whips);
+        sum.add(swept->joint, swept->a, swept->b, swept->massA, swept->massB, swept->length,
+                swept->hk, swept->hb, swept->startX, swept->startY, swept->directionX,
+                swept->directionY, swept->whips, swept->lambda, swept->gain, swept->rest);
     return sum.as("joints in sweeps: their lanes",
                   state.work.implicitJoints.size() + state.work.rigidJoints.size(), true);
 }
