@@ -1,10 +1,12 @@
 #include "solver/areas.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "core/pieces.hpp"
+#include "kernels/area_look.hpp"
 #include "rigid/grip.hpp"
 #include "solver/contact_recovery.hpp"
 
@@ -20,8 +22,8 @@ constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare 
 /// opposite directions would lock each other.
 constexpr Real givenShare = Real(0.002);
 
-/// In a microsecond: triangles that are looked at, pushed, led back.
-constexpr std::size_t seenInMicrosecond = 120, pushedInMicrosecond = 40, ledInMicrosecond = 20;
+/// In a microsecond: blocks of triangles that are looked at, triangles that are pushed, led back.
+constexpr std::size_t seenInMicrosecond = 50, pushedInMicrosecond = 60, ledInMicrosecond = 30;
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -31,42 +33,17 @@ Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
     return {-b - c, b, c};
 }
 
-/// Twice the area to which the displacements so far lead.
-template <class Moved>
-Real areaAhead(const State& state, const Triangle& t, Moved&& moved) {
-    const Particles& p = state.particles;
-    const Vec2 a = moved(t.a);
-    const auto way = [&](std::uint32_t to) {
-        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() + (moved(to) - a));
-    };
-    return cross(way(t.b), way(t.c));
-}
-
-/// Nearly all are of particles alone, and all of them are looked at in every tick.
-Real areaAhead(const State& state, const Triangle& t) {
-    const auto& displacement = state.particles.displacement;
-    if (!t.rigid) return areaAhead(state, t, [&](std::uint32_t i) { return displacement[i]; });
-    return areaAhead(state, t,
-                     [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); });
-}
-
-PressedTriangle press(const State& state, const Triangle& t) {
-    const Particles& p = state.particles;
-    PressedTriangle pressed;
-    pressed.corners = {gripOf(state, t.a), gripOf(state, t.b), gripOf(state, t.c)};
-    pressed.startB = (p.position[t.b] - p.position[t.a]).cast<Real>();
-    pressed.startC = (p.position[t.c] - p.position[t.a]).cast<Real>();
-    pressed.slopes = slopesOf(pressed.startB, pressed.startC);
-    pressed.rest = t.rest;
-    const Real area = cross(pressed.startB, pressed.startC);
-    pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
-    return pressed;
+Real responseAlone(const PressedTriangle& t, const Slopes& by, const Slopes& slopes) {
+    Real sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += t.inverseMass[i] * by[i].dot(slopes[i]);
+    return sum;
 }
 
 /// What a push along `by` of all corners does to the area whose slopes are `slopes`. Corners in one
 /// rigid component feel each other's push.
 Real response(const State& state, const PressedTriangle& t, const Slopes& by,
               const Slopes& slopes) {
+    if (!t.held) return responseAlone(t, by, slopes);
     Real sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Grip& at = t.corners[i];
@@ -83,11 +60,43 @@ Real response(const State& state, const PressedTriangle& t, const Slopes& by,
     return sum;
 }
 
+PressedTriangle press(const State& state, const Triangle& t) {
+    const Particles& p = state.particles;
+    PressedTriangle pressed;
+    pressed.corners = {gripOf(state, t.a), gripOf(state, t.b), gripOf(state, t.c)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        pressed.inverseMass[i] = p.inverseMass[pressed.corners[i].particle];
+        pressed.held |= pressed.corners[i].cluster != none;
+    }
+    pressed.startB = (p.position[t.b] - p.position[t.a]).cast<Real>();
+    pressed.startC = (p.position[t.c] - p.position[t.a]).cast<Real>();
+    pressed.slopes = slopesOf(pressed.startB, pressed.startC);
+    pressed.rest = t.rest;
+    const Real area = cross(pressed.startB, pressed.startC);
+    pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
+    pressed.response = response(state, pressed, pressed.slopes, pressed.slopes);
+    return pressed;
+}
+
 /// Where the sides from a have come to.
 std::array<Vec2, 2> sidesOf(const State& state, const PressedTriangle& t) {
-    const Vec2 a = displacementOf(state, t.corners[0]);
-    return {t.startB + (displacementOf(state, t.corners[1]) - a),
-            t.startC + (displacementOf(state, t.corners[2]) - a)};
+    const auto moved = [&](std::size_t i) {
+        const Grip& corner = t.corners[i];
+        return t.held ? displacementOf(state, corner)
+                      : state.particles.displacement[corner.particle];
+    };
+    const Vec2 a = moved(0);
+    return {t.startB + (moved(1) - a), t.startC + (moved(2) - a)};
+}
+
+void pushCorners(State& state, const PressedTriangle& t, Real by, const Slopes& slopes) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 impulse = by * slopes[i];
+        if (t.held)
+            push(state, t.corners[i], impulse);
+        else
+            state.particles.displacement[t.corners[i].particle] += t.inverseMass[i] * impulse;
+    }
 }
 
 /// An inequality on displacements (position based dynamics, Mueller et al. 2007). It pushes along
@@ -99,15 +108,13 @@ void solveArea(State& state, PressedTriangle& t) {
     if (lacks <= 0 && t.lambda <= 0) return;
     const Slopes now = slopesOf(toB, toC);
     const Real best = response(state, t, now, now);
-    const Real start = response(state, t, t.slopes, t.slopes);
     const Real along = response(state, t, t.slopes, now);
-    const bool turned = !(along > Real(0.5) * std::sqrt(best * start));
+    const bool turned = !(along > Real(0.5) * std::sqrt(best * t.response));
     const Real gain = turned ? best : along;
     if (!(gain > 0)) return;
-    const Slopes& by = turned ? now : t.slopes;
     const Real before = t.lambda;
     t.lambda = std::max<Real>(before + lacks / gain, 0);
-    for (std::size_t i = 0; i < 3; ++i) push(state, t.corners[i], (t.lambda - before) * by[i]);
+    pushCorners(state, t, t.lambda - before, turned ? now : t.slopes);
 }
 
 /// What is led back, with the slopes to which the tick leads.
@@ -161,7 +168,7 @@ void inShares(State& state, std::size_t inMicrosecond, Function&& f) {
     const std::size_t count = triangles.pressed.size();
     // (Rigid components may be parts of several bodies.)
     const std::size_t pieces =
-        triangles.anyRigid ? 1 : std::min(mostShares, piecesOf(state.tasks, count, inMicrosecond));
+        triangles.anyHeld ? 1 : std::min(mostShares, piecesOf(state.tasks, count, inMicrosecond));
     if (pieces == 1) return f(Share{});
     std::array<std::uint32_t, mostShares> begins{};
     for (std::size_t i = 1; i < pieces; ++i) {
@@ -177,27 +184,60 @@ void inShares(State& state, std::size_t inMicrosecond, Function&& f) {
     });
 }
 
+/// Twice the area to which the displacements so far lead a triangle that a rigid component holds.
+/// (The kernel looks at all others.)
+Real areaAhead(const State& state, const Triangle& t) {
+    const Particles& p = state.particles;
+    const auto moved = [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); };
+    const Vec2 a = moved(t.a);
+    const auto way = [&](std::uint32_t to) {
+        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() + (moved(to) - a));
+    };
+    return cross(way(t.b), way(t.c));
+}
+
+AreaView viewOf(State& state) {
+    const Particles& p = state.particles;
+    AwakeTriangles& t = state.triangles.awake;
+    return {p.position.data()->data(),
+            p.displacement.data()->data(),
+            t.a.data(),
+            t.b.data(),
+            t.c.data(),
+            t.rest.data(),
+            t.flat.data()};
+}
+
+/// Notes of the triangles in some blocks which ones the displacements so far lead to less than a
+/// share of their area.
+void noteFlat(State& state, Real share, std::size_t firstBlock, std::size_t lastBlock) {
+    areaKernels().look(viewOf(state), share, firstBlock, lastBlock);
+    AwakeTriangles& awake = state.triangles.awake;
+    auto held = std::lower_bound(awake.held.begin(), awake.held.end(), firstBlock * sweepLanes);
+    for (; held != awake.held.end() && *held < lastBlock * sweepLanes; ++held) {
+        const Triangle t = awake[*held];
+        const auto bit = static_cast<std::uint8_t>(1u << *held % sweepLanes);
+        std::uint8_t& flat = awake.flat[*held / sweepLanes];
+        flat = areaAhead(state, t) >= share * t.rest ? flat & ~bit : flat | bit;
+    }
+}
+
 /// Adds the triangles that the displacements so far lead to less than a share of their area.
 void pressBelow(State& state, Real share) {
     Triangles& triangles = state.triangles;
-    constexpr std::uint8_t isNew = 2;
-    const auto look = [&](std::size_t first, std::size_t last) {
-        bool any = false;
-        for (auto i = first; i < last; ++i) {
-            const Triangle& t = triangles.awake[i];
-            if (triangles.isPressed[i] != 0 || areaAhead(state, t) >= share * t.rest) continue;
-            triangles.isPressed[i] = isNew;
-            any = true;
+    AwakeTriangles& awake = triangles.awake;
+    if (awake.count == 0) return;
+    inPieces(state.tasks, awake.blocks(), seenInMicrosecond,
+             [&](std::size_t first, std::size_t last) { noteFlat(state, share, first, last); });
+    for (std::size_t block = 0; block < awake.blocks(); ++block) {
+        std::uint32_t fresh = awake.flat[block] & ~awake.pressed[block];
+        for (; fresh != 0; fresh &= fresh - 1) {
+            const auto i = block * sweepLanes + static_cast<std::size_t>(std::countr_zero(fresh));
+            if (i >= awake.count) break;
+            triangles.pressed.push_back(press(state, awake[i]));
+            triangles.anyHeld |= triangles.pressed.back().held;
         }
-        return any;
-    };
-    if (!anyInPieces(state.tasks, triangles.awake.size(), seenInMicrosecond, look)) return;
-    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
-        if (triangles.isPressed[i] != isNew) continue;
-        triangles.isPressed[i] = 1;
-        triangles.pressed.push_back(press(state, triangles.awake[i]));
-        for (const Grip& corner : triangles.pressed.back().corners)
-            triangles.anyRigid |= corner.cluster != none;
+        awake.pressed[block] |= awake.flat[block];
     }
 }
 
@@ -207,9 +247,9 @@ void startAreas(State& state) {
     Triangles& triangles = state.triangles;
     if (!triangles.pressed.empty()) {
         triangles.pressed.clear();
-        std::fill(triangles.isPressed.begin(), triangles.isPressed.end(), std::uint8_t{0});
+        std::fill(triangles.awake.pressed.begin(), triangles.awake.pressed.end(), std::uint8_t{0});
     }
-    triangles.anyRigid = false;
+    triangles.anyHeld = false;
     pressBelow(state, watchedShare);
 }
 

@@ -222,7 +222,7 @@ void count(State& state, const WorkLists& work, const Triangles& triangles) {
     for (const auto j : work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
-    statistics.triangles += sizeOf(triangles.awake);
+    statistics.triangles += static_cast<std::uint32_t>(triangles.awake.count);
     statistics.sweptJoints += sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
 }
 

@@ -87,7 +87,8 @@ MemoryUse ofWorkLists(const State& state) {
 MemoryUse ofTriangles(const State& state) {
     const auto& t = state.triangles;
     return Sum()
-        .add(t.all, t.awake, t.pressed, t.isPressed)
+        .add(t.all, t.awake.a, t.awake.b, t.awake.c, t.awake.rest, t.awake.held, t.awake.flat,
+             t.awake.pressed, t.pressed)
         .as("triangles of soft bodies", t.all.size(), true);
 }
 
