@@ -128,9 +128,9 @@ void AwakeTriangles::clear() {
 
 void AwakeTriangles::add(const Triangle& triangle, bool isHeld) {
     if (isHeld) held.push_back(static_cast<std::uint32_t>(count));
-    a.push_back(triangle.a);
-    b.push_back(triangle.b);
-    c.push_back(triangle.c);
+    a.push_back(2 * triangle.a);
+    b.push_back(2 * triangle.b);
+    c.push_back(2 * triangle.c);
     rest.push_back(triangle.rest);
     ++count;
 }

@@ -28,7 +28,7 @@ struct AwakeTriangles {
     std::vector<std::uint8_t> flat, pressed;  // a bit for each, a byte for each block
 
     std::size_t blocks() const { return flat.size(); }
-    Triangle operator[](std::size_t i) const { return {a[i], b[i], c[i], rest[i]}; }
+    Triangle operator[](std::size_t i) const { return {a[i] / 2, b[i] / 2, c[i] / 2, rest[i]}; }
 
     void clear();
     void add(const Triangle& triangle, bool isHeld);

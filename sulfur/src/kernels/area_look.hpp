@@ -16,7 +16,7 @@ namespace sulfur::detail {
 struct AreaView {
     const double* position;          // m, when the tick began
     const SweepReal* displacement;   // m, so far
-    const std::uint32_t *a, *b, *c;  // particles
+    const std::uint32_t *a, *b, *c;  // twice the numbers of particles: the places of their x
     const SweepReal* rest;           // m^2, twice the area at rest
     std::uint8_t* flat;              // a bit for each triangle, set or cleared
 };

@@ -6,7 +6,7 @@ namespace sulfur::detail {
 namespace {
 
 inline void addAt(double* xy, std::uint32_t at, Pair by) {
-    auto* place = reinterpret_cast<StoredPair*>(xy + 2 * std::size_t{at});
+    auto* place = reinterpret_cast<StoredPair*>(xy + at);
     *place = *place + by;
 }
 
@@ -18,13 +18,12 @@ inline void unpack(const Places& v, Pair* pairs) {
 
 #else
 
-using Wide [[gnu::vector_size(LANE_BYTES)]] = double;  // of half as many joints as lanes
-
 #if LANE_BYTES == 32
 inline void unpack(const Places& v, Pair* pairs) {
+    using Wide [[gnu::vector_size(32)]] = double;  // of two joints
     const Lanes even = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     const Lanes odd = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
-    const auto widen = [&](Half half, int at) {
+    const auto widen = [&](Four half, int at) {
         const Wide wide = __builtin_convertvector(half, Wide);
         pairs[at] = __builtin_shufflevector(wide, wide, 0, 1);
         pairs[at + 1] = __builtin_shufflevector(wide, wide, 2, 3);
@@ -38,7 +37,7 @@ inline void unpack(const Places& v, Pair* pairs) {
 inline void unpack(const Places& v, Pair* pairs) {
     const Lanes first = __builtin_shufflevector(v.x, v.y, 0, 4, 1, 5);
     const Lanes second = __builtin_shufflevector(v.x, v.y, 2, 6, 3, 7);
-    const auto widen = [&](Half half) { return __builtin_convertvector(half, Pair); };
+    const auto widen = [&](Two half) { return __builtin_convertvector(half, Pair); };
     pairs[0] = widen(__builtin_shufflevector(first, first, 0, 1));
     pairs[1] = widen(__builtin_shufflevector(first, first, 2, 3));
     pairs[2] = widen(__builtin_shufflevector(second, second, 0, 1));

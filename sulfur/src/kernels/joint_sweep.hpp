@@ -23,10 +23,10 @@ inline constexpr std::size_t sweepLanes = 8;
 /// Arrays of joints as the kernels see them. Behind the last joint of a batch the arrays go on to
 /// the next multiple of sweepLanes with numbers that can be computed with.
 struct StartView {
-    const double* position;      // m, x and y in turn, of every particle
-    const SweepReal* pulled;     // N in the last tick, of all joints by their numbers
-    const std::uint32_t* joint;  // their numbers
-    const std::uint32_t *a, *b;
+    const double* position;          // m, x and y in turn, of every particle
+    const SweepReal* pulled;         // N in the last tick, of all joints by their numbers
+    const std::uint32_t* joint;      // their numbers
+    const std::uint32_t *a, *b;      // twice the numbers of particles: the places of their x
     const SweepReal *massA, *massB;  // 1/kg
     const SweepReal* length;         // m, at rest
     const SweepReal *hk, *hb;        // of implicit joints, see below
@@ -41,8 +41,8 @@ struct StartView {
 
 /// The same joints in a sweep.
 struct SweepView {
-    SweepReal* displacement;  // m, x and y in turn, of every particle
-    const std::uint32_t *a, *b;
+    SweepReal* displacement;                   // m, x and y in turn, of every particle
+    const std::uint32_t *a, *b;                // as above
     const SweepReal *startX, *startY;          // m, from a to b when the tick began
     const SweepReal *massA, *massB;            // 1/kg
     const SweepReal* rest;                     // m

@@ -9,15 +9,17 @@ namespace {
 
 inline void scatter(SweepReal* xy, const std::uint32_t* at, const Places& p) {
     for (int i = 0; i < width; ++i) {
-        xy[2 * at[i]] = p.x[i];
-        xy[2 * at[i] + 1] = p.y[i];
+        xy[at[i]] = p.x[i];
+        xy[at[i] + 1] = p.y[i];
     }
 }
 
 #else
 
+/// x and y of one particle, moved as one number.
+using Both [[gnu::vector_size(LANE_BYTES)]] = double;
 inline void setBoth(SweepReal* xy, std::uint32_t at, double value) {
-    __builtin_memcpy(xy + 2 * std::size_t{at}, &value, sizeof value);
+    __builtin_memcpy(xy + at, &value, sizeof value);
 }
 
 inline void scatter(SweepReal* xy, const std::uint32_t* at, const Places& v) {
@@ -50,8 +52,8 @@ inline void scatter(SweepReal* xy, const std::uint32_t* at, const Places& v) {
 inline void scatterSome(SweepReal* xy, const std::uint32_t* at, const Places& p,
                         std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        xy[2 * std::size_t{at[i]}] = p.x[i];
-        xy[2 * std::size_t{at[i]} + 1] = p.y[i];
+        xy[at[i]] = p.x[i];
+        xy[at[i] + 1] = p.y[i];
     }
 }
 

@@ -27,8 +27,9 @@ inline Lanes load(const SweepReal* from) {
 inline void store(SweepReal* to, Lanes value) {
     *reinterpret_cast<Stored*>(to) = value;
 }
+// Particles are named by the places of their x, which are twice their numbers.
 inline Pair pairAt(const double* xy, std::uint32_t at) {
-    return *reinterpret_cast<const StoredPair*>(xy + 2 * std::size_t{at});
+    return *reinterpret_cast<const StoredPair*>(xy + at);
 }
 
 inline Lanes root(Lanes v) {
@@ -72,10 +73,10 @@ struct Places {
 
 inline Places gather(const SweepReal* xy, const std::uint32_t* at) {
 #if LANE_BYTES == 32
-    return {Lanes{xy[2 * at[0]], xy[2 * at[1]], xy[2 * at[2]], xy[2 * at[3]]},
-            Lanes{xy[2 * at[0] + 1], xy[2 * at[1] + 1], xy[2 * at[2] + 1], xy[2 * at[3] + 1]}};
+    return {Lanes{xy[at[0]], xy[at[1]], xy[at[2]], xy[at[3]]},
+            Lanes{xy[at[0] + 1], xy[at[1] + 1], xy[at[2] + 1], xy[at[3] + 1]}};
 #else
-    return {Lanes{xy[2 * at[0]], xy[2 * at[1]]}, Lanes{xy[2 * at[0] + 1], xy[2 * at[1] + 1]}};
+    return {Lanes{xy[at[0]], xy[at[1]]}, Lanes{xy[at[0] + 1], xy[at[1] + 1]}};
 #endif
 }
 inline Lanes gatherOne(const SweepReal* from, const std::uint32_t* at) {
@@ -98,59 +99,65 @@ inline Places between(const double* xy, const std::uint32_t* a, const std::uint3
 
 #else
 
-/// x and y of one particle, moved as one number.
-using Both [[gnu::vector_size(LANE_BYTES)]] = double;
-inline double both(const SweepReal* xy, std::uint32_t at) {
-    double value;
-    __builtin_memcpy(&value, xy + 2 * std::size_t{at}, sizeof value);
-    return value;
+using Four [[gnu::vector_size(16)]] = float;
+
+/// x and y of two particles, one after the other.
+inline Four twoAt(const float* xy, std::uint32_t i, std::uint32_t j) {
+#if defined(__SSE2__)
+    const __m128i first = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(xy + i));
+    return _mm_loadh_pi(_mm_castsi128_ps(first), reinterpret_cast<const __m64*>(xy + j));
+#else
+    return Four{xy[i], xy[i + 1], xy[j], xy[j + 1]};
+#endif
 }
-using Half [[gnu::vector_size(LANE_BYTES / 2)]] = float;  // of half as many joints as lanes
 
 #if LANE_BYTES == 32
-/// Both in an order in which the halves of a register stay where they are.
-inline Places gather(const SweepReal* xy, const std::uint32_t* at) {
-    const Both even = {both(xy, at[0]), both(xy, at[1]), both(xy, at[4]), both(xy, at[5])};
-    const Both odd = {both(xy, at[2]), both(xy, at[3]), both(xy, at[6]), both(xy, at[7])};
-    const Lanes p = reinterpret_cast<Lanes>(even), q = reinterpret_cast<Lanes>(odd);
-    return {__builtin_shufflevector(p, q, 0, 2, 8, 10, 4, 6, 12, 14),
-            __builtin_shufflevector(p, q, 1, 3, 9, 11, 5, 7, 13, 15)};
+inline Lanes joined(Four low, Four high) {
+    return _mm256_set_m128(high, low);
 }
-inline Lanes gatherOne(const SweepReal* from, const std::uint32_t* at) {
-    return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]],
-                 from[at[4]], from[at[5]], from[at[6]], from[at[7]]};
+/// From the one to the other of two pairs of particles.
+inline Four betweenTwo(const double* xy, const std::uint32_t* a, const std::uint32_t* b) {
+    const auto two = [&](const std::uint32_t* at) {
+        return _mm256_set_m128d(pairAt(xy, at[1]), pairAt(xy, at[0]));
+    };
+    return _mm256_cvtpd_ps(two(b) - two(a));
 }
-inline Half narrowedTwo(Pair p, Pair q) {
-    return __builtin_convertvector(__builtin_shufflevector(p, q, 0, 1, 2, 3), Half);
-}
-/// From the particles a to the particles b.
-inline Places between(const double* xy, const std::uint32_t* a, const std::uint32_t* b) {
-    const auto d = [&](int i) { return pairAt(xy, b[i]) - pairAt(xy, a[i]); };
-    const Lanes even = __builtin_shufflevector(narrowedTwo(d(0), d(1)), narrowedTwo(d(4), d(5)), 0,
-                                               1, 2, 3, 4, 5, 6, 7);
-    const Lanes odd = __builtin_shufflevector(narrowedTwo(d(2), d(3)), narrowedTwo(d(6), d(7)), 0,
-                                              1, 2, 3, 4, 5, 6, 7);
+/// What is gathered comes in an order in which the halves of a register stay where they are.
+inline Places sorted(Lanes even, Lanes odd) {
     return {__builtin_shufflevector(even, odd, 0, 2, 8, 10, 4, 6, 12, 14),
             __builtin_shufflevector(even, odd, 1, 3, 9, 11, 5, 7, 13, 15)};
 }
+inline Places gather(const float* xy, const std::uint32_t* at) {
+    return sorted(joined(twoAt(xy, at[0], at[1]), twoAt(xy, at[4], at[5])),
+                  joined(twoAt(xy, at[2], at[3]), twoAt(xy, at[6], at[7])));
+}
+inline Places between(const double* xy, const std::uint32_t* a, const std::uint32_t* b) {
+    const auto d = [&](int i) { return betweenTwo(xy, a + i, b + i); };
+    return sorted(joined(d(0), d(4)), joined(d(2), d(6)));
+}
+inline Lanes gatherOne(const float* from, const std::uint32_t* at) {
+    return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]],
+                 from[at[4]], from[at[5]], from[at[6]], from[at[7]]};
+}
 #else
-inline Places gather(const SweepReal* xy, const std::uint32_t* at) {
-    const Both first = {both(xy, at[0]), both(xy, at[1])};
-    const Both second = {both(xy, at[2]), both(xy, at[3])};
-    const Lanes p = reinterpret_cast<Lanes>(first), q = reinterpret_cast<Lanes>(second);
+using Two [[gnu::vector_size(8)]] = float;
+
+inline Places gather(const float* xy, const std::uint32_t* at) {
+    const Lanes p = twoAt(xy, at[0], at[1]), q = twoAt(xy, at[2], at[3]);
     return {__builtin_shufflevector(p, q, 0, 2, 4, 6), __builtin_shufflevector(p, q, 1, 3, 5, 7)};
 }
-inline Lanes gatherOne(const SweepReal* from, const std::uint32_t* at) {
-    return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]]};
-}
+/// From the particles a to the particles b.
 inline Places between(const double* xy, const std::uint32_t* a, const std::uint32_t* b) {
     Places d;
     for (int i = 0; i < width; ++i) {
-        const Half p = __builtin_convertvector(pairAt(xy, b[i]) - pairAt(xy, a[i]), Half);
+        const Two p = __builtin_convertvector(pairAt(xy, b[i]) - pairAt(xy, a[i]), Two);
         d.x[i] = p[0];
         d.y[i] = p[1];
     }
     return d;
+}
+inline Lanes gatherOne(const float* from, const std::uint32_t* at) {
+    return Lanes{from[at[0]], from[at[1]], from[at[2]], from[at[3]]};
 }
 #endif
 

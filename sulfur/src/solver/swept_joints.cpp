@@ -76,8 +76,8 @@ void fillLanes(const State& state, const std::vector<std::uint32_t>& list, std::
             const auto j = list[batch.first + (i < batch.size() ? i : 0)];
             const std::size_t at = batch.place + i;
             swept.joint[at] = j;
-            swept.a[at] = joints.a[j];
-            swept.b[at] = joints.b[j];
+            swept.a[at] = 2 * joints.a[j];
+            swept.b[at] = 2 * joints.b[j];
             swept.massA[at] = state.particles.inverseMass[joints.a[j]];
             swept.massB[at] = state.particles.inverseMass[joints.b[j]];
             swept.length[at] = joints.restLength[j];
