@@ -118,6 +118,13 @@ private:
     std::vector<Link> links_;
 };
 
+/// Whether one rigid component has all of it.
+bool isOneComponent(const State& state, const BodyRecord& body) {
+    const auto first = state.particles.cluster.begin() + body.firstParticle;
+    const auto last = first + static_cast<std::ptrdiff_t>(body.particles.size());
+    return *first != none && std::all_of(first, last, [&](auto c) { return c == *first; });
+}
+
 }  // namespace
 
 void AwakeTriangles::clear() {
@@ -148,7 +155,9 @@ void findTriangles(State& state) {
     state.triangles.all.clear();
     Finder finder(state);
     for (const BodyRecord& body : state.bodies)
-        if (body.kind == BodyKind::dynamic && body.joints.size() > 2) finder.find(body);
+        if (body.kind == BodyKind::dynamic && body.joints.size() > 2 &&
+            !isOneComponent(state, body))
+            finder.find(body);
     state.triangles.stale = false;
 }
 

@@ -20,18 +20,17 @@ inline void unpack(const Places& v, Pair* pairs) {
 
 #if LANE_BYTES == 32
 inline void unpack(const Places& v, Pair* pairs) {
-    using Wide [[gnu::vector_size(32)]] = double;  // of two joints
     const Lanes even = __builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13);
     const Lanes odd = __builtin_shufflevector(v.x, v.y, 2, 10, 3, 11, 6, 14, 7, 15);
-    const auto widen = [&](Four half, int at) {
-        const Wide wide = __builtin_convertvector(half, Wide);
-        pairs[at] = __builtin_shufflevector(wide, wide, 0, 1);
-        pairs[at + 1] = __builtin_shufflevector(wide, wide, 2, 3);
+    const auto widen = [&](Four two, int at) {
+        const __m256d wide = _mm256_cvtps_pd(two);
+        pairs[at] = _mm256_castpd256_pd128(wide);
+        pairs[at + 1] = _mm256_extractf128_pd(wide, 1);
     };
-    widen(__builtin_shufflevector(even, even, 0, 1, 2, 3), 0);
-    widen(__builtin_shufflevector(odd, odd, 0, 1, 2, 3), 2);
-    widen(__builtin_shufflevector(even, even, 4, 5, 6, 7), 4);
-    widen(__builtin_shufflevector(odd, odd, 4, 5, 6, 7), 6);
+    widen(_mm256_castps256_ps128(even), 0);
+    widen(_mm256_castps256_ps128(odd), 2);
+    widen(_mm256_extractf128_ps(even, 1), 4);
+    widen(_mm256_extractf128_ps(odd, 1), 6);
 }
 #else
 inline void unpack(const Places& v, Pair* pairs) {

@@ -33,22 +33,16 @@ Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
     return {-b - c, b, c};
 }
 
-Real responseAlone(const PressedTriangle& t, const Slopes& by, const Slopes& slopes) {
-    Real sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) sum += t.inverseMass[i] * by[i].dot(slopes[i]);
-    return sum;
-}
-
 /// What a push along `by` of all corners does to the area whose slopes are `slopes`. Corners in one
 /// rigid component feel each other's push.
+template <bool held>
 Real response(const State& state, const PressedTriangle& t, const Slopes& by,
               const Slopes& slopes) {
-    if (!t.held) return responseAlone(t, by, slopes);
     Real sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Grip& at = t.corners[i];
-        if (at.cluster == none) {
-            sum += state.particles.inverseMass[at.particle] * by[i].dot(slopes[i]);
+        if (!held || at.cluster == none) {
+            sum += t.inverseMass[i] * by[i].dot(slopes[i]);
             continue;
         }
         const Cluster& c = state.clusters.list[at.cluster];
@@ -59,10 +53,14 @@ Real response(const State& state, const PressedTriangle& t, const Slopes& by,
     }
     return sum;
 }
+Real response(const State& state, const PressedTriangle& t, const Slopes& by,
+              const Slopes& slopes) {
+    return (t.held ? response<true> : response<false>)(state, t, by, slopes);
+}
 
-PressedTriangle press(const State& state, const Triangle& t) {
+/// A triangle that is pressed from now on.
+void press(const State& state, const Triangle& t, PressedTriangle& pressed) {
     const Particles& p = state.particles;
-    PressedTriangle pressed;
     pressed.corners = {gripOf(state, t.a), gripOf(state, t.b), gripOf(state, t.c)};
     for (std::size_t i = 0; i < 3; ++i) {
         pressed.inverseMass[i] = p.inverseMass[pressed.corners[i].particle];
@@ -75,24 +73,28 @@ PressedTriangle press(const State& state, const Triangle& t) {
     const Real area = cross(pressed.startB, pressed.startC);
     pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
     pressed.response = response(state, pressed, pressed.slopes, pressed.slopes);
-    return pressed;
 }
 
 /// Where the sides from a have come to.
-std::array<Vec2, 2> sidesOf(const State& state, const PressedTriangle& t) {
+template <bool held>
+[[gnu::always_inline]] inline std::array<Vec2, 2> sidesOf(const State& state,
+                                                          const PressedTriangle& t) {
     const auto moved = [&](std::size_t i) {
         const Grip& corner = t.corners[i];
-        return t.held ? displacementOf(state, corner)
-                      : state.particles.displacement[corner.particle];
+        return held ? displacementOf(state, corner) : state.particles.displacement[corner.particle];
     };
     const Vec2 a = moved(0);
     return {t.startB + (moved(1) - a), t.startC + (moved(2) - a)};
 }
+std::array<Vec2, 2> sidesOf(const State& state, const PressedTriangle& t) {
+    return t.held ? sidesOf<true>(state, t) : sidesOf<false>(state, t);
+}
 
+template <bool held>
 void pushCorners(State& state, const PressedTriangle& t, Real by, const Slopes& slopes) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec2 impulse = by * slopes[i];
-        if (t.held)
+        if (held)
             push(state, t.corners[i], impulse);
         else
             state.particles.displacement[t.corners[i].particle] += t.inverseMass[i] * impulse;
@@ -102,19 +104,20 @@ void pushCorners(State& state, const PressedTriangle& t, Real by, const Slopes& 
 /// An inequality on displacements (position based dynamics, Mueller et al. 2007). It pushes along
 /// the slopes of the tick's start, as rigid joints do, which keeps angular momentum, as long as
 /// that widens the triangle at least half as well as the slopes of now.
+template <bool held>
 void solveArea(State& state, PressedTriangle& t) {
-    const auto [toB, toC] = sidesOf(state, t);
+    const auto [toB, toC] = sidesOf<held>(state, t);
     const Real lacks = t.least - cross(toB, toC);
     if (lacks <= 0 && t.lambda <= 0) return;
     const Slopes now = slopesOf(toB, toC);
-    const Real best = response(state, t, now, now);
-    const Real along = response(state, t, t.slopes, now);
+    const Real best = response<held>(state, t, now, now);
+    const Real along = response<held>(state, t, t.slopes, now);
     const bool turned = !(along > Real(0.5) * std::sqrt(best * t.response));
     const Real gain = turned ? best : along;
     if (!(gain > 0)) return;
     const Real before = t.lambda;
     t.lambda = std::max<Real>(before + lacks / gain, 0);
-    pushCorners(state, t, t.lambda - before, turned ? now : t.slopes);
+    pushCorners<held>(state, t, t.lambda - before, turned ? now : t.slopes);
 }
 
 /// What is led back, with the slopes to which the tick leads.
@@ -234,8 +237,9 @@ void pressBelow(State& state, Real share) {
         for (; fresh != 0; fresh &= fresh - 1) {
             const auto i = block * sweepLanes + static_cast<std::size_t>(std::countr_zero(fresh));
             if (i >= awake.count) break;
-            triangles.pressed.push_back(press(state, awake[i]));
-            triangles.anyHeld |= triangles.pressed.back().held;
+            PressedTriangle& added = triangles.pressed.emplace_back();
+            press(state, awake[i], added);
+            triangles.anyHeld |= added.held;
         }
         awake.pressed[block] |= awake.flat[block];
     }
@@ -263,7 +267,7 @@ bool morePressed(State& state) {
 void solveAreas(State& state) {
     inShares(state, pushedInMicrosecond, [&](const Share& share) {
         for (PressedTriangle& t : state.triangles.pressed)
-            if (share.has(t)) solveArea(state, t);
+            if (share.has(t)) (t.held ? solveArea<true> : solveArea<false>)(state, t);
     });
 }
 
