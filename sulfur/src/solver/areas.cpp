@@ -4,7 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "core/bucket_sort.hpp"
 #include "core/pieces.hpp"
 #include "kernels/area_look.hpp"
 #include "rigid/grip.hpp"
@@ -112,12 +114,16 @@ void solveArea(State& state, PressedTriangle& t) {
     const Slopes now = slopesOf(toB, toC);
     const Real best = response<held>(state, t, now, now);
     const Real along = response<held>(state, t, t.slopes, now);
+    const auto widen = [&](const Slopes& slopes, Real gain) {
+        if (!(gain > 0)) return;
+        const Real before = t.lambda;
+        t.lambda = std::max<Real>(before + lacks / gain, 0);
+        pushCorners<held>(state, t, t.lambda - before, slopes);
+    };
+    // Mostly it widens well by more than all roundings, which takes no root to see.
+    if (along > 0 && along * along > Real(0.3) * (best * t.response)) return widen(t.slopes, along);
     const bool turned = !(along > Real(0.5) * std::sqrt(best * t.response));
-    const Real gain = turned ? best : along;
-    if (!(gain > 0)) return;
-    const Real before = t.lambda;
-    t.lambda = std::max<Real>(before + lacks / gain, 0);
-    pushCorners<held>(state, t, t.lambda - before, turned ? now : t.slopes);
+    turned ? widen(now, best) : widen(t.slopes, along);
 }
 
 /// What is led back, with the slopes to which the tick leads.
@@ -225,23 +231,52 @@ void noteFlat(State& state, Real share, std::size_t firstBlock, std::size_t last
     }
 }
 
-/// Adds the triangles that the displacements so far lead to less than a share of their area.
-void pressBelow(State& state, Real share) {
-    Triangles& triangles = state.triangles;
-    AwakeTriangles& awake = triangles.awake;
-    if (awake.count == 0) return;
+/// Orders triangles, which come body by body, so that the first of each body come first, then the
+/// second ones, and so on: those of one body keep their order and wait for each other, those of
+/// several do not.
+void interleave(const State& state, std::vector<std::uint32_t>& triangles) {
+    thread_local std::vector<std::uint32_t> rank, scratch, start;
+    const AwakeTriangles& awake = state.triangles.awake;
+    rank.resize(awake.count);
+    std::uint32_t body = none, next = 0, most = 0;
+    for (const auto i : triangles) {
+        const auto owner = state.particles.body[awake[i].a];
+        next = owner == std::exchange(body, owner) ? next + 1 : 0;
+        most = std::max(most, next);
+        rank[i] = next;
+    }
+    countingSort(triangles, scratch, start, most + 1, [&](std::uint32_t i) { return rank[i]; });
+}
+
+/// Finds the triangles that are pressed anew where the displacements so far lead to less than a
+/// share of their area.
+const std::vector<std::uint32_t>& findPressed(State& state, Real share) {
+    thread_local std::vector<std::uint32_t> found;
+    AwakeTriangles& awake = state.triangles.awake;
+    found.clear();
     inPieces(state.tasks, awake.blocks(), seenInMicrosecond,
              [&](std::size_t first, std::size_t last) { noteFlat(state, share, first, last); });
     for (std::size_t block = 0; block < awake.blocks(); ++block) {
         std::uint32_t fresh = awake.flat[block] & ~awake.pressed[block];
         for (; fresh != 0; fresh &= fresh - 1) {
             const auto i = block * sweepLanes + static_cast<std::size_t>(std::countr_zero(fresh));
-            if (i >= awake.count) break;
-            PressedTriangle& added = triangles.pressed.emplace_back();
-            press(state, awake[i], added);
-            triangles.anyHeld |= added.held;
+            if (i < awake.count) found.push_back(static_cast<std::uint32_t>(i));
         }
         awake.pressed[block] |= awake.flat[block];
+    }
+    // (Rigid components may be parts of several bodies.)
+    if (awake.held.empty()) interleave(state, found);
+    return found;
+}
+
+/// Adds the triangles that the displacements so far lead to less than a share of their area.
+void pressBelow(State& state, Real share) {
+    Triangles& triangles = state.triangles;
+    if (triangles.awake.count == 0) return;
+    for (const auto i : findPressed(state, share)) {
+        PressedTriangle& added = triangles.pressed.emplace_back();
+        press(state, triangles.awake[i], added);
+        triangles.anyHeld |= added.held;
     }
 }
 
