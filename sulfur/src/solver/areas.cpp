@@ -149,13 +149,23 @@ void addRecovery(const State& state, const PressedTriangle& t, std::vector<Recov
     list.push_back(recovery);
 }
 
+template <bool held>
 void recover(State& state, Recovery& r) {
-    const auto& corners = r.triangle->corners;
+    const PressedTriangle& t = *r.triangle;
+    auto& shifts = state.particles.shift;
     Real risen = 0;
-    for (std::size_t i = 0; i < 3; ++i) risen += r.slopes[i].dot(shiftOf(state, corners[i]));
+    for (std::size_t i = 0; i < 3; ++i)
+        risen +=
+            r.slopes[i].dot(held ? shiftOf(state, t.corners[i]) : shifts[t.corners[i].particle]);
     const Real before = r.lambda;
     r.lambda = std::max<Real>(before + (r.rise - risen) / r.response, 0);
-    for (std::size_t i = 0; i < 3; ++i) shift(state, corners[i], (r.lambda - before) * r.slopes[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 impulse = (r.lambda - before) * r.slopes[i];
+        if (held)
+            shift(state, t.corners[i], impulse);
+        else
+            shifts[t.corners[i].particle] += t.inverseMass[i] * impulse;
+    }
 }
 
 /// The pressed triangles of some bodies.
@@ -315,7 +325,8 @@ void recoverAreas(State& state) {
         for (const PressedTriangle& t : state.triangles.pressed)
             if (share.has(t)) addRecovery(state, t, recoveries);
         for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
-            for (Recovery& r : recoveries) recover(state, r);
+            for (Recovery& r : recoveries)
+                (r.triangle->held ? recover<true> : recover<false>)(state, r);
         for (const Recovery& r : recoveries) {
             for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
             // It must not fall asleep as it is.
