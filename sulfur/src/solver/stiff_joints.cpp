@@ -278,10 +278,14 @@ void recordForces(State& state) {
             for (std::size_t k = 0; batch.wide && k < batch.size(); ++k)
                 joints.lambda[swept->joint[batch.place + k]] = swept->lambda[batch.place + k];
     const Real scale = -newtonsPerMultiplier(state);
-    for (const auto j : state.work.stiffJoints) {
+    Real* const force = joints.force.data();
+    const Real* const lambda = joints.lambda.data();
+    for (const StiffRun& run : work.stiffRuns) {
         // What is a force as well has been recorded as one already.
-        const bool both = joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0;
-        joints.force[j] = (both ? joints.force[j] : 0) + scale * joints.lambda[j];
+        if (run.forces)
+            for (auto j = run.first; j < run.last; ++j) force[j] += scale * lambda[j];
+        else
+            for (auto j = run.first; j < run.last; ++j) force[j] = Real(0) + scale * lambda[j];
     }
 }
 

@@ -75,8 +75,8 @@ MemoryUse ofWorkLists(const State& state) {
     return Sum()
         .add(w.awake, w.points, w.free, w.awakeClusters, w.clusters, w.watchedClusters,
              w.lonelyTrees, w.tiedTrees, w.lines, w.explicitJoints, w.implicitJoints, w.rigidJoints,
-             w.stiffJoints, w.breakableJoints, w.attachments, w.hinges, w.heldNodes, w.bodies,
-             w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart,
+             w.stiffJoints, w.stiffRuns, w.breakableJoints, w.attachments, w.hinges, w.heldNodes,
+             w.bodies, w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart,
              w.explicitBatches.batches, w.explicitBatches.joint, w.explicitBatches.a,
              w.explicitBatches.b, w.explicitBatches.rest, w.explicitBatches.stiffness,
              w.explicitBatches.damping, state.steps.late, state.steps.standing,
