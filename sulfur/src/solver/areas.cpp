@@ -38,8 +38,8 @@ Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
 /// What a push along `by` of all corners does to the area whose slopes are `slopes`. Corners in one
 /// rigid component feel each other's push.
 template <bool held>
-Real response(const State& state, const PressedTriangle& t, const Slopes& by,
-              const Slopes& slopes) {
+[[gnu::always_inline]] inline Real response(const State& state, const PressedTriangle& t,
+                                            const Slopes& by, const Slopes& slopes) {
     Real sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Grip& at = t.corners[i];
@@ -57,7 +57,7 @@ Real response(const State& state, const PressedTriangle& t, const Slopes& by,
 }
 Real response(const State& state, const PressedTriangle& t, const Slopes& by,
               const Slopes& slopes) {
-    return (t.held ? response<true> : response<false>)(state, t, by, slopes);
+    return t.held ? response<true>(state, t, by, slopes) : response<false>(state, t, by, slopes);
 }
 
 /// A triangle that is pressed from now on.
@@ -312,7 +312,7 @@ bool morePressed(State& state) {
 void solveAreas(State& state) {
     inShares(state, pushedInMicrosecond, [&](const Share& share) {
         for (PressedTriangle& t : state.triangles.pressed)
-            if (share.has(t)) (t.held ? solveArea<true> : solveArea<false>)(state, t);
+            if (share.has(t)) t.held ? solveArea<true>(state, t) : solveArea<false>(state, t);
     });
 }
 
@@ -326,7 +326,7 @@ void recoverAreas(State& state) {
             if (share.has(t)) addRecovery(state, t, recoveries);
         for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
             for (Recovery& r : recoveries)
-                (r.triangle->held ? recover<true> : recover<false>)(state, r);
+                r.triangle->held ? recover<true>(state, r) : recover<false>(state, r);
         for (const Recovery& r : recoveries) {
             for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
             // It must not fall asleep as it is.
