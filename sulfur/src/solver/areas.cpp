@@ -25,7 +25,7 @@ constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare 
 constexpr Real givenShare = Real(0.002);
 
 /// In a microsecond: blocks of triangles that are looked at, triangles that are pushed, led back.
-constexpr std::size_t seenInMicrosecond = 50, pushedInMicrosecond = 60, ledInMicrosecond = 30;
+constexpr std::size_t seenInMicrosecond = 130, pushedInMicrosecond = 100, ledInMicrosecond = 60;
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -189,16 +189,19 @@ void inShares(State& state, std::size_t inMicrosecond, Function&& f) {
     const std::size_t pieces =
         triangles.anyHeld ? 1 : std::min(mostShares, piecesOf(state.tasks, count, inMicrosecond));
     if (pieces == 1) return f(Share{});
-    std::array<std::uint32_t, mostShares> begins{};
-    for (std::size_t i = 1; i < pieces; ++i) {
-        const auto& middle = triangles.pressed[pieceStart(i, pieces, count)];
-        const auto body = state.particles.body[middle.corners[0].particle];
-        begins[i] = state.bodies[body].firstParticle;
+    // They come in turns, one of each body, so that some tell where the bodies of most are.
+    std::array<std::uint32_t, 4 * mostShares> sample{};
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const auto& triangle = triangles.pressed[i * count / sample.size()];
+        const auto body = state.particles.body[triangle.corners[0].particle];
+        sample[i] = state.bodies[body].firstParticle;
     }
-    std::sort(begins.begin(), begins.begin() + std::ptrdiff_t(pieces));
+    std::sort(sample.begin(), sample.end());
+    const auto begin = [&](std::size_t i) { return sample[pieceStart(i, pieces, sample.size())]; };
     runPieces(state.tasks, pieces, [&](std::size_t i) {
-        Share share{.first = begins[i]};
-        if (i + 1 < pieces) share.last = begins[i + 1];
+        Share share;
+        if (i > 0) share.first = begin(i);
+        if (i + 1 < pieces) share.last = begin(i + 1);
         f(share);
     });
 }

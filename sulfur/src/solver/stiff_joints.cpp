@@ -157,8 +157,8 @@ StartView startOf(const State& state, SweptJoints& s) {
     return view;
 }
 
-/// Joints that are swept or prepared in a microsecond.
-constexpr std::size_t inMicrosecond = 120;
+/// Joints that are swept or prepared in a microsecond, most of them in lanes.
+constexpr std::size_t inMicrosecond = 600;
 
 /// Calls f(batch, first, last) for the joints [first, last) of each batch, those of one part in the
 /// order of their batches: parts at once or, where there is only one, what a wide batch has.
