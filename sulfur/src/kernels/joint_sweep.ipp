@@ -134,11 +134,11 @@ void startRigid(const StartView& joints, std::size_t first, std::size_t count) {
         const Lanes length = startEnds(joints, k), atRest = load(joints.length + k);
         const Lanes w = load(joints.massA + k) + load(joints.massB + k);
         store(joints.gain + k,
-              (length > zero) & (w > zero) ? SweepReal(1) / (SweepReal(2) * w) : zero);
+              ((length > zero) & (w > zero)) ? SweepReal(1) / (SweepReal(2) * w) : zero);
         store(joints.rest + k, atRest);
         const Lanes torn = length - atRest;
         if (bits((torn <= near) & (torn >= -near)) == everyLane) continue;
-        for (int i = 0; i < width; ++i)
+        for (std::size_t i = 0; i < width; ++i)
             joints.rest[k + i] = restOf(length[i], atRest[i], joints.closing);
     }
 }
