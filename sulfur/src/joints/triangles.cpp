@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "kernels/joint_sweep.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -117,13 +118,46 @@ private:
     std::vector<Link> links_;
 };
 
+/// Whether one rigid component has all of it.
+bool isOneComponent(const State& state, const BodyRecord& body) {
+    const auto first = state.particles.cluster.begin() + body.firstParticle;
+    const auto last = first + static_cast<std::ptrdiff_t>(body.particles.size());
+    return *first != none && std::all_of(first, last, [&](auto c) { return c == *first; });
+}
+
 }  // namespace
+
+void AwakeTriangles::clear() {
+    for (auto* corners : {&a, &b, &c, &held}) corners->clear();
+    rest.clear();
+    count = 0;
+}
+
+void AwakeTriangles::add(const Triangle& triangle, bool isHeld) {
+    if (isHeld) held.push_back(static_cast<std::uint32_t>(count));
+    a.push_back(2 * triangle.a);
+    b.push_back(2 * triangle.b);
+    c.push_back(2 * triangle.c);
+    rest.push_back(triangle.rest);
+    ++count;
+}
+
+/// With triangles of one point, which are never flatter than at rest.
+void AwakeTriangles::fillBlocks() {
+    const std::size_t blocks = (count + sweepLanes - 1) / sweepLanes;
+    for (auto* corners : {&a, &b, &c}) corners->resize(blocks * sweepLanes, 0);
+    rest.resize(blocks * sweepLanes, 0);
+    flat.assign(blocks, 0);
+    pressed.assign(blocks, 0);
+}
 
 void findTriangles(State& state) {
     state.triangles.all.clear();
     Finder finder(state);
     for (const BodyRecord& body : state.bodies)
-        if (body.kind == BodyKind::dynamic && body.joints.size() > 2) finder.find(body);
+        if (body.kind == BodyKind::dynamic && body.joints.size() > 2 &&
+            !isOneComponent(state, body))
+            finder.find(body);
     state.triangles.stale = false;
 }
 
@@ -140,10 +174,9 @@ void listTriangles(State& state) {
     for (const Triangle& t : triangles.all) {
         if (!state.movable(state.particles.body[t.a])) continue;
         if (!moves(t.a) && !moves(t.b) && !moves(t.c)) continue;
-        triangles.awake.push_back(t);
-        triangles.awake.back().rigid = isHeld(t.a) || isHeld(t.b) || isHeld(t.c);
+        triangles.awake.add(t, isHeld(t.a) || isHeld(t.b) || isHeld(t.c));
     }
-    triangles.isPressed.assign(triangles.awake.size(), 0);
+    triangles.awake.fillBlocks();
     triangles.pressed.clear();
 }
 

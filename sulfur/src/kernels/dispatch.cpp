@@ -4,6 +4,7 @@
 #include <sulfur/math.hpp>
 #include <type_traits>
 
+#include "kernels/area_look.hpp"
 #include "kernels/chain_lanes.hpp"
 #include "kernels/cluster_motion.hpp"
 #include "kernels/contact_sweep.hpp"
@@ -58,6 +59,13 @@ const ForceKernels& forceKernels() {
     if (mayUse(Instructions::avx2)) return avx2Forces;
 #endif
     return baselineForces;
+}
+
+const AreaKernels& areaKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Areas;
+#endif
+    return baselineAreas;
 }
 
 const MotionKernels& motionKernels() {

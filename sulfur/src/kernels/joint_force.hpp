@@ -19,7 +19,7 @@ struct ForceView {
     double* force;               // N, to which they add
     SweepReal* pull;             // N, of all joints by their numbers
     const std::uint32_t* joint;  // their numbers
-    const std::uint32_t *a, *b;  // particles
+    const std::uint32_t *a, *b;  // twice the numbers of particles: the places of their x
     const SweepReal *rest, *stiffness, *damping;
 };
 

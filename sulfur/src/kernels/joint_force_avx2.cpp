@@ -1,7 +1,7 @@
 // For processors with AVX2; compiled for nothing less.
 #include "kernels/joint_force.hpp"
 
-#define FORCE_BYTES 32
+#define LANE_BYTES 32
 #include "kernels/joint_force.ipp"
 
 namespace sulfur::detail {

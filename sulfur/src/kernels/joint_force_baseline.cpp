@@ -1,7 +1,7 @@
 // For every x86-64, and as plain code for anything else.
 #include "kernels/joint_force.hpp"
 
-#define FORCE_BYTES 16
+#define LANE_BYTES 16
 #include "kernels/joint_force.ipp"
 
 namespace sulfur::detail {

@@ -22,9 +22,27 @@ inline constexpr std::size_t sweepLanes = 8;
 
 /// Arrays of joints as the kernels see them. Behind the last joint of a batch the arrays go on to
 /// the next multiple of sweepLanes with numbers that can be computed with.
+struct StartView {
+    const double* position;          // m, x and y in turn, of every particle
+    const SweepReal* pulled;         // N in the last tick, of all joints by their numbers
+    const std::uint32_t* joint;      // their numbers
+    const std::uint32_t *a, *b;      // twice the numbers of particles: the places of their x
+    const SweepReal *massA, *massB;  // 1/kg
+    const SweepReal* length;         // m, at rest
+    const SweepReal *hk, *hb;        // of implicit joints, see below
+    // What is found.
+    SweepReal *startX, *startY, *directionX, *directionY, *whips, *lambda, *gain;
+    SweepReal* rest;  // of rigid joints
+    // What all have in common.
+    SweepReal h;         // s
+    SweepReal mostWhip;  // of a joint that pulls along its direction when the tick began
+    double closing;      // m, by which what was torn apart comes together in this tick
+};
+
+/// The same joints in a sweep.
 struct SweepView {
-    SweepReal* displacement;  // m, x and y in turn, of every particle
-    const std::uint32_t *a, *b;
+    SweepReal* displacement;                   // m, x and y in turn, of every particle
+    const std::uint32_t *a, *b;                // as above
     const SweepReal *startX, *startY;          // m, from a to b when the tick began
     const SweepReal *massA, *massB;            // 1/kg
     const SweepReal* rest;                     // m
@@ -33,13 +51,16 @@ struct SweepView {
     const SweepReal* whips;                    // 1: pulls along the mean direction
     // Of implicit joints.
     const SweepReal *hk, *hb;  // kg: stiffness h^2 and damping h
-    const SweepReal* gain;     // 1 / ((hk + hb) w + 1), or 0 where it has no length
-    // Of rigid joints.
-    const SweepReal* scale;  // kg / 2: 1 / 2w, or 0 where nothing can move
+    /// Of implicit joints 1 / ((hk + hb) w + 1), of rigid ones 1 / 2w (kg); 0 where it had no
+    /// length or nothing can move.
+    const SweepReal* gain;
 };
 
-/// Sweeps once over the joints [first, first + count), which share no particle that moves.
 struct SweepKernels {
+    /// What all sweeps of a tick have in common.
+    void (*startImplicit)(const StartView& joints, std::size_t first, std::size_t count);
+    void (*startRigid)(const StartView& joints, std::size_t first, std::size_t count);
+    /// Each sweeps once over the joints [first, first + count), which share no particle that moves.
     void (*implicit)(const SweepView& joints, std::size_t first, std::size_t count);
     void (*rigid)(const SweepView& joints, std::size_t first, std::size_t count);
 };

@@ -1,92 +1,29 @@
-// The kernels of joint_sweep.hpp, for the vectors of SWEEP_BYTES that the including file has set.
-#if defined(__SSE2__)
-#include <immintrin.h>  // its functions are always inlined
-#endif
+// The kernels of joint_sweep.hpp, for the vectors of LANE_BYTES that the including file has set.
+#include "kernels/lanes.ipp"
 
 namespace sulfur::detail {
 
 namespace {
 
-constexpr int width = SWEEP_BYTES / sizeof(SweepReal);
-using Lanes [[gnu::vector_size(SWEEP_BYTES)]] = SweepReal;
-/// The vectors as they lie in memory, at any address.
-using Stored [[gnu::vector_size(SWEEP_BYTES), gnu::aligned(alignof(SweepReal)), gnu::may_alias]] =
-    SweepReal;
-
-inline Lanes load(const SweepReal* from) {
-    return *reinterpret_cast<const Stored*>(from);
-}
-inline void store(SweepReal* to, Lanes value) {
-    *reinterpret_cast<Stored*>(to) = value;
-}
-
-inline Lanes root(Lanes v) {
-#if defined(__AVX__) && !defined(SULFUR_REAL_DOUBLE) && SWEEP_BYTES == 32
-    return _mm256_sqrt_ps(v);
-#elif defined(__AVX__) && SWEEP_BYTES == 32
-    return _mm256_sqrt_pd(v);
-#elif defined(__SSE2__) && !defined(SULFUR_REAL_DOUBLE)
-    return _mm_sqrt_ps(v);
-#elif defined(__SSE2__)
-    return _mm_sqrt_pd(v);
-#else
-    for (int i = 0; i < width; ++i)
-        v[i] = static_cast<SweepReal>(__builtin_sqrt(static_cast<double>(v[i])));
-    return v;
-#endif
-}
-
-struct Places {
-    Lanes x, y;
-};
-
 #ifdef SULFUR_REAL_DOUBLE
 
-inline Places gather(const SweepReal* xy, const std::uint32_t* at) {
-#if SWEEP_BYTES == 32
-    return {Lanes{xy[2 * at[0]], xy[2 * at[1]], xy[2 * at[2]], xy[2 * at[3]]},
-            Lanes{xy[2 * at[0] + 1], xy[2 * at[1] + 1], xy[2 * at[2] + 1], xy[2 * at[3] + 1]}};
-#else
-    return {Lanes{xy[2 * at[0]], xy[2 * at[1]]}, Lanes{xy[2 * at[0] + 1], xy[2 * at[1] + 1]}};
-#endif
-}
 inline void scatter(SweepReal* xy, const std::uint32_t* at, const Places& p) {
     for (int i = 0; i < width; ++i) {
-        xy[2 * at[i]] = p.x[i];
-        xy[2 * at[i] + 1] = p.y[i];
+        xy[at[i]] = p.x[i];
+        xy[at[i] + 1] = p.y[i];
     }
 }
 
 #else
 
 /// x and y of one particle, moved as one number.
-using Both [[gnu::vector_size(SWEEP_BYTES)]] = double;
-inline double both(const SweepReal* xy, std::uint32_t at) {
-    double value;
-    __builtin_memcpy(&value, xy + 2 * std::size_t{at}, sizeof value);
-    return value;
-}
+using Both [[gnu::vector_size(LANE_BYTES)]] = double;
 inline void setBoth(SweepReal* xy, std::uint32_t at, double value) {
-    __builtin_memcpy(xy + 2 * std::size_t{at}, &value, sizeof value);
+    __builtin_memcpy(xy + at, &value, sizeof value);
 }
 
-inline Places gather(const SweepReal* xy, const std::uint32_t* at) {
-#if SWEEP_BYTES == 32
-    // In an order in which the halves of a register stay where they are.
-    const Both even = {both(xy, at[0]), both(xy, at[1]), both(xy, at[4]), both(xy, at[5])};
-    const Both odd = {both(xy, at[2]), both(xy, at[3]), both(xy, at[6]), both(xy, at[7])};
-    const Lanes p = reinterpret_cast<Lanes>(even), q = reinterpret_cast<Lanes>(odd);
-    return {__builtin_shufflevector(p, q, 0, 2, 8, 10, 4, 6, 12, 14),
-            __builtin_shufflevector(p, q, 1, 3, 9, 11, 5, 7, 13, 15)};
-#else
-    const Both first = {both(xy, at[0]), both(xy, at[1])};
-    const Both second = {both(xy, at[2]), both(xy, at[3])};
-    const Lanes p = reinterpret_cast<Lanes>(first), q = reinterpret_cast<Lanes>(second);
-    return {__builtin_shufflevector(p, q, 0, 2, 4, 6), __builtin_shufflevector(p, q, 1, 3, 5, 7)};
-#endif
-}
 inline void scatter(SweepReal* xy, const std::uint32_t* at, const Places& v) {
-#if SWEEP_BYTES == 32
+#if LANE_BYTES == 32
     const Both p =
         reinterpret_cast<Both>(__builtin_shufflevector(v.x, v.y, 0, 8, 1, 9, 4, 12, 5, 13));
     const Both q =
@@ -115,8 +52,8 @@ inline void scatter(SweepReal* xy, const std::uint32_t* at, const Places& v) {
 inline void scatterSome(SweepReal* xy, const std::uint32_t* at, const Places& p,
                         std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        xy[2 * std::size_t{at[i]}] = p.x[i];
-        xy[2 * std::size_t{at[i]} + 1] = p.y[i];
+        xy[at[i]] = p.x[i];
+        xy[at[i] + 1] = p.y[i];
     }
 }
 
@@ -151,10 +88,68 @@ struct Ends {
     Lanes movedX, movedY, x, y;  // m, apart at the end of the tick
 };
 
-/// The same as pullDirection() in stiff_joints.cpp, of joints that point along `now`.
-Places pullDirection(const SweepView& joints, std::size_t k, const Places& now) {
+/// How the joints from `k` on stand when the tick begins. Returns their lengths.
+Lanes startEnds(const StartView& joints, std::size_t k) {
+    const Lanes zero = {};
+    const Places start = between(joints.position, joints.a + k, joints.b + k);
+    const Lanes length = root(start.x * start.x + start.y * start.y);
+    store(joints.startX + k, start.x);
+    store(joints.startY + k, start.y);
+    store(joints.directionX + k, length > zero ? start.x / length : zero);
+    store(joints.directionY + k, length > zero ? start.y / length : zero);
+    store(joints.lambda + k, zero);
+    // The same as whip() in stiff_joints.cpp.
+    const Lanes pulled = gatherOne(joints.pulled, joints.joint + k),
+                atRest = load(joints.length + k);
+    const Lanes w = load(joints.massA + k) + load(joints.massB + k);
+    const Lanes size = pulled < zero ? -pulled : pulled;
+    const Lanes bend =
+        SweepReal(2) * w * size * joints.h * joints.h / (atRest > zero ? atRest : length);
+    store(joints.whips + k, bend > joints.mostWhip ? zero + SweepReal(1) : zero);
+    return length;
+}
+
+void startImplicit(const StartView& joints, std::size_t first, std::size_t count) {
+    const Lanes zero = {};
+    for (std::size_t k = first; k < first + count; k += width) {
+        const Lanes length = startEnds(joints, k);
+        const Lanes w = load(joints.massA + k) + load(joints.massB + k);
+        const Lanes one = zero + SweepReal(1);
+        const Lanes gain = one / ((load(joints.hk + k) + load(joints.hb + k)) * w + one);
+        store(joints.gain + k, length > zero ? gain : zero);
+    }
+}
+
+/// The same as restOf() in stiff_joints.cpp.
+SweepReal restOf(SweepReal length, SweepReal atRest, double closing) {
+    const double torn = static_cast<double>(length - atRest);
+    const double left = torn > closing ? torn - closing : torn < -closing ? torn + closing : 0;
+    return atRest + static_cast<SweepReal>(left);
+}
+
+void startRigid(const StartView& joints, std::size_t first, std::size_t count) {
+    const Lanes zero = {};
+    const auto near = static_cast<SweepReal>(joints.closing * 0.99);
+    for (std::size_t k = first; k < first + count; k += width) {
+        const Lanes length = startEnds(joints, k), atRest = load(joints.length + k);
+        const Lanes w = load(joints.massA + k) + load(joints.massB + k);
+        store(joints.gain + k,
+              ((length > zero) & (w > zero)) ? SweepReal(1) / (SweepReal(2) * w) : zero);
+        store(joints.rest + k, atRest);
+        const Lanes torn = length - atRest;
+        if (bits((torn <= near) & (torn >= -near)) == everyLane) continue;
+        for (std::size_t i = 0; i < width; ++i)
+            joints.rest[k + i] = restOf(length[i], atRest[i], joints.closing);
+    }
+}
+
+/// The same as pullDirection() in stiff_joints.cpp, of joints of this length at the end of the
+/// tick.
+[[gnu::noinline]] Places pullDirectionWhere(const SweepView& joints, std::size_t k, Lanes endX,
+                                            Lanes endY, Lanes length) {
     const Lanes zero = {}, half = zero + SweepReal(0.5);
     Lanes x = load(joints.directionX + k), y = load(joints.directionY + k);
+    const Places now = {length > zero ? endX / length : zero, length > zero ? endY / length : zero};
     const Lanes meanX = x + now.x, meanY = y + now.y;
     const Lanes mean = root(meanX * meanX + meanY * meanY);
     const auto whips = (load(joints.whips + k) > zero) & (mean > zero);
@@ -164,6 +159,19 @@ Places pullDirection(const SweepView& joints, std::size_t k, const Places& now) 
     return {turned ? now.x : x, turned ? now.y : y};
 }
 
+/// The same where mostly none whips or has turned far, which takes no division to see: it points
+/// ahead by more than half of the length, and by more than all roundings.
+[[gnu::always_inline]] inline Places pullDirection(const SweepView& joints, const Ends& ends,
+                                                   Lanes length) {
+    const Lanes zero = {};
+    const Lanes x = load(joints.directionX + ends.k), y = load(joints.directionY + ends.k);
+    const Lanes ahead = x * ends.x + y * ends.y;
+    const auto stays = (ahead > length * SweepReal(0.6) + SweepReal(1e-15)) &
+                       (load(joints.whips + ends.k) == zero);
+    if (bits(stays) == everyLane) return {x, y};
+    return pullDirectionWhere(joints, ends.k, ends.x, ends.y, length);
+}
+
 /// The same as solveImplicit() in stiff_joints.cpp.
 void sweepImplicit(const SweepView& joints, std::size_t first, std::size_t count) {
     const Lanes zero = {};
@@ -171,9 +179,7 @@ void sweepImplicit(const SweepView& joints, std::size_t first, std::size_t count
         const std::size_t k = first + done;
         Ends ends(joints, k);
         const Lanes length = root(ends.x * ends.x + ends.y * ends.y);
-        const Places direction = pullDirection(
-            joints, k,
-            {length > zero ? ends.x / length : zero, length > zero ? ends.y / length : zero});
+        const Places direction = pullDirection(joints, ends, length);
         const Lanes lambda = load(joints.lambda + k);
         const Lanes moved = direction.x * ends.movedX + direction.y * ends.movedY;
         const Lanes pull = load(joints.hk + k) * (length - load(joints.rest + k)) +
@@ -192,11 +198,9 @@ void sweepRigid(const SweepView& joints, std::size_t first, std::size_t count) {
         Ends ends(joints, k);
         const Lanes square = ends.x * ends.x + ends.y * ends.y;
         const Lanes length = root(square), rest = load(joints.rest + k);
-        const Places direction = pullDirection(
-            joints, k,
-            {length > zero ? ends.x / length : zero, length > zero ? ends.y / length : zero});
+        const Places direction = pullDirection(joints, ends, length);
         const Lanes along = direction.x * ends.x + direction.y * ends.y;
-        const Lanes wanted = (rest * rest - square) * load(joints.scale + k);
+        const Lanes wanted = (rest * rest - square) * load(joints.gain + k);
         const Lanes change = length > zero ? wanted / along : zero;
         store(joints.lambda + k, load(joints.lambda + k) + change);
         ends.push(change * direction.x, change * direction.y, count - done);

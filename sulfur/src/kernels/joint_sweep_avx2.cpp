@@ -1,11 +1,11 @@
 // For processors with AVX2; compiled for nothing less.
 #include "kernels/joint_sweep.hpp"
 
-#define SWEEP_BYTES 32
+#define LANE_BYTES 32
 #include "kernels/joint_sweep.ipp"
 
 namespace sulfur::detail {
 
-const SweepKernels avx2Sweep = {sweepImplicit, sweepRigid};
+const SweepKernels avx2Sweep = {startImplicit, startRigid, sweepImplicit, sweepRigid};
 
 }  // namespace sulfur::detail

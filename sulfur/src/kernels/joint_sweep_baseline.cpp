@@ -1,11 +1,11 @@
 // For every x86-64, and as plain code for anything else.
 #include "kernels/joint_sweep.hpp"
 
-#define SWEEP_BYTES 16
+#define LANE_BYTES 16
 #include "kernels/joint_sweep.ipp"
 
 namespace sulfur::detail {
 
-const SweepKernels baselineSweep = {sweepImplicit, sweepRigid};
+const SweepKernels baselineSweep = {startImplicit, startRigid, sweepImplicit, sweepRigid};
 
 }  // namespace sulfur::detail

@@ -1,10 +1,14 @@
 #include "solver/areas.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "core/bucket_sort.hpp"
 #include "core/pieces.hpp"
+#include "kernels/area_look.hpp"
 #include "rigid/grip.hpp"
 #include "solver/contact_recovery.hpp"
 
@@ -20,8 +24,8 @@ constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare 
 /// opposite directions would lock each other.
 constexpr Real givenShare = Real(0.002);
 
-/// In a microsecond: triangles that are looked at, pushed, led back.
-constexpr std::size_t seenInMicrosecond = 120, pushedInMicrosecond = 40, ledInMicrosecond = 20;
+/// In a microsecond: blocks of triangles that are looked at, triangles that are pushed, led back.
+constexpr std::size_t seenInMicrosecond = 130, pushedInMicrosecond = 100, ledInMicrosecond = 60;
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -31,47 +35,16 @@ Slopes slopesOf(const Vec2& toB, const Vec2& toC) {
     return {-b - c, b, c};
 }
 
-/// Twice the area to which the displacements so far lead.
-template <class Moved>
-Real areaAhead(const State& state, const Triangle& t, Moved&& moved) {
-    const Particles& p = state.particles;
-    const Vec2 a = moved(t.a);
-    const auto way = [&](std::uint32_t to) {
-        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() + (moved(to) - a));
-    };
-    return cross(way(t.b), way(t.c));
-}
-
-/// Nearly all are of particles alone, and all of them are looked at in every tick.
-Real areaAhead(const State& state, const Triangle& t) {
-    const auto& displacement = state.particles.displacement;
-    if (!t.rigid) return areaAhead(state, t, [&](std::uint32_t i) { return displacement[i]; });
-    return areaAhead(state, t,
-                     [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); });
-}
-
-PressedTriangle press(const State& state, const Triangle& t) {
-    const Particles& p = state.particles;
-    PressedTriangle pressed;
-    pressed.corners = {gripOf(state, t.a), gripOf(state, t.b), gripOf(state, t.c)};
-    pressed.startB = (p.position[t.b] - p.position[t.a]).cast<Real>();
-    pressed.startC = (p.position[t.c] - p.position[t.a]).cast<Real>();
-    pressed.slopes = slopesOf(pressed.startB, pressed.startC);
-    pressed.rest = t.rest;
-    const Real area = cross(pressed.startB, pressed.startC);
-    pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
-    return pressed;
-}
-
 /// What a push along `by` of all corners does to the area whose slopes are `slopes`. Corners in one
 /// rigid component feel each other's push.
-Real response(const State& state, const PressedTriangle& t, const Slopes& by,
-              const Slopes& slopes) {
+template <bool held>
+[[gnu::always_inline]] inline Real response(const State& state, const PressedTriangle& t,
+                                            const Slopes& by, const Slopes& slopes) {
     Real sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const Grip& at = t.corners[i];
-        if (at.cluster == none) {
-            sum += state.particles.inverseMass[at.particle] * by[i].dot(slopes[i]);
+        if (!held || at.cluster == none) {
+            sum += t.inverseMass[i] * by[i].dot(slopes[i]);
             continue;
         }
         const Cluster& c = state.clusters.list[at.cluster];
@@ -82,32 +55,75 @@ Real response(const State& state, const PressedTriangle& t, const Slopes& by,
     }
     return sum;
 }
+Real response(const State& state, const PressedTriangle& t, const Slopes& by,
+              const Slopes& slopes) {
+    return t.held ? response<true>(state, t, by, slopes) : response<false>(state, t, by, slopes);
+}
+
+/// A triangle that is pressed from now on.
+void press(const State& state, const Triangle& t, PressedTriangle& pressed) {
+    const Particles& p = state.particles;
+    pressed.corners = {gripOf(state, t.a), gripOf(state, t.b), gripOf(state, t.c)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        pressed.inverseMass[i] = p.inverseMass[pressed.corners[i].particle];
+        pressed.held |= pressed.corners[i].cluster != none;
+    }
+    pressed.startB = (p.position[t.b] - p.position[t.a]).cast<Real>();
+    pressed.startC = (p.position[t.c] - p.position[t.a]).cast<Real>();
+    pressed.slopes = slopesOf(pressed.startB, pressed.startC);
+    pressed.rest = t.rest;
+    const Real area = cross(pressed.startB, pressed.startC);
+    pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
+    pressed.response = response(state, pressed, pressed.slopes, pressed.slopes);
+}
 
 /// Where the sides from a have come to.
+template <bool held>
+[[gnu::always_inline]] inline std::array<Vec2, 2> sidesOf(const State& state,
+                                                          const PressedTriangle& t) {
+    const auto moved = [&](std::size_t i) {
+        const Grip& corner = t.corners[i];
+        return held ? displacementOf(state, corner) : state.particles.displacement[corner.particle];
+    };
+    const Vec2 a = moved(0);
+    return {t.startB + (moved(1) - a), t.startC + (moved(2) - a)};
+}
 std::array<Vec2, 2> sidesOf(const State& state, const PressedTriangle& t) {
-    const Vec2 a = displacementOf(state, t.corners[0]);
-    return {t.startB + (displacementOf(state, t.corners[1]) - a),
-            t.startC + (displacementOf(state, t.corners[2]) - a)};
+    return t.held ? sidesOf<true>(state, t) : sidesOf<false>(state, t);
+}
+
+template <bool held>
+void pushCorners(State& state, const PressedTriangle& t, Real by, const Slopes& slopes) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 impulse = by * slopes[i];
+        if (held)
+            push(state, t.corners[i], impulse);
+        else
+            state.particles.displacement[t.corners[i].particle] += t.inverseMass[i] * impulse;
+    }
 }
 
 /// An inequality on displacements (position based dynamics, Mueller et al. 2007). It pushes along
 /// the slopes of the tick's start, as rigid joints do, which keeps angular momentum, as long as
 /// that widens the triangle at least half as well as the slopes of now.
+template <bool held>
 void solveArea(State& state, PressedTriangle& t) {
-    const auto [toB, toC] = sidesOf(state, t);
+    const auto [toB, toC] = sidesOf<held>(state, t);
     const Real lacks = t.least - cross(toB, toC);
     if (lacks <= 0 && t.lambda <= 0) return;
     const Slopes now = slopesOf(toB, toC);
-    const Real best = response(state, t, now, now);
-    const Real start = response(state, t, t.slopes, t.slopes);
-    const Real along = response(state, t, t.slopes, now);
-    const bool turned = !(along > Real(0.5) * std::sqrt(best * start));
-    const Real gain = turned ? best : along;
-    if (!(gain > 0)) return;
-    const Slopes& by = turned ? now : t.slopes;
-    const Real before = t.lambda;
-    t.lambda = std::max<Real>(before + lacks / gain, 0);
-    for (std::size_t i = 0; i < 3; ++i) push(state, t.corners[i], (t.lambda - before) * by[i]);
+    const Real best = response<held>(state, t, now, now);
+    const Real along = response<held>(state, t, t.slopes, now);
+    const auto widen = [&](const Slopes& slopes, Real gain) {
+        if (!(gain > 0)) return;
+        const Real before = t.lambda;
+        t.lambda = std::max<Real>(before + lacks / gain, 0);
+        pushCorners<held>(state, t, t.lambda - before, slopes);
+    };
+    // Mostly it widens well by more than all roundings, which takes no root to see.
+    if (along > 0 && along * along > Real(0.3) * (best * t.response)) return widen(t.slopes, along);
+    const bool turned = !(along > Real(0.5) * std::sqrt(best * t.response));
+    turned ? widen(now, best) : widen(t.slopes, along);
 }
 
 /// What is led back, with the slopes to which the tick leads.
@@ -133,13 +149,23 @@ void addRecovery(const State& state, const PressedTriangle& t, std::vector<Recov
     list.push_back(recovery);
 }
 
+template <bool held>
 void recover(State& state, Recovery& r) {
-    const auto& corners = r.triangle->corners;
+    const PressedTriangle& t = *r.triangle;
+    auto& shifts = state.particles.shift;
     Real risen = 0;
-    for (std::size_t i = 0; i < 3; ++i) risen += r.slopes[i].dot(shiftOf(state, corners[i]));
+    for (std::size_t i = 0; i < 3; ++i)
+        risen +=
+            r.slopes[i].dot(held ? shiftOf(state, t.corners[i]) : shifts[t.corners[i].particle]);
     const Real before = r.lambda;
     r.lambda = std::max<Real>(before + (r.rise - risen) / r.response, 0);
-    for (std::size_t i = 0; i < 3; ++i) shift(state, corners[i], (r.lambda - before) * r.slopes[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2 impulse = (r.lambda - before) * r.slopes[i];
+        if (held)
+            shift(state, t.corners[i], impulse);
+        else
+            shifts[t.corners[i].particle] += t.inverseMass[i] * impulse;
+    }
 }
 
 /// The pressed triangles of some bodies.
@@ -161,43 +187,109 @@ void inShares(State& state, std::size_t inMicrosecond, Function&& f) {
     const std::size_t count = triangles.pressed.size();
     // (Rigid components may be parts of several bodies.)
     const std::size_t pieces =
-        triangles.anyRigid ? 1 : std::min(mostShares, piecesOf(state.tasks, count, inMicrosecond));
+        triangles.anyHeld ? 1 : std::min(mostShares, piecesOf(state.tasks, count, inMicrosecond));
     if (pieces == 1) return f(Share{});
-    std::array<std::uint32_t, mostShares> begins{};
-    for (std::size_t i = 1; i < pieces; ++i) {
-        const auto& middle = triangles.pressed[pieceStart(i, pieces, count)];
-        const auto body = state.particles.body[middle.corners[0].particle];
-        begins[i] = state.bodies[body].firstParticle;
+    // They come in turns, one of each body, so that some tell where the bodies of most are.
+    std::array<std::uint32_t, 4 * mostShares> sample{};
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const auto& triangle = triangles.pressed[i * count / sample.size()];
+        const auto body = state.particles.body[triangle.corners[0].particle];
+        sample[i] = state.bodies[body].firstParticle;
     }
-    std::sort(begins.begin(), begins.begin() + std::ptrdiff_t(pieces));
+    std::sort(sample.begin(), sample.end());
+    const auto begin = [&](std::size_t i) { return sample[pieceStart(i, pieces, sample.size())]; };
     runPieces(state.tasks, pieces, [&](std::size_t i) {
-        Share share{.first = begins[i]};
-        if (i + 1 < pieces) share.last = begins[i + 1];
+        Share share;
+        if (i > 0) share.first = begin(i);
+        if (i + 1 < pieces) share.last = begin(i + 1);
         f(share);
     });
+}
+
+/// Twice the area to which the displacements so far lead a triangle that a rigid component holds.
+/// (The kernel looks at all others.)
+Real areaAhead(const State& state, const Triangle& t) {
+    const Particles& p = state.particles;
+    const auto moved = [&](std::uint32_t i) { return displacementOf(state, gripOf(state, i)); };
+    const Vec2 a = moved(t.a);
+    const auto way = [&](std::uint32_t to) {
+        return Vec2((p.position[to] - p.position[t.a]).cast<Real>() + (moved(to) - a));
+    };
+    return cross(way(t.b), way(t.c));
+}
+
+AreaView viewOf(State& state) {
+    const Particles& p = state.particles;
+    AwakeTriangles& t = state.triangles.awake;
+    return {p.position.data()->data(),
+            p.displacement.data()->data(),
+            t.a.data(),
+            t.b.data(),
+            t.c.data(),
+            t.rest.data(),
+            t.flat.data()};
+}
+
+/// Notes of the triangles in some blocks which ones the displacements so far lead to less than a
+/// share of their area.
+void noteFlat(State& state, Real share, std::size_t firstBlock, std::size_t lastBlock) {
+    areaKernels().look(viewOf(state), share, firstBlock, lastBlock);
+    AwakeTriangles& awake = state.triangles.awake;
+    auto held = std::lower_bound(awake.held.begin(), awake.held.end(), firstBlock * sweepLanes);
+    for (; held != awake.held.end() && *held < lastBlock * sweepLanes; ++held) {
+        const Triangle t = awake[*held];
+        const auto bit = static_cast<std::uint8_t>(1u << *held % sweepLanes);
+        std::uint8_t& flat = awake.flat[*held / sweepLanes];
+        flat = areaAhead(state, t) >= share * t.rest ? flat & ~bit : flat | bit;
+    }
+}
+
+/// Orders triangles, which come body by body, so that the first of each body come first, then the
+/// second ones, and so on: those of one body keep their order and wait for each other, those of
+/// several do not.
+void interleave(const State& state, std::vector<std::uint32_t>& triangles) {
+    thread_local std::vector<std::uint32_t> rank, scratch, start;
+    const AwakeTriangles& awake = state.triangles.awake;
+    rank.resize(awake.count);
+    std::uint32_t body = none, next = 0, most = 0;
+    for (const auto i : triangles) {
+        const auto owner = state.particles.body[awake[i].a];
+        next = owner == std::exchange(body, owner) ? next + 1 : 0;
+        most = std::max(most, next);
+        rank[i] = next;
+    }
+    countingSort(triangles, scratch, start, most + 1, [&](std::uint32_t i) { return rank[i]; });
+}
+
+/// Finds the triangles that are pressed anew where the displacements so far lead to less than a
+/// share of their area.
+const std::vector<std::uint32_t>& findPressed(State& state, Real share) {
+    thread_local std::vector<std::uint32_t> found;
+    AwakeTriangles& awake = state.triangles.awake;
+    found.clear();
+    inPieces(state.tasks, awake.blocks(), seenInMicrosecond,
+             [&](std::size_t first, std::size_t last) { noteFlat(state, share, first, last); });
+    for (std::size_t block = 0; block < awake.blocks(); ++block) {
+        std::uint32_t fresh = awake.flat[block] & ~awake.pressed[block];
+        for (; fresh != 0; fresh &= fresh - 1) {
+            const auto i = block * sweepLanes + static_cast<std::size_t>(std::countr_zero(fresh));
+            if (i < awake.count) found.push_back(static_cast<std::uint32_t>(i));
+        }
+        awake.pressed[block] |= awake.flat[block];
+    }
+    // (Rigid components may be parts of several bodies.)
+    if (awake.held.empty()) interleave(state, found);
+    return found;
 }
 
 /// Adds the triangles that the displacements so far lead to less than a share of their area.
 void pressBelow(State& state, Real share) {
     Triangles& triangles = state.triangles;
-    constexpr std::uint8_t isNew = 2;
-    const auto look = [&](std::size_t first, std::size_t last) {
-        bool any = false;
-        for (auto i = first; i < last; ++i) {
-            const Triangle& t = triangles.awake[i];
-            if (triangles.isPressed[i] != 0 || areaAhead(state, t) >= share * t.rest) continue;
-            triangles.isPressed[i] = isNew;
-            any = true;
-        }
-        return any;
-    };
-    if (!anyInPieces(state.tasks, triangles.awake.size(), seenInMicrosecond, look)) return;
-    for (std::size_t i = 0; i < triangles.awake.size(); ++i) {
-        if (triangles.isPressed[i] != isNew) continue;
-        triangles.isPressed[i] = 1;
-        triangles.pressed.push_back(press(state, triangles.awake[i]));
-        for (const Grip& corner : triangles.pressed.back().corners)
-            triangles.anyRigid |= corner.cluster != none;
+    if (triangles.awake.count == 0) return;
+    for (const auto i : findPressed(state, share)) {
+        PressedTriangle& added = triangles.pressed.emplace_back();
+        press(state, triangles.awake[i], added);
+        triangles.anyHeld |= added.held;
     }
 }
 
@@ -207,9 +299,9 @@ void startAreas(State& state) {
     Triangles& triangles = state.triangles;
     if (!triangles.pressed.empty()) {
         triangles.pressed.clear();
-        std::fill(triangles.isPressed.begin(), triangles.isPressed.end(), std::uint8_t{0});
+        std::fill(triangles.awake.pressed.begin(), triangles.awake.pressed.end(), std::uint8_t{0});
     }
-    triangles.anyRigid = false;
+    triangles.anyHeld = false;
     pressBelow(state, watchedShare);
 }
 
@@ -223,7 +315,7 @@ bool morePressed(State& state) {
 void solveAreas(State& state) {
     inShares(state, pushedInMicrosecond, [&](const Share& share) {
         for (PressedTriangle& t : state.triangles.pressed)
-            if (share.has(t)) solveArea(state, t);
+            if (share.has(t)) t.held ? solveArea<true>(state, t) : solveArea<false>(state, t);
     });
 }
 
@@ -236,7 +328,8 @@ void recoverAreas(State& state) {
         for (const PressedTriangle& t : state.triangles.pressed)
             if (share.has(t)) addRecovery(state, t, recoveries);
         for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
-            for (Recovery& r : recoveries) recover(state, r);
+            for (Recovery& r : recoveries)
+                r.triangle->held ? recover<true>(state, r) : recover<false>(state, r);
         for (const Recovery& r : recoveries) {
             for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
             // It must not fall asleep as it is.

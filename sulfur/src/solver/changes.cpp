@@ -117,6 +117,19 @@ bool takesPart(const State& state, std::uint32_t j) {
     return !joints.inCluster[j] && (moves(joints.a[j]) || moves(joints.b[j]));
 }
 
+void listStiffRuns(State& state) {
+    const Joints& joints = state.joints;
+    auto& runs = state.work.stiffRuns;
+    runs.clear();
+    for (const auto j : state.work.stiffJoints) {
+        const bool forces = joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0;
+        if (!runs.empty() && runs.back().last == j && runs.back().forces == forces)
+            ++runs.back().last;
+        else
+            runs.push_back({j, j + 1, forces});
+    }
+}
+
 void listJoints(State& state) {
     WorkLists& work = state.work;
     const Joints& joints = state.joints;
@@ -134,6 +147,7 @@ void listJoints(State& state) {
         if (joints.kind[j] != JointKind::explicitElastic) work.stiffJoints.push_back(j);
     }
     batchExplicitJoints(state);
+    listStiffRuns(state);
     for (const auto j : state.structure.sweptJoints) {
         if (!takesPart(state, j)) continue;
         (joints.kind[j] == JointKind::rigid ? work.rigidJoints : work.implicitJoints).push_back(j);
@@ -222,7 +236,7 @@ void count(State& state, const WorkLists& work, const Triangles& triangles) {
     for (const auto j : work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
-    statistics.triangles += sizeOf(triangles.awake);
+    statistics.triangles += static_cast<std::uint32_t>(triangles.awake.count);
     statistics.sweptJoints += sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
 }
 

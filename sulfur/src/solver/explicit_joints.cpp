@@ -36,8 +36,8 @@ void fill(const State& state, const std::vector<std::uint32_t>& list, ExplicitJo
         const auto j = list[k];
         const std::size_t at = batch.place + (k - batch.first);
         all.joint[at] = j;
-        all.a[at] = joints.a[j];
-        all.b[at] = joints.b[j];
+        all.a[at] = 2 * joints.a[j];
+        all.b[at] = 2 * joints.b[j];
         all.rest[at] = joints.restLength[j];
         all.stiffness[at] = joints.explicitStiffness[j];
         all.damping[at] = joints.explicitDamping[j];

@@ -101,6 +101,7 @@ private:
     std::vector<Role> roles_;             // of bodies
     std::vector<std::uint8_t> traits_;    // of bodies; of the first of each set, those of all
     DisjointSets sets_;
+    std::vector<std::uint32_t> leader_;  // of bodies, the first of their sets
 };
 
 void Impacts::unite(const State& state) {
@@ -120,13 +121,15 @@ void Impacts::unite(const State& state) {
         lean(a, b);
         lean(b, a);
     };
+    std::uint32_t lastA = none, lastB = none;  // bodies mostly touch at more than one point
     for (const Contact& c : state.contacts) {
         if (c.normalLambda <= 0) continue;
         std::uint8_t trait = c.fast ? fast : 0;
         if (c.conveyed != 0) trait |= driven;
         traits_[c.bodyA] |= trait;
         traits_[c.bodyB] |= trait;
-        join(c.bodyA, c.bodyB);
+        if (c.bodyA == lastA && c.bodyB == lastB) continue;
+        join(lastA = c.bodyA, lastB = c.bodyB);
     }
     const auto& bodyOf = state.particles.body;
     for (const Attachment& a : state.attachments)
@@ -134,7 +137,11 @@ void Impacts::unite(const State& state) {
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             traits_[bodyOf[state.particleSlots.dense(grab.support[k])]] |= driven;
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) traits_[sets_.find(i)] |= traits_[i];
+    leader_.resize(state.bodies.size());
+    for (std::uint32_t i = 0; i < leader_.size(); ++i) {
+        leader_[i] = sets_.find(i);
+        traits_[leader_[i]] |= traits_[i];
+    }
 }
 
 /// Calls visit(body, the first of its set) for all in sets that something fast has hit and nothing
@@ -143,7 +150,7 @@ template <class Visit>
 void Impacts::forEachHit(Visit&& visit) {
     for (std::uint32_t i = 0; i < roles_.size(); ++i) {
         if (roles_[i] != Role::moved) continue;
-        const auto first = sets_.find(i);
+        const auto first = leader_[i];
         if ((traits_[first] & fast) != 0 && (traits_[first] & driven) == 0) visit(i, first);
     }
 }
@@ -212,6 +219,9 @@ void Impacts::addParts(const State& state, Group& group) {
                 part.angle = c.angle;
                 part.offset = c.velocity - c.predicted.cast<double>() / h;
                 part.spinOffset = c.spin - c.predictedAngle / h;
+                // Members stand in their order: past all of them, if they are neighbours.
+                const auto others = c.last - c.first - 1;
+                if (state.clusters.members[c.last - 1] == i + others) i += others;
             }
             parts_.push_back(part);
         }

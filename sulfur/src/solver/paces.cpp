@@ -71,7 +71,6 @@ void restoreDisplacements(State& state) {
 void swapLists(State& state) {
     std::swap(state.work, state.steps.parkedWork);
     std::swap(state.triangles.awake, state.steps.parkedTriangles.awake);
-    std::swap(state.triangles.isPressed, state.steps.parkedTriangles.isPressed);
     std::swap(state.triangles.pressed, state.steps.parkedTriangles.pressed);
 }
 

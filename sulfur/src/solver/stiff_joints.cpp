@@ -120,20 +120,45 @@ SweepView viewOf(State& state, SweptJoints& s) {
     view.startY = s.startY.data();
     view.massA = s.massA.data();
     view.massB = s.massB.data();
-    view.rest = s.rest.data();
+    view.rest = s.rest.empty() ? s.length.data() : s.rest.data();
     view.lambda = s.lambda.data();
     view.hk = s.hk.data();
     view.hb = s.hb.data();
     view.gain = s.gain.data();
     view.directionX = s.directionX.data();
     view.directionY = s.directionY.data();
-    view.scale = s.scale.data();
     view.whips = s.whips.data();
     return view;
 }
 
-/// Joints that are swept or prepared in a microsecond.
-constexpr std::size_t inMicrosecond = 120;
+StartView startOf(const State& state, SweptJoints& s) {
+    StartView view{};
+    view.position = state.particles.position.data()->data();
+    view.pulled = state.joints.force.data();
+    view.joint = s.joint.data();
+    view.a = s.a.data();
+    view.b = s.b.data();
+    view.massA = s.massA.data();
+    view.massB = s.massB.data();
+    view.length = s.length.data();
+    view.hk = s.hk.data();
+    view.hb = s.hb.data();
+    view.startX = s.startX.data();
+    view.startY = s.startY.data();
+    view.directionX = s.directionX.data();
+    view.directionY = s.directionY.data();
+    view.whips = s.whips.data();
+    view.lambda = s.lambda.data();
+    view.gain = s.gain.data();
+    view.rest = s.rest.data();
+    view.h = state.h;
+    view.mostWhip = mostWhip;
+    view.closing = closingSpeed * static_cast<double>(state.h);
+    return view;
+}
+
+/// Joints that are swept or prepared in a microsecond, most of them in lanes.
+constexpr std::size_t inMicrosecond = 600;
 
 /// Calls f(batch, first, last) for the joints [first, last) of each batch, those of one part in the
 /// order of their batches: parts at once or, where there is only one, what a wide batch has.
@@ -162,44 +187,26 @@ void forEachBatch(const State& state, const SweptJoints& swept, std::size_t coun
     }
 }
 
-/// What all sweeps of a tick have in common; returns the joint's length at the tick's start.
-Real prepareEnds(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
-    const Vec2 start = apartAtStart(state, j);
-    const Real length = start.norm();
-    s.startX[k] = start[0];
-    s.startY[k] = start[1];
-    s.massA[k] = state.particles.inverseMass[state.joints.a[j]];
-    s.massB[k] = state.particles.inverseMass[state.joints.b[j]];
-    s.directionX[k] = length > 0 ? start[0] / length : 0;
-    s.directionY[k] = length > 0 ? start[1] / length : 0;
-    s.whips[k] = whip(state, j, s.massA[k] + s.massB[k], length) > mostWhip ? 1 : 0;
-    s.lambda[k] = 0;
-    return length;
-}
-
-void prepareImplicit(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
+/// What the sweeps of implicit joints need of each, which only changes with the step.
+void noteStep(const State& state, SweptJoints& s) {
     const Joints& joints = state.joints;
     const Real newtons = newtonsPerMultiplier(state);
-    const Real length = prepareEnds(state, j, s, k);
-    s.rest[k] = joints.restLength[j];
-    s.hk[k] = (joints.stiffness[j] - joints.explicitStiffness[j]) / newtons;
-    s.hb[k] = (joints.damping[j] - joints.explicitDamping[j]) / (newtons * state.h);
-    const Real w = s.massA[k] + s.massB[k];
-    s.gain[k] = length > 0 ? 1 / ((s.hk[k] + s.hb[k]) * w + 1) : 0;
-}
-
-void prepareRigid(const State& state, std::uint32_t j, SweptJoints& s, std::size_t k) {
-    const Real length = prepareEnds(state, j, s, k);
-    const Real w = s.massA[k] + s.massB[k];
-    s.rest[k] = restOf(state, j, length);
-    s.scale[k] = length > 0 && w > 0 ? 1 / (2 * w) : 0;
+    if (s.h == state.h && s.newtons == newtons) return;
+    s.h = state.h;
+    s.newtons = newtons;
+    for (std::size_t k = 0; k < s.hk.size(); ++k) {
+        const auto j = s.joint[k];
+        s.hk[k] = (joints.stiffness[j] - joints.explicitStiffness[j]) / newtons;
+        s.hb[k] = (joints.damping[j] - joints.explicitDamping[j]) / (newtons * state.h);
+    }
 }
 
 using SolveOne = void (*)(State&, std::uint32_t);
-using SolveMany = void (*)(const SweepView&, std::size_t, std::size_t);
+template <class View>
+using SolveMany = void (*)(const View&, std::size_t, std::size_t);
 
 void sweep(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept, SolveOne one,
-           SolveMany many) {
+           SolveMany<SweepView> many) {
     if (list.empty()) return;
     const SweepView view = viewOf(state, swept);
     forEachBatch(state, swept, list.size(),
@@ -246,18 +253,19 @@ bool touchedRigidJointsAreStrained(const State& state) {
 void clearMultipliers(State& state) {
     WorkLists& work = state.work;
     const auto start = [&](const std::vector<std::uint32_t>& list, SweptJoints& swept,
-                           auto prepare) {
+                           SolveMany<StartView> many) {
+        if (list.empty()) return;
+        noteStep(state, swept);
+        const StartView view = startOf(state, swept);
         forEachBatch(state, swept, list.size(),
                      [&](const SweepBatch& batch, std::size_t first, std::size_t last) {
-                         for (auto k = first; k < last; ++k) {
-                             const auto j = list[batch.first + k];
-                             state.joints.lambda[j] = 0;
-                             if (batch.wide) prepare(state, j, swept, batch.place + k);
-                         }
+                         if (batch.wide) return many(view, batch.place + first, last - first);
+                         for (auto k = first; k < last; ++k)
+                             state.joints.lambda[list[batch.first + k]] = 0;
                      });
     };
-    start(work.implicitJoints, work.implicitSweep, [](auto&&... all) { prepareImplicit(all...); });
-    start(work.rigidJoints, work.rigidSweep, [](auto&&... all) { prepareRigid(all...); });
+    start(work.implicitJoints, work.implicitSweep, sweepKernels().startImplicit);
+    start(work.rigidJoints, work.rigidSweep, sweepKernels().startRigid);
     for (const auto i : work.attachments) state.attachments[i].force = Vec2(0, 0);
     for (const auto i : work.hinges) state.clusters.hinges[i].force = Vec2(0, 0);
 }
@@ -265,16 +273,19 @@ void clearMultipliers(State& state) {
 void recordForces(State& state) {
     Joints& joints = state.joints;
     const WorkLists& work = state.work;
-    for (const auto& [list, swept] : {std::pair(&work.implicitJoints, &work.implicitSweep),
-                                      std::pair(&work.rigidJoints, &work.rigidSweep)})
+    for (const auto* swept : {&work.implicitSweep, &work.rigidSweep})
         for (const SweepBatch& batch : swept->batches)
             for (std::size_t k = 0; batch.wide && k < batch.size(); ++k)
-                joints.lambda[(*list)[batch.first + k]] = swept->lambda[batch.place + k];
+                joints.lambda[swept->joint[batch.place + k]] = swept->lambda[batch.place + k];
     const Real scale = -newtonsPerMultiplier(state);
-    for (const auto j : state.work.stiffJoints) {
+    Real* const force = joints.force.data();
+    const Real* const lambda = joints.lambda.data();
+    for (const StiffRun& run : work.stiffRuns) {
         // What is a force as well has been recorded as one already.
-        const bool both = joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0;
-        joints.force[j] = (both ? joints.force[j] : 0) + scale * joints.lambda[j];
+        if (run.forces)
+            for (auto j = run.first; j < run.last; ++j) force[j] += scale * lambda[j];
+        else
+            for (auto j = run.first; j < run.last; ++j) force[j] = Real(0) + scale * lambda[j];
     }
 }
 

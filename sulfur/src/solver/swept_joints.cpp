@@ -60,6 +60,31 @@ private:
     std::array<std::uint32_t, most> begins_{};
 };
 
+/// Behind the last joint of a batch come copies of its first, whose pushes are left out.
+void fillLanes(const State& state, const std::vector<std::uint32_t>& list, std::size_t places,
+               SweptJoints& swept) {
+    const Joints& joints = state.joints;
+    swept.forEachArray([&](auto& numbers) { numbers.resize(places); });
+    const bool rigid = !list.empty() && joints.kind[list.front()] == JointKind::rigid;
+    for (auto* numbers : {&swept.hk, &swept.hb}) numbers->resize(rigid ? 0 : places);
+    swept.rest.resize(rigid ? places : 0);
+    swept.h = swept.newtons = 0;
+    for (const SweepBatch& batch : swept.batches) {
+        if (!batch.wide) continue;
+        const std::size_t end = (batch.size() + sweepLanes - 1) / sweepLanes * sweepLanes;
+        for (std::size_t i = 0; i < end; ++i) {
+            const auto j = list[batch.first + (i < batch.size() ? i : 0)];
+            const std::size_t at = batch.place + i;
+            swept.joint[at] = j;
+            swept.a[at] = 2 * joints.a[j];
+            swept.b[at] = 2 * joints.b[j];
+            swept.massA[at] = state.particles.inverseMass[joints.a[j]];
+            swept.massB[at] = state.particles.inverseMass[joints.b[j]];
+            swept.length[at] = joints.restLength[j];
+        }
+    }
+}
+
 }  // namespace
 
 void batchJoints(const State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
@@ -83,17 +108,7 @@ void batchJoints(const State& state, const std::vector<std::uint32_t>& list, Swe
             if (wide) places += (to - from + sweepLanes - 1) / sweepLanes * sweepLanes;
         }
     }
-    // What lies behind the last joint of a batch takes hold of a particle that there is.
-    swept.a.assign(places, 0);
-    swept.b.assign(places, 0);
-    swept.forEachReal([&](std::vector<Real>& numbers) { numbers.assign(places, 0); });
-    for (const SweepBatch& batch : swept.batches) {
-        if (!batch.wide) continue;
-        for (auto k = batch.first; k < batch.last; ++k) {
-            swept.a[batch.place + (k - batch.first)] = state.joints.a[list[k]];
-            swept.b[batch.place + (k - batch.first)] = state.joints.b[list[k]];
-        }
-    }
+    fillLanes(state, list, places, swept);
 }
 
 }  // namespace sulfur::detail

@@ -21,22 +21,27 @@ struct SweepBatch {
     std::size_t size() const { return last - first; }
 };
 
-/// The arrays that SweepView points into. Batches are derived with the work lists, the numbers in
-/// every tick.
+/// The arrays that StartView and SweepView point into. Batches are derived with the work lists, and
+/// with them all that does not change from tick to tick.
 struct SweptJoints {
     std::vector<SweepBatch> batches;
     /// So many parts share no particle, whatever the colours: for threads. Batches of one colour
     /// come one after the other.
     std::uint32_t parts = 1;
-    std::vector<std::uint32_t> a, b;
-    std::vector<Real> startX, startY, massA, massB, rest, lambda;
-    std::vector<Real> hk, hb, gain;
-    std::vector<Real> directionX, directionY, scale, whips;
+    std::vector<std::uint32_t> joint, a, b;
+    std::vector<Real> massA, massB, length;
+    // Of implicit joints, for steps of h seconds in which a multiplier stands for so many newtons.
+    std::vector<Real> hk, hb;
+    Real h = 0, newtons = 0;
+    // Found in every tick.
+    std::vector<Real> startX, startY, directionX, directionY, whips, lambda, gain;
+    std::vector<Real> rest;  // of rigid joints
 
     template <class Function>
-    void forEachReal(Function&& f) {
-        for (auto* list : {&startX, &startY, &massA, &massB, &rest, &lambda, &hk, &hb, &gain,
-                           &directionX, &directionY, &scale, &whips})
+    void forEachArray(Function&& f) {
+        for (auto* list : {&joint, &a, &b}) f(*list);
+        for (auto* list : {&massA, &massB, &length, &hk, &hb, &startX, &startY, &directionX,
+                           &directionY, &whips, &lambda, &gain, &rest})
             f(*list);
     }
 };

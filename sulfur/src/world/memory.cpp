@@ -63,9 +63,9 @@ MemoryUse ofColdJoints(const State& state) {
 MemoryUse ofSweptJoints(const State& state) {
     Sum sum;
     for (const auto* swept : {&state.work.implicitSweep, &state.work.rigidSweep})
-        sum.add(swept->a, swept->b, swept->startX, swept->startY, swept->massA, swept->massB,
-                swept->rest, swept->lambda, swept->hk, swept->hb, swept->gain, swept->directionX,
-                swept->directionY, swept->scale, swept->whips);
+        sum.add(swept->joint, swept->a, swept->b, swept->massA, swept->massB, swept->length,
+                swept->hk, swept->hb, swept->startX, swept->startY, swept->directionX,
+                swept->directionY, swept->whips, swept->lambda, swept->gain, swept->rest);
     return sum.as("joints in sweeps: their lanes",
                   state.work.implicitJoints.size() + state.work.rigidJoints.size(), true);
 }
@@ -75,8 +75,8 @@ MemoryUse ofWorkLists(const State& state) {
     return Sum()
         .add(w.awake, w.points, w.free, w.awakeClusters, w.clusters, w.watchedClusters,
              w.lonelyTrees, w.tiedTrees, w.lines, w.explicitJoints, w.implicitJoints, w.rigidJoints,
-             w.stiffJoints, w.breakableJoints, w.attachments, w.hinges, w.heldNodes, w.bodies,
-             w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart,
+             w.stiffJoints, w.stiffRuns, w.breakableJoints, w.attachments, w.hinges, w.heldNodes,
+             w.bodies, w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart,
              w.explicitBatches.batches, w.explicitBatches.joint, w.explicitBatches.a,
              w.explicitBatches.b, w.explicitBatches.rest, w.explicitBatches.stiffness,
              w.explicitBatches.damping, state.steps.late, state.steps.standing,
@@ -87,7 +87,8 @@ MemoryUse ofWorkLists(const State& state) {
 MemoryUse ofTriangles(const State& state) {
     const auto& t = state.triangles;
     return Sum()
-        .add(t.all, t.awake, t.pressed, t.isPressed)
+        .add(t.all, t.awake.a, t.awake.b, t.awake.c, t.awake.rest, t.awake.held, t.awake.flat,
+             t.awake.pressed, t.pressed)
         .as("triangles of soft bodies", t.all.size(), true);
 }
 

@@ -40,6 +40,12 @@ struct BodyPair {
     friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
+/// Neighbouring joints that have multipliers.
+struct StiffRun {
+    std::uint32_t first = 0, last = 0;
+    bool forces = false;  // they are partly forces too
+};
+
 /// The colour of what the others left none for.
 inline constexpr std::uint8_t noColour = 63;
 
@@ -87,6 +93,7 @@ struct WorkLists {
     SweptJoints implicitSweep, rigidSweep;                                   // their batches
     ExplicitJoints explicitBatches;
     std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
+    std::vector<StiffRun> stiffRuns;         // the same
     std::vector<std::uint32_t> breakableJoints;
     // All joints that are not rigid, body by body, asleep or not; where those of each body begin.
     std::vector<std::uint32_t> springs, springStart;
