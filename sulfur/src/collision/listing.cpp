@@ -9,12 +9,6 @@ namespace sulfur::detail {
 
 namespace {
 
-Counts countsOf(const State& state) {
-    return {static_cast<std::uint32_t>(state.particles.size()),
-            static_cast<std::uint32_t>(state.joints.size()),
-            static_cast<std::uint32_t>(state.bodies.size())};
-}
-
 /// A joint between bodies counts as part of its first particle's body, or of the second's when
 /// the first cannot move.
 std::uint32_t bodyOf(const State& state, std::uint32_t joint) {
@@ -247,7 +241,7 @@ bool listAdded(State& state) {
     if (!canAdd(state)) return false;
     BroadPhase& broad = state.broad;
     const Counts before = broad.listed;
-    updateReach(state);
+    updateReach(state, before);
     insert(broad, collectAdded(state));
     collectPieces(state, before.particles);
     broad.outlines.extend(state, before);
