@@ -194,7 +194,7 @@ void insert(BroadPhase& broad, const Insertion& added) {
     renumber(broad, added);
     added.spread(broad.levelOfMoving, std::uint8_t{0});
     added.spread(broad.cellsOf, 0u);
-    added.spread(broad.circles, Circle{});
+    added.spread(broad.surroundings, Surroundings{});
     auto& moving = broad.moving;
     moving.insert(moving.end(), added.discs.begin(), added.discs.end());
     moving.insert(moving.begin() + added.place, added.capsules.begin(), added.capsules.end());

@@ -103,21 +103,22 @@ Real reachOf(const State& state, const Collider& c) {
 /// What is fast may be stopped up to half of its thickness before it touches.
 constexpr Real farthestTouch = Real(1.5);  // thicknesses
 
-Circle circleRound(const State& state, const Collider& c) {
+Surroundings surroundingsOf(const State& state, const Collider& c) {
     const auto& x = state.broad.reference;
     const double around =
-        static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(state.broad, c));
-    return {(x[c.a] + x[c.b]) / 2, (x[c.b] - x[c.a]).norm() / 2 + around + rounding, c.body,
+        static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(state.broad, c)) + rounding;
+    const Point margin(around, around);
+    return {x[c.a].cwiseMin(x[c.b]) - margin, x[c.a].cwiseMax(x[c.b]) + margin, c.body,
             state.bodies[c.body].selfCollision};
 }
 
 /// Writes down a pair that shares a cell, if it is near enough.
 struct Keep {
     void operator()(std::uint32_t i, std::uint32_t j) {
-        const Circle &a = broad.circles[i], &b = broad.circles[j];
+        const Surroundings &a = broad.surroundings[i], &b = broad.surroundings[j];
         if (a.body == b.body && !a.meetsItself) return;
-        const double most = a.radius + b.radius;
-        if ((a.centre - b.centre).squaredNorm() > most * most) return;
+        if (a.low[0] > b.high[0] || b.low[0] > a.high[0]) return;
+        if (a.low[1] > b.high[1] || b.low[1] > a.high[1]) return;
         found.push_back({std::min(i, j), std::max(i, j)});
     }
     const BroadPhase& broad;
@@ -340,9 +341,10 @@ Finder& finder() {
 
 void findPairs(State& state) {
     BroadPhase& broad = state.broad;
-    broad.circles.clear();
+    broad.surroundings.clear();
     for (const auto* colliders : {&broad.moving, &broad.fixed})
-        for (const Collider& c : *colliders) broad.circles.push_back(circleRound(state, c));
+        for (const Collider& c : *colliders)
+            broad.surroundings.push_back(surroundingsOf(state, c));
     collectFound(state, finder());
     watchFound(state, finder(), broad.pairs, broad.watches);
     broad.plans.clear();
@@ -355,8 +357,8 @@ void renewPairs(State& state) {
     const Pieces& pieces = broad.pieces;
     for (const auto piece : broad.left)
         for (auto k = pieces.colliderStart[piece]; k < pieces.colliderStart[piece + 1]; ++k)
-            broad.circles[pieces.colliders[k]] =
-                circleRound(state, broad.moving[pieces.colliders[k]]);
+            broad.surroundings[pieces.colliders[k]] =
+                surroundingsOf(state, broad.moving[pieces.colliders[k]]);
     forgetLeft(broad);
     Finder& lists = finder();
     collectFoundOfLeft(state, lists);
