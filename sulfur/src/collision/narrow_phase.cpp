@@ -253,10 +253,18 @@ void considerAlone(const State& state, std::uint32_t watch, Found& found) {
 class Lookout {
 public:
     void look(const State& state, std::span<const std::uint32_t> watches) {
-        for (std::size_t k = 0; k < watches.size(); ++k)
-            beside_[k] = place(state, state.broad.watches[watches[k]], blocks_[k / meetingLanes],
-                               k % meetingLanes);
-        meetingKernels().meet(blocks_.data(), (watches.size() + meetingLanes - 1) / meetingLanes);
+        const Particles& particles = state.particles;
+        MeetingBlock* block = blocks_.data();
+        for (; !watches.empty(); ++block) {
+            const std::size_t count = std::min(watches.size(), meetingLanes);
+            place(state.broad, watches.first(count), *block);
+            watches = watches.subspan(count);
+        }
+        const auto count = static_cast<std::size_t>(block - blocks_.data());
+        meetingKernels().gather(
+            {particles.position.data()->data(), particles.displacement.data()->data()},
+            blocks_.data(), count);
+        meetingKernels().meet(blocks_.data(), count);
     }
 
     /// What considerAlone() does, for the `k`th.
@@ -267,41 +275,31 @@ public:
         const Watch& w = state.broad.watches[watch];
         if (!(b.travel[i] > w.thickness)) {
             if (isEnd(b.along[i])) return considerCorner(state, w, b.along[i], found);
-            if (w.plan != none && considerSide(state, w, b, i, beside_[k], found)) return;
+            if (w.plan != none && considerSide(state, w, b, i, found)) return;
         }
         considerAlone(state, watch, found);
     }
 
 private:
-    /// Returns areaBeside().
-    static double place(const State& state, const Watch& w, MeetingBlock& block, std::size_t i) {
-        const auto p = w.candidate.particle;
-        const Point* x = state.particles.position.data();
-        const Vec2* d = state.particles.displacement.data();
-        const double aX = x[w.a][0], aY = x[w.a][1];
-        const double pX = x[p][0] - aX, pY = x[p][1] - aY;
-        const double bX = x[w.b][0] - aX, bY = x[w.b][1] - aY;
-        block.x[i] = static_cast<Real>(pX);
-        block.y[i] = static_cast<Real>(pY);
-        block.endX[i] = static_cast<Real>(bX);
-        block.endY[i] = static_cast<Real>(bY);
-        block.moveX[i] = d[p][0];
-        block.moveY[i] = d[p][1];
-        block.moveAX[i] = d[w.a][0];
-        block.moveAY[i] = d[w.a][1];
-        block.moveBX[i] = d[w.b][0];
-        block.moveBY[i] = d[w.b][1];
-        block.reach[i] = w.thickness + state.broad.watchedGap(w.thickness);
-        return bX * pY - bY * pX;
+    static void place(const BroadPhase& broad, std::span<const std::uint32_t> watches,
+                      MeetingBlock& block) {
+        for (std::size_t i = 0; i < meetingLanes; ++i) {
+            // Lanes behind the last candidate look at it once more.
+            const Watch& w = broad.watches[watches[std::min(i, watches.size() - 1)]];
+            block.particle[i] = w.candidate.particle;
+            block.a[i] = w.a;
+            block.b[i] = w.b;
+            block.reach[i] = w.thickness + broad.watchedGap(w.thickness);
+        }
     }
 
     /// Beside its capsule. Returns false where it is not where it belongs.
     static bool considerSide(const State& state, const Watch& w, const MeetingBlock& b,
-                             std::size_t i, double areaBeside, Found& found) {
+                             std::size_t i, Found& found) {
         const ContactPlan& plan = state.broad.plans[w.plan];
         if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return true;
         const Real distance = b.distance[i], x = b.normalX[i], y = b.normalY[i];
-        if (isBehind(plan.outward, areaBeside)) return false;
+        if (isBehind(plan.outward, b.beside[i])) return false;
         if (distance > 0 && distance <= plan.thickness && isPressedThrough(state, plan, x, y))
             return false;
         const Touch t{plan, {.along = b.along[i], .normal = Vec2(x, y), .distance = distance}};
@@ -310,7 +308,6 @@ private:
     }
 
     std::array<MeetingBlock, nearBatch / meetingLanes> blocks_;
-    std::array<double, nearBatch> beside_;  // m^2, see areaBeside()
 };
 
 /// For two capsules that cross, the end that is nearest to the other's axis is led back to the
