@@ -400,7 +400,8 @@ void renewPairs(State& state) {
 
 void measureOutings(const State& state, const std::vector<Vec2>& displacements, Outings& outings) {
     const Particles& p = state.particles;
-    auto& [ofParticle, ofBody] = outings;
+    auto& ofParticle = outings.ofParticle;
+    auto& ofBody = outings.ofBody;
     ofParticle.resize(p.size(), 0);
     if (state.steps.mixed) {
         // What stands by is as far out as its own steps have led it.
