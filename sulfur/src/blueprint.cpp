@@ -1,4 +1,3 @@
-#include <sstream>
 #include <sulfur/blueprint.hpp>
 #include <sulfur/error.hpp>
 
@@ -8,17 +7,11 @@ namespace sulfur {
 
 namespace {
 
-std::string itemName(const char* kind, std::size_t index, const char* property) {
-    std::ostringstream name;
-    name << kind << ' ' << index << ": " << property;
-    return name.str();
-}
-
 void validateParticle(const ParticleSpec& p, std::size_t i) {
     using namespace detail;
-    requireFinite(p.position, itemName("particle", i, "position").c_str());
-    requirePositive(static_cast<double>(p.mass), itemName("particle", i, "mass").c_str());
-    requireRange(static_cast<double>(p.radius), 0, 1e6, itemName("particle", i, "radius").c_str());
+    requireFinite(p.position, Subject("particle", i, "position"));
+    requirePositive(static_cast<double>(p.mass), Subject("particle", i, "mass"));
+    requireRange(static_cast<double>(p.radius), 0, 1e6, Subject("particle", i, "radius"));
 }
 
 double restLengthOf(const JointSpec& joint, const std::vector<ParticleSpec>& particles) {
@@ -30,30 +23,32 @@ double restLengthOf(const JointSpec& joint, const std::vector<ParticleSpec>& par
 void validateJoint(const JointSpec& joint, std::size_t i,
                    const std::vector<ParticleSpec>& particles) {
     using namespace detail;
-    const auto named = [i](const char* property) { return itemName("joint", i, property); };
+    const auto named = [i](const char* property) { return Subject("joint", i, property); };
     for (const auto index : {joint.a, joint.b}) {
         if (index < particles.size()) continue;
-        throw Error(ErrorCode::badIndex, named("refers to particle ") + std::to_string(index) +
-                                             "; allowed is 0 to " +
+        throw Error(ErrorCode::badIndex, named("refers to particle ").text() +
+                                             std::to_string(index) + "; allowed is 0 to " +
                                              std::to_string(particles.size() - 1));
     }
     if (joint.a == joint.b)
         throw Error(ErrorCode::degenerate, named("joins a particle to itself; allowed are two "
-                                                 "different particles"));
-    requireNonNegativeOrInfinite(static_cast<double>(joint.stiffness), named("stiffness").c_str());
-    requireRange(static_cast<double>(joint.damping), 0, 1e12, named("damping").c_str());
-    requireRange(static_cast<double>(joint.radius), 0, 1e6, named("radius").c_str());
-    requireNonNegativeOrInfinite(static_cast<double>(joint.strength), named("strength").c_str());
+                                                 "different particles")
+                                               .text());
+    requireNonNegativeOrInfinite(static_cast<double>(joint.stiffness), named("stiffness"));
+    requireRange(static_cast<double>(joint.damping), 0, 1e12, named("damping"));
+    requireRange(static_cast<double>(joint.radius), 0, 1e6, named("radius"));
+    requireNonNegativeOrInfinite(static_cast<double>(joint.strength), named("strength"));
     const double rest = restLengthOf(joint, particles);
-    requireRange(rest, 0, 1e6, named("rest length").c_str());
+    requireRange(rest, 0, 1e6, named("rest length"));
     if (rest == 0 && (joint.stiffness == infinite || joint.radius > 0))
         throw Error(ErrorCode::degenerate, named("rest length is 0; a rigid or colliding joint "
-                                                 "needs more than 0"));
+                                                 "needs more than 0")
+                                               .text());
     if (!joint.material) return;
     try {
         validate(*joint.material);
     } catch (const Error& error) {
-        throw Error(error.code(), named(error.what()));
+        throw Error(error.code(), named(error.what()).text());
     }
 }
 

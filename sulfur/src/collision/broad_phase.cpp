@@ -151,28 +151,39 @@ bool rasteriseLeft(State& state) {
     return true;
 }
 
-/// Calls f(particle, how much of its skin it has used: 1 is all) for surfaces that are, or with
-/// `lookAhead` ticks of displacement will be, away from where they were rasterised; a quarter of
-/// the base skin is left for the contact margin.
-template <class Function>
-void forEachOuting(const State& state, Real lookAhead, Function&& f) {
+/// Whether a particle is, or with `lookAhead` ticks of displacement will be, further than a share
+/// of its skin from where it was rasterised; a quarter of the base skin is left for the contact
+/// margin.
+bool hasUsed(const State& state, std::uint32_t i, Real lookAhead, Real share) {
     const BroadPhase& broad = state.broad;
-    const Particles& particles = state.particles;
-    const auto look = [&](const Range& range) {
-        for (std::uint32_t i = range.first; i < range.last; ++i) {
-            if (particles.reach[i] == 0) continue;
-            const Vec2 moved = (particles.position[i] - broad.reference[i]).cast<Real>() +
-                               lookAhead * particles.displacement[i];
-            const Real allowed = broad.skin[i] - broad.baseSkin / 4;
-            f(i, moved.squaredNorm() / (allowed * allowed));
-        }
-    };
-    for (const Range& range : state.work.awake) look(range);
+    const Point &at = state.particles.position[i], &from = broad.reference[i];
+    const Vec2& d = state.particles.displacement[i];
+    const Real x = static_cast<Real>(at[0] - from[0]) + lookAhead * d[0];
+    const Real y = static_cast<Real>(at[1] - from[1]) + lookAhead * d[1];
+    const Real allowed = broad.skin[i] - broad.baseSkin / 4;
+    return x * x + y * y > share * share * (allowed * allowed);
+}
+
+/// Calls f(Range) for the particles of all that is awake and has a surface.
+template <class Function>
+void forEachAwake(const State& state, Function&& f) {
+    for (const Range& range : state.work.awake) f(range);
     // Between ticks, lists of one pace do not name those of the other; in steps those stand by.
     const WorkLists& parked = state.steps.parkedWork;
     const bool named = state.work.movers == Movers::all || state.steps.mixed;
     if (!named && parked.madeAfter == state.listChanges)
-        for (const Range& range : parked.awake) look(range);
+        for (const Range& range : parked.awake) f(range);
+}
+
+/// Calls f(piece) for awake surfaces that have used a share of their skins.
+template <class Function>
+void forEachOuting(const State& state, Real lookAhead, Real share, Function&& f) {
+    const BroadPhase& broad = state.broad;
+    forEachAwake(state, [&](const Range& range) {
+        for (auto i = range.first; i < range.last; ++i)
+            if (hasUsed(state, i, lookAhead, share) && state.particles.reach[i] > 0)
+                f(broad.pieces.ofParticle[i]);
+    });
 }
 
 /// Notes the pieces that have left their skins, and those that soon will: that saves another look
@@ -187,16 +198,11 @@ void findLeft(State& state, Real lookAhead) {
         broad.hasLeft[piece] = 1;
         broad.left.push_back(piece);
     };
-    const auto pieceOf = [&](std::uint32_t i) { return broad.pieces.ofParticle[i]; };
     for (auto piece = broad.drawnPieces; piece < broad.pieces.size(); ++piece) note(piece);
     bool any = false;
-    forEachOuting(state, lookAhead, [&](std::uint32_t i, Real used2) {
-        any = any || (used2 > 1 && broad.hasLeft[pieceOf(i)] == 0);
-    });
-    if (!any) return;
-    forEachOuting(state, lookAhead, [&](std::uint32_t i, Real used2) {
-        if (used2 > soon * soon) note(pieceOf(i));
-    });
+    forEachOuting(state, lookAhead, 1,
+                  [&](std::uint32_t piece) { any = any || broad.hasLeft[piece] == 0; });
+    if (any) forEachOuting(state, lookAhead, soon, note);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ inline constexpr double coarsening = 64;
 struct Watch {
     Candidate candidate;
     std::uint32_t a = 0, b = 0;  // the collider's particles
+    std::uint32_t body = 0;      // the collider's
     Real spare = 0;              // m
     Real thickness = 0;          // m, of particle and collider together
     std::uint32_t plan = none;   // of its contact, or none while it has never come near
@@ -59,10 +60,9 @@ struct WatchRun {
     Real spare = 0;                     // m
 };
 
-/// Round a collider with its skin and all that may make a contact with it.
-struct Circle {
-    Point centre{0, 0};  // m
-    double radius = 0;   // m
+/// A box round a collider with its skin and all that may make a contact with it.
+struct Surroundings {
+    Point low{0, 0}, high{0, 0};  // m
     std::uint32_t body = 0;
     bool meetsItself = false;  // its body
 };
@@ -110,8 +110,8 @@ struct BroadPhase {
     std::vector<Watch> watches;      // sorted by candidates, without duplicates
     std::vector<WatchedPair> pairs;  // of colliders, sorted, without duplicates; for crossings
     std::vector<WatchRun> watchRuns, pairRuns;
-    std::vector<ContactPlan> plans;  // of candidates that have come near, in no order
-    std::vector<Circle> circles;     // of all colliders
+    std::vector<ContactPlan> plans;          // of candidates that have come near, in no order
+    std::vector<Surroundings> surroundings;  // of all colliders
     Pieces pieces;
     std::vector<std::uint32_t> left;     // pieces that have left their skins; scratch
     std::vector<std::uint8_t> hasLeft;   // the same, by pieces

@@ -31,6 +31,7 @@ double SizeCensus::cost(double size) const {
     double sum = 0;
     for (int power = smallest; power <= largest; ++power) {
         const Bucket& b = buckets_[static_cast<std::size_t>(power - smallest)];
+        if (b.count == 0) continue;
         const double cells = b.area / (size * size) + b.length / size + 1.5 * b.count;
         // frexp's powers: sizes from half of it, so three quarters of it stand for all.
         const double fitting = size / (0.75 * std::ldexp(1.0, power));

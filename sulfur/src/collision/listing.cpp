@@ -9,12 +9,6 @@ namespace sulfur::detail {
 
 namespace {
 
-Counts countsOf(const State& state) {
-    return {static_cast<std::uint32_t>(state.particles.size()),
-            static_cast<std::uint32_t>(state.joints.size()),
-            static_cast<std::uint32_t>(state.bodies.size())};
-}
-
 /// A joint between bodies counts as part of its first particle's body, or of the second's when
 /// the first cannot move.
 std::uint32_t bodyOf(const State& state, std::uint32_t joint) {
@@ -200,7 +194,7 @@ void insert(BroadPhase& broad, const Insertion& added) {
     renumber(broad, added);
     added.spread(broad.levelOfMoving, std::uint8_t{0});
     added.spread(broad.cellsOf, 0u);
-    added.spread(broad.circles, Circle{});
+    added.spread(broad.surroundings, Surroundings{});
     auto& moving = broad.moving;
     moving.insert(moving.end(), added.discs.begin(), added.discs.end());
     moving.insert(moving.begin() + added.place, added.capsules.begin(), added.capsules.end());
@@ -247,7 +241,7 @@ bool listAdded(State& state) {
     if (!canAdd(state)) return false;
     BroadPhase& broad = state.broad;
     const Counts before = broad.listed;
-    updateReach(state);
+    updateReach(state, before);
     insert(broad, collectAdded(state));
     collectPieces(state, before.particles);
     broad.outlines.extend(state, before);

@@ -51,7 +51,8 @@ bool isNearestAt(const State& state, std::uint32_t corner, std::uint32_t other, 
     const auto& x = state.particles.position;
     const auto& d = state.particles.displacement;
     const auto towards = [&](std::uint32_t p) {
-        return Vec2((x[p] - x[corner]).cast<Real>() + fraction * (d[p] - d[corner]));
+        const Vec2 now = (x[p] - x[corner]).cast<Real>();
+        return fraction > 0 ? Vec2(now + fraction * (d[p] - d[corner])) : now;
     };
     const Vec2 way = towards(other);
     const Spokes& spokes = state.broad.spokes;
@@ -76,11 +77,16 @@ bool isOtherCorners(std::uint32_t particle, std::uint32_t corner) {
     return particle >= corner;
 }
 
-bool meetsCorner(const State& state, std::uint32_t particle, std::uint32_t corner, Real fraction,
-                 const Found& found) {
-    return !isOtherCorners(particle, corner) && isNew(found, particle, corner) &&
-           isNearestAt(state, corner, particle, fraction) &&
-           isNearestAt(state, particle, corner, fraction);
+/// Whether a candidate's particle meets this corner of its collider; most that come near it do not.
+bool meetsCorner(const State& state, const Candidate& candidate, std::uint32_t corner,
+                 Real fraction, const Found& found) {
+    const auto [particle, collider] = candidate;
+    if (isOtherCorners(particle, corner) || !isNearestAt(state, corner, particle, fraction) ||
+        !isNearestAt(state, particle, corner, fraction) || !isNew(found, particle, corner))
+        return false;
+    const Collider& c = state.broad.collider(collider);
+    return !moveAsOne(state, particle, c) &&
+           !areEntwined(state, state.particles.body[particle], c.body);
 }
 
 /// What was held off on one side stays on that side: when it is found on the other, it has been
@@ -197,16 +203,27 @@ void considerSide(const State& state, std::uint32_t watch, const Local& local, R
     considerNow(state, state.broad.watches[watch], {plan, meetSide(local, along)}, found);
 }
 
-/// An end of the axis is nearest: the corner there, if it is the one that counts.
-void considerCorner(const State& state, const Watch& w, const Local& local, const Meeting& meeting,
-                    Found& found) {
-    const auto [particle, collider] = w.candidate;
-    const Collider& c = state.broad.collider(collider);
-    if (moveAsOne(state, particle, c)) return;
-    if (areEntwined(state, state.particles.body[particle], c.body)) return;
+ContactPlan planCorner(const State& state, const Watch& w, std::uint32_t corner) {
+    const auto& [particle, collider] = w.candidate;
+    return planContact(state, particle, corner, corner, state.broad.collider(collider));
+}
+
+/// An end of the axis is nearest at the start of the tick: the corner there, if it is the one that
+/// counts.
+void considerCorner(const State& state, const Watch& w, Real along, Found& found) {
+    const auto corner = cornerAt(w, along);
+    if (!meetsCorner(state, w.candidate, corner, 0, found)) return;
+    const ContactPlan plan = planCorner(state, w, corner);
+    const Local local = localise(state.particles, w.candidate.particle, w.a, w.b);
+    considerNow(state, w, {plan, meetEnd(local, along)}, found);
+}
+
+/// The same on the way.
+void considerFastCorner(const State& state, const Watch& w, const Local& local,
+                        const Meeting& meeting, Found& found) {
     const auto corner = cornerAt(w, meeting.along);
-    if (!meetsCorner(state, particle, corner, meeting.fraction, found)) return;
-    const ContactPlan plan = planContact(state, particle, corner, corner, c);
+    if (!meetsCorner(state, w.candidate, corner, meeting.fraction, found)) return;
+    const ContactPlan plan = planCorner(state, w, corner);
     considerLater(state, w, local, {plan, meeting}, found);
 }
 
@@ -214,7 +231,7 @@ void considerCorner(const State& state, const Watch& w, const Local& local, cons
 void considerFast(const State& state, std::uint32_t watch, const Local& local, Found& found) {
     const Watch& w = state.broad.watches[watch];
     const Meeting meeting = meetOnTheWay(local, w.thickness);
-    if (meeting.atEnd) return considerCorner(state, w, local, meeting, found);
+    if (meeting.atEnd) return considerFastCorner(state, w, local, meeting, found);
     const ContactPlan& plan = planOf(state, watch, found);
     if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return;
     considerLater(state, w, local, {plan, meeting}, found);
@@ -227,20 +244,27 @@ void considerAlone(const State& state, std::uint32_t watch, Found& found) {
     if (look.far) return;
     if (look.travel > w.thickness) return considerFast(state, watch, local, found);
     if (!isEnd(look.along)) return considerSide(state, watch, local, look.along, found);
-    if (isOtherCorners(w.candidate.particle, cornerAt(w, look.along))) return;
-    considerCorner(state, w, local, meetEnd(local, look.along), found);
+    considerCorner(state, w, look.along, found);
 }
 
-/// Candidates that are looked at together. Most are far, or lie against the side of a capsule as
-/// they did in the last tick; that is settled here, and the others are considered alone. Scratch
-/// memory only.
+/// Candidates that are looked at together. Most are far, near a corner that does not count, or lie
+/// against the side of a capsule as they did in the last tick; that is settled here, and the others
+/// are considered alone. Scratch memory only.
 class Lookout {
 public:
     void look(const State& state, std::span<const std::uint32_t> watches) {
-        for (std::size_t k = 0; k < watches.size(); ++k)
-            beside_[k] = place(state, state.broad.watches[watches[k]], blocks_[k / meetingLanes],
-                               k % meetingLanes);
-        meetingKernels().meet(blocks_.data(), (watches.size() + meetingLanes - 1) / meetingLanes);
+        const Particles& particles = state.particles;
+        MeetingBlock* block = blocks_.data();
+        for (; !watches.empty(); ++block) {
+            const std::size_t count = std::min(watches.size(), meetingLanes);
+            place(state.broad, watches.first(count), *block);
+            watches = watches.subspan(count);
+        }
+        const auto count = static_cast<std::size_t>(block - blocks_.data());
+        meetingKernels().gather(
+            {particles.position.data()->data(), particles.displacement.data()->data()},
+            blocks_.data(), count);
+        meetingKernels().meet(blocks_.data(), count);
     }
 
     /// What considerAlone() does, for the `k`th.
@@ -250,45 +274,32 @@ public:
         if (b.far[i] != 0) return;
         const Watch& w = state.broad.watches[watch];
         if (!(b.travel[i] > w.thickness)) {
-            if (!isEnd(b.along[i])) {
-                if (w.plan != none && considerSide(state, w, b, i, beside_[k], found)) return;
-            } else if (isOtherCorners(w.candidate.particle, cornerAt(w, b.along[i]))) {
-                return;
-            }
+            if (isEnd(b.along[i])) return considerCorner(state, w, b.along[i], found);
+            if (w.plan != none && considerSide(state, w, b, i, found)) return;
         }
         considerAlone(state, watch, found);
     }
 
 private:
-    /// Returns areaBeside().
-    static double place(const State& state, const Watch& w, MeetingBlock& block, std::size_t i) {
-        const auto p = w.candidate.particle;
-        const Point* x = state.particles.position.data();
-        const Vec2* d = state.particles.displacement.data();
-        const double aX = x[w.a][0], aY = x[w.a][1];
-        const double pX = x[p][0] - aX, pY = x[p][1] - aY;
-        const double bX = x[w.b][0] - aX, bY = x[w.b][1] - aY;
-        block.x[i] = static_cast<Real>(pX);
-        block.y[i] = static_cast<Real>(pY);
-        block.endX[i] = static_cast<Real>(bX);
-        block.endY[i] = static_cast<Real>(bY);
-        block.moveX[i] = d[p][0];
-        block.moveY[i] = d[p][1];
-        block.moveAX[i] = d[w.a][0];
-        block.moveAY[i] = d[w.a][1];
-        block.moveBX[i] = d[w.b][0];
-        block.moveBY[i] = d[w.b][1];
-        block.reach[i] = w.thickness + state.broad.watchedGap(w.thickness);
-        return bX * pY - bY * pX;
+    static void place(const BroadPhase& broad, std::span<const std::uint32_t> watches,
+                      MeetingBlock& block) {
+        for (std::size_t i = 0; i < meetingLanes; ++i) {
+            // Lanes behind the last candidate look at it once more.
+            const Watch& w = broad.watches[watches[std::min(i, watches.size() - 1)]];
+            block.particle[i] = w.candidate.particle;
+            block.a[i] = w.a;
+            block.b[i] = w.b;
+            block.reach[i] = w.thickness + broad.watchedGap(w.thickness);
+        }
     }
 
     /// Beside its capsule. Returns false where it is not where it belongs.
     static bool considerSide(const State& state, const Watch& w, const MeetingBlock& b,
-                             std::size_t i, double areaBeside, Found& found) {
+                             std::size_t i, Found& found) {
         const ContactPlan& plan = state.broad.plans[w.plan];
         if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return true;
         const Real distance = b.distance[i], x = b.normalX[i], y = b.normalY[i];
-        if (isBehind(plan.outward, areaBeside)) return false;
+        if (isBehind(plan.outward, b.beside[i])) return false;
         if (distance > 0 && distance <= plan.thickness && isPressedThrough(state, plan, x, y))
             return false;
         const Touch t{plan, {.along = b.along[i], .normal = Vec2(x, y), .distance = distance}};
@@ -297,7 +308,6 @@ private:
     }
 
     std::array<MeetingBlock, nearBatch / meetingLanes> blocks_;
-    std::array<double, nearBatch> beside_;  // m^2, see areaBeside()
 };
 
 /// For two capsules that cross, the end that is nearest to the other's axis is led back to the

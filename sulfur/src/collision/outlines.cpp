@@ -142,11 +142,11 @@ double twiceArea(const State& state, const std::vector<OutlineEdge>& outline) {
     return sum;
 }
 
-/// Which particles a joint without a radius braces.
-std::vector<bool> bracedParticles(const State& state) {
+/// Which particles a joint without a radius braces, of the joints from `firstJoint` on.
+std::vector<bool> bracedParticles(const State& state, std::uint32_t firstJoint) {
     const Joints& joints = state.joints;
     std::vector<bool> braced(state.particles.size(), false);
-    for (std::size_t j = 0; j < joints.size(); ++j)
+    for (auto j = firstJoint; j < joints.size(); ++j)
         if (joints.body[j] != none && joints.radius[j] == 0)
             braced[joints.a[j]] = braced[joints.b[j]] = true;
     return braced;
@@ -178,7 +178,7 @@ void Outlines::extend(const State& state, const Counts& before) {
     outward_.resize(state.joints.size(), 0);
     first_.resize(state.bodies.size() + 1, 0);
     const PlaneGraph graph(state, before.joints);
-    const auto braced = bracedParticles(state);
+    const auto braced = bracedParticles(state, before.joints);
     std::vector<bool> walked(graph.halves.size(), false);
     std::vector<OutlineEdge> outline;
     for (const auto start : startsOfWalks(state, graph)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "collision/covering.hpp"
 #include "collision/geometry.hpp"
@@ -43,10 +44,19 @@ bool areLinked(const BroadPhase& broad, std::uint32_t particle, std::uint32_t bo
            std::binary_search(broad.linked.begin(), broad.linked.end(), std::pair(particle, body));
 }
 
-/// Pairs of colliders by their numbers, the smaller one first, while they are being collected.
-struct Found {
-    std::uint32_t first = 0, second = 0;
+/// Two colliders, the one of the smaller number first, while they are being collected: both numbers
+/// in one, so that they are quickly sorted.
+class Found {
+public:
+    Found() = default;
+    Found(std::uint32_t i, std::uint32_t j)
+        : both_(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j)) {}
+    std::uint32_t first() const { return static_cast<std::uint32_t>(both_ >> 32); }
+    std::uint32_t second() const { return static_cast<std::uint32_t>(both_); }
     friend auto operator<=>(const Found&, const Found&) = default;
+
+private:
+    std::uint64_t both_ = 0;
 };
 
 /// What one piece of the pairs that were found came to.
@@ -103,22 +113,23 @@ Real reachOf(const State& state, const Collider& c) {
 /// What is fast may be stopped up to half of its thickness before it touches.
 constexpr Real farthestTouch = Real(1.5);  // thicknesses
 
-Circle circleRound(const State& state, const Collider& c) {
+Surroundings surroundingsOf(const State& state, const Collider& c) {
     const auto& x = state.broad.reference;
     const double around =
-        static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(state.broad, c));
-    return {(x[c.a] + x[c.b]) / 2, (x[c.b] - x[c.a]).norm() / 2 + around + rounding, c.body,
+        static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(state.broad, c)) + rounding;
+    const Point margin(around, around);
+    return {x[c.a].cwiseMin(x[c.b]) - margin, x[c.a].cwiseMax(x[c.b]) + margin, c.body,
             state.bodies[c.body].selfCollision};
 }
 
 /// Writes down a pair that shares a cell, if it is near enough.
 struct Keep {
     void operator()(std::uint32_t i, std::uint32_t j) {
-        const Circle &a = broad.circles[i], &b = broad.circles[j];
+        const Surroundings &a = broad.surroundings[i], &b = broad.surroundings[j];
         if (a.body == b.body && !a.meetsItself) return;
-        const double most = a.radius + b.radius;
-        if ((a.centre - b.centre).squaredNorm() > most * most) return;
-        found.push_back({std::min(i, j), std::max(i, j)});
+        if (a.low[0] > b.high[0] || b.low[0] > a.high[0]) return;
+        if (a.low[1] > b.high[1] || b.low[1] > a.high[1]) return;
+        found.emplace_back(i, j);
     }
     const BroadPhase& broad;
     std::vector<Found>& found;
@@ -127,7 +138,7 @@ struct Keep {
 void sortFound(const BroadPhase& broad, Finder& finder) {
     auto& found = finder.found;
     bucketSort(found, finder.foundScratch, finder.start, broad.moving.size(),
-               [](const Found& pair) { return pair.first; });
+               [](const Found& pair) { return pair.first(); });
     found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
@@ -180,9 +191,9 @@ struct Axis {
         : start(from), along(to - from), scale(along.squaredNorm()) {
         scale = scale > 0 ? 1 / scale : 0;
     }
-    double distance(const Point& p) const {
+    double squaredDistance(const Point& p) const {
         const Point offset = p - start;
-        return (std::clamp(offset.dot(along) * scale, 0.0, 1.0) * along - offset).norm();
+        return (std::clamp(offset.dot(along) * scale, 0.0, 1.0) * along - offset).squaredNorm();
     }
     Point start, along;  // m
     double scale;        // 1/m^2
@@ -190,19 +201,19 @@ struct Axis {
 
 /// How far the axes of two colliders are apart, and each end of one from the axis of the other.
 struct Distances {
-    double least = 0;                    // m; 0 when they cross
-    std::array<double, 2> ofA{}, ofB{};  // m
+    double least = 0;                    // m^2; 0 when they cross
+    std::array<double, 2> ofA{}, ofB{};  // m^2
 };
 
-/// The distances of two colliders as they were rasterised.
+/// The squared distances of two colliders as they were rasterised.
 Distances measure(const BroadPhase& broad, const Collider& a, const Collider& b) {
     const auto& x = broad.reference;
     const Point origin = x[a.a];
     const Point a1(0, 0), a2 = x[a.b] - origin, b1 = x[b.a] - origin, b2 = x[b.b] - origin;
     const Axis axisA(a1, a2), axisB(b1, b2);
     Distances d;
-    d.ofA = {axisB.distance(a1), axisB.distance(a2)};
-    d.ofB = {axisA.distance(b1), axisA.distance(b2)};
+    d.ofA = {axisB.squaredDistance(a1), axisB.squaredDistance(a2)};
+    d.ofB = {axisA.squaredDistance(b1), axisA.squaredDistance(b2)};
     d.least =
         segmentsCross(a1, a2, b1, b2) ? 0 : std::min({d.ofA[0], d.ofA[1], d.ofB[0], d.ofB[1]});
     return d;
@@ -216,50 +227,69 @@ Real spareOf(Real apart, Real thickness) {
     return std::min(apart, std::max(apart / 2, Real(0.7) * thickness));
 }
 
-/// Adds the candidate of an end of one collider against another one, `distance` apart, if it can
-/// touch before anything leaves its skin.
-void watchEnd(const State& state, std::uint32_t particle, std::uint32_t collider, double distance,
+/// An end of one collider and another collider, while candidates are being collected.
+struct End {
+    std::uint32_t particle = 0, collider = 0;
+    double squaredDistance = 0;  // m^2
+};
+
+/// Adds the candidate of an end that is near.
+void addWatch(const State& state, const End& end, const Collider& c, Real thickness,
               std::vector<Watch>& watches) {
     const BroadPhase& broad = state.broad;
-    const Collider& c = broad.collider(collider);
-    const Real thickness = state.particles.reach[particle] + c.radius;
-    const Real reach = farthestTouch * thickness + broad.skin[particle] + skinOf(broad, c);
-    if (distance > static_cast<double>(reach) + rounding) return;
-    if (areLinked(broad, particle, c.body) || belongsTogether(state, particle, c)) return;
+    if (areLinked(broad, end.particle, c.body) || belongsTogether(state, end.particle, c)) return;
     // A thousandth for rounding.
     const Real needed = Real(1.001) * thickness + broad.watchedGap(thickness);
+    const double distance = std::sqrt(end.squaredDistance);
     const Real apart = static_cast<Real>(distance - static_cast<double>(needed));
-    watches.push_back({{particle, collider}, c.a, c.b, spareOf(apart, thickness), thickness});
+    watches.push_back(
+        {{end.particle, end.collider}, c.a, c.b, c.body, spareOf(apart, thickness), thickness});
+}
+
+/// Adds the candidate of an end against a collider, rasterised with a skin of so many m, if it can
+/// touch before anything leaves its skin.
+inline void watchEnd(const State& state, const End& end, const Collider& c, Real skin,
+                     std::vector<Watch>& watches) {
+    const Real thickness = state.particles.reach[end.particle] + c.radius;
+    const Real reach = farthestTouch * thickness + state.broad.skin[end.particle] + skin;
+    const double most = static_cast<double>(reach) + rounding;
+    if (end.squaredDistance <= most * most) addWatch(state, end, c, thickness, watches);
 }
 
 void watchPair(const State& state, const Found& pair, std::vector<WatchedPair>& pairs,
                std::vector<Watch>& watches) {
     const BroadPhase& broad = state.broad;
-    const Collider &a = broad.collider(pair.first), &b = broad.collider(pair.second);
+    const auto i = pair.first(), j = pair.second();
+    const Collider &a = broad.collider(i), &b = broad.collider(j);
     const Real radii = a.radius + b.radius;
-    const Real skins = skinOf(broad, a) + skinOf(broad, b);
+    const Real skinA = skinOf(broad, a), skinB = skinOf(broad, b);
     const Distances d = measure(broad, a, b);
     // Axes may come as near as they are before they cross; a thousandth of the radii for rounding.
-    if (d.least <= static_cast<double>(radii + skins) + rounding)
-        pairs.push_back(
-            {pair.first, pair.second,
-             static_cast<Real>(d.least - 0.001 * static_cast<double>(radii) - rounding)});
-    watchEnd(state, a.a, pair.second, d.ofA[0], watches);
-    if (a.b != a.a) watchEnd(state, a.b, pair.second, d.ofA[1], watches);
-    watchEnd(state, b.a, pair.first, d.ofB[0], watches);
-    if (b.b != b.a) watchEnd(state, b.b, pair.first, d.ofB[1], watches);
+    const double most = static_cast<double>(radii + (skinA + skinB)) + rounding;
+    if (d.least <= most * most)
+        pairs.push_back({i, j,
+                         static_cast<Real>(std::sqrt(d.least) - 0.001 * static_cast<double>(radii) -
+                                           rounding)});
+    watchEnd(state, {a.a, j, d.ofA[0]}, b, skinB, watches);
+    if (a.b != a.a) watchEnd(state, {a.b, j, d.ofA[1]}, b, skinB, watches);
+    watchEnd(state, {b.a, i, d.ofB[0]}, a, skinA, watches);
+    if (b.b != b.a) watchEnd(state, {b.b, i, d.ofB[1]}, a, skinA, watches);
 }
 
-/// Joins neighbours that have the same key (two numbers) into runs.
+/// Joins neighbours that have the same key, keyOf(item) with two numbers, into runs.
 template <class Item, class KeyOf>
 void collectRuns(const std::vector<Item>& items, std::vector<WatchRun>& runs, KeyOf&& keyOf) {
     runs.clear();
-    for (std::uint32_t k = 0; k < items.size(); ++k) {
-        const auto [one, other] = keyOf(items[k]);
-        if (runs.empty() || runs.back().one != one || runs.back().other != other)
-            runs.push_back({k, k, one, other, items[k].spare});
-        runs.back().last = k + 1;
-        runs.back().spare = std::min(runs.back().spare, items[k].spare);
+    const auto size = static_cast<std::uint32_t>(items.size());
+    for (std::uint32_t k = 0; k < size;) {
+        const auto key = keyOf(items[k]);
+        WatchRun run{k, k, key.first, key.second, items[k].spare};
+        do {
+            run.spare = std::min(run.spare, items[k].spare);
+            ++k;
+        } while (k < size && keyOf(items[k]) == key);
+        run.last = k;
+        runs.push_back(run);
     }
 }
 
@@ -285,7 +315,8 @@ void watchFound(const State& state, Finder& finder, std::vector<WatchedPair>& pa
         const auto last = pieceStart(i + 1, pieces, count);
         for (auto k = pieceStart(i, pieces, count); k < last; ++k) {
             const Found& pair = finder.found[k];
-            if (mayTouch(state, broad.collider(pair.first).body, broad.collider(pair.second).body))
+            if (mayTouch(state, broad.surroundings[pair.first()].body,
+                         broad.surroundings[pair.second()].body))
                 watchPair(state, pair, i == 0 ? pairs : itsPairs, i == 0 ? watches : itsWatches);
         }
     });
@@ -301,10 +332,9 @@ void watchFound(const State& state, Finder& finder, std::vector<WatchedPair>& pa
 }
 
 void collectAllRuns(BroadPhase& broad) {
-    const auto bodyOf = [&](std::uint32_t collider) { return broad.collider(collider).body; };
-    collectRuns(broad.watches, broad.watchRuns, [&](const Watch& w) {
-        return std::pair(w.candidate.particle, bodyOf(w.candidate.collider));
-    });
+    collectRuns(broad.watches, broad.watchRuns,
+                [](const Watch& w) { return std::pair(w.candidate.particle, w.body); });
+    const auto bodyOf = [&](std::uint32_t i) { return broad.surroundings[i].body; };
     collectRuns(broad.pairs, broad.pairRuns, [&](const WatchedPair& pair) {
         return std::pair(bodyOf(pair.first), bodyOf(pair.second));
     });
@@ -340,9 +370,9 @@ Finder& finder() {
 
 void findPairs(State& state) {
     BroadPhase& broad = state.broad;
-    broad.circles.clear();
+    broad.surroundings.clear();
     for (const auto* colliders : {&broad.moving, &broad.fixed})
-        for (const Collider& c : *colliders) broad.circles.push_back(circleRound(state, c));
+        for (const Collider& c : *colliders) broad.surroundings.push_back(surroundingsOf(state, c));
     collectFound(state, finder());
     watchFound(state, finder(), broad.pairs, broad.watches);
     broad.plans.clear();
@@ -355,8 +385,8 @@ void renewPairs(State& state) {
     const Pieces& pieces = broad.pieces;
     for (const auto piece : broad.left)
         for (auto k = pieces.colliderStart[piece]; k < pieces.colliderStart[piece + 1]; ++k)
-            broad.circles[pieces.colliders[k]] =
-                circleRound(state, broad.moving[pieces.colliders[k]]);
+            broad.surroundings[pieces.colliders[k]] =
+                surroundingsOf(state, broad.moving[pieces.colliders[k]]);
     forgetLeft(broad);
     Finder& lists = finder();
     collectFoundOfLeft(state, lists);
@@ -370,7 +400,8 @@ void renewPairs(State& state) {
 
 void measureOutings(const State& state, const std::vector<Vec2>& displacements, Outings& outings) {
     const Particles& p = state.particles;
-    auto& [ofParticle, ofBody] = outings;
+    auto& ofParticle = outings.ofParticle;
+    auto& ofBody = outings.ofBody;
     ofParticle.resize(p.size(), 0);
     if (state.steps.mixed) {
         // What stands by is as far out as its own steps have led it.

@@ -6,20 +6,24 @@ namespace sulfur::detail {
 
 namespace {
 
-[[noreturn]] void refuse(ErrorCode code, const char* what, double value,
+[[noreturn]] void refuse(ErrorCode code, const Subject& what, double value,
                          const std::string& allowed) {
     std::ostringstream message;
-    message << what << " is " << value << "; allowed is " << allowed;
+    message << what.text() << " is " << value << "; allowed is " << allowed;
     throw Error(code, message.str());
 }
 
 }  // namespace
 
-void requireFinite(double value, const char* what) {
+std::string Subject::text() const {
+    return kind ? std::string(kind) + ' ' + std::to_string(index) + ": " + property : property;
+}
+
+void requireFinite(double value, const Subject& what) {
     if (!std::isfinite(value)) refuse(ErrorCode::notFinite, what, value, "a finite number");
 }
 
-void requireRange(double value, double low, double high, const char* what) {
+void requireRange(double value, double low, double high, const Subject& what) {
     requireFinite(value, what);
     if (value >= low && value <= high) return;
     std::ostringstream allowed;
@@ -27,12 +31,12 @@ void requireRange(double value, double low, double high, const char* what) {
     refuse(ErrorCode::outOfRange, what, value, allowed.str());
 }
 
-void requirePositive(double value, const char* what) {
+void requirePositive(double value, const Subject& what) {
     requireFinite(value, what);
     if (!(value > 0)) refuse(ErrorCode::outOfRange, what, value, "more than 0");
 }
 
-void requireNonNegativeOrInfinite(double value, const char* what) {
+void requireNonNegativeOrInfinite(double value, const Subject& what) {
     if (std::isnan(value)) refuse(ErrorCode::notFinite, what, value, "0 to infinity");
     if (value < 0) refuse(ErrorCode::outOfRange, what, value, "0 to infinity");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <sulfur/error.hpp>
 #include <sulfur/material.hpp>
@@ -9,20 +10,33 @@
 
 namespace sulfur::detail {
 
+/// What a message is about: a property, perhaps of one of many items. Its words are put together
+/// only where there is a message.
+struct Subject {
+    Subject(const char* what) : property(what) {}
+    Subject(const char* items, std::size_t i, const char* what)
+        : kind(items), index(i), property(what) {}
+    std::string text() const;
+
+    const char* kind = nullptr;  // of the item, or null
+    std::size_t index = 0;
+    const char* property;
+};
+
 /// Throws Error{notFinite} unless every component of `value` is finite.
-void requireFinite(double value, const char* what);
+void requireFinite(double value, const Subject& what);
 template <class Derived>
-void requireFinite(const Eigen::MatrixBase<Derived>& value, const char* what) {
+void requireFinite(const Eigen::MatrixBase<Derived>& value, const Subject& what) {
     for (Eigen::Index i = 0; i < value.size(); ++i)
         requireFinite(static_cast<double>(value[i]), what);
 }
 
 /// Throws unless `value` is finite and in [low, high].
-void requireRange(double value, double low, double high, const char* what);
+void requireRange(double value, double low, double high, const Subject& what);
 /// Throws unless `value` is finite and above 0.
-void requirePositive(double value, const char* what);
+void requirePositive(double value, const Subject& what);
 /// Throws unless `value` is in [0, infinity], infinity included.
-void requireNonNegativeOrInfinite(double value, const char* what);
+void requireNonNegativeOrInfinite(double value, const Subject& what);
 
 /// Throws unless friction and restitution are in their documented ranges.
 void validate(const Material& material);

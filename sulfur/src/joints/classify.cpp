@@ -60,10 +60,10 @@ namespace {
 /// while they are much softer.
 constexpr Real weightOfLinks = 16;
 
-std::vector<Real> weightsOf(const State& state) {
+std::vector<Real> weightsOf(const State& state, const Counts& before) {
     const Joints& joints = state.joints;
     std::vector<Real> weights(state.particles.size(), 1);
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
+    for (auto j = before.joints; j < joints.size(); ++j)
         if (isRigid(joints, j))
             for (const auto p : {joints.a[j], joints.b[j]})
                 if (state.particles.cluster[p] == none) weights[p] = weightOfLinks;
@@ -79,15 +79,16 @@ Real stepOfJoint(const State& state, std::uint32_t j) {
                                    : Pace::whole);
 }
 
-/// Of each particle, where joint j is solved in steps of stepOf(j) seconds.
+/// Of each particle that was not there `before`, where joint j is solved in steps of stepOf(j)
+/// seconds.
 template <class StepOf>
-std::vector<Load> loadsOf(const State& state, StepOf&& stepOf) {
+std::vector<Load> loadsOf(const State& state, const Counts& before, StepOf&& stepOf) {
     const Joints& joints = state.joints;
     std::vector<Real> w(state.particles.size());
-    for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, i);
+    for (auto i = before.particles; i < w.size(); ++i) w[i] = mobility(state, i);
     std::vector<Load> load(state.particles.size());
-    const std::vector<Real> weight = weightsOf(state);
-    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+    const std::vector<Real> weight = weightsOf(state, before);
+    for (auto j = before.joints; j < joints.size(); ++j) {
         if (isRigid(joints, j)) continue;
         const Real sum = w[joints.a[j]] + w[joints.b[j]];
         const Real h = stepOf(j);
@@ -115,7 +116,7 @@ void findWhatDependsOnStep(State& state) {
     structure.dependsOnStep.assign(state.bodies.size(), 0);
     if (!mayDivideTicks(state)) return;
     const Real tick = stepDuration(state, Pace::whole);
-    const std::vector<Load> load = loadsOf(state, [&](std::uint32_t) { return tick; });
+    const std::vector<Load> load = loadsOf(state, {}, [&](std::uint32_t) { return tick; });
     std::vector<std::uint8_t> stiff(joints.size());
     for (std::uint32_t j = 0; j < joints.size(); ++j)
         stiff[j] = isRigid(joints, j) || !isSoft(load[joints.a[j]], load[joints.b[j]]);
@@ -132,12 +133,12 @@ void findWhatDependsOnStep(State& state) {
 
 }  // namespace
 
-void classifyJoints(State& state) {
+void classifyJoints(State& state, const Counts& before) {
     Joints& joints = state.joints;
     findWhatDependsOnStep(state);
     const std::vector<Load> load =
-        loadsOf(state, [&](std::uint32_t j) { return stepOfJoint(state, j); });
-    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        loadsOf(state, before, [&](std::uint32_t j) { return stepOfJoint(state, j); });
+    for (auto j = before.joints; j < joints.size(); ++j) {
         const Load &a = load[joints.a[j]], &b = load[joints.b[j]];
         const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);
         const Real damping = explicitShare(std::max(a.damping, b.damping), dampedLimit);
@@ -157,29 +158,32 @@ namespace {
 
 /// For each body the least radius of what of it collides, also in joints with other bodies;
 /// infinite where nothing does.
-void findThinnest(const State& state, std::vector<Real>& thinnest) {
+void findThinnest(const State& state, const Counts& before, std::vector<Real>& thinnest) {
     const Particles& particles = state.particles;
     const Joints& joints = state.joints;
-    thinnest.assign(state.bodies.size(), infinite);
+    thinnest.resize(before.bodies);
+    thinnest.resize(state.bodies.size(), infinite);
     const auto note = [&](std::uint32_t particle, Real radius) {
         Real& least = thinnest[particles.body[particle]];
         if (radius > 0) least = std::min(least, radius);
     };
-    for (std::uint32_t i = 0; i < particles.size(); ++i) note(i, particles.radius[i]);
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
+    for (auto i = before.particles; i < particles.size(); ++i) note(i, particles.radius[i]);
+    for (auto j = before.joints; j < joints.size(); ++j)
         for (const auto p : {joints.a[j], joints.b[j]}) note(p, joints.radius[j]);
 }
 
 }  // namespace
 
-void updateReach(State& state) {
+void updateReach(State& state, const Counts& before) {
     Particles& particles = state.particles;
-    particles.reach = particles.radius;
-    findThinnest(state, state.broad.thinnest);
+    std::copy(particles.radius.begin() + before.particles, particles.radius.end(),
+              particles.reach.begin() + before.particles);
+    findThinnest(state, before, state.broad.thinnest);
     auto& surface = state.broad.surface;
-    surface.assign(particles.size(), none);
+    surface.resize(before.particles);
+    surface.resize(particles.size(), none);
     const Joints& joints = state.joints;
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
+    for (auto j = before.joints; j < joints.size(); ++j)
         for (const auto p : {joints.a[j], joints.b[j]}) {
             if (joints.radius[j] <= particles.reach[p]) continue;
             particles.reach[p] = joints.radius[j];

@@ -152,18 +152,20 @@ void AwakeTriangles::fillBlocks() {
 }
 
 void findTriangles(State& state) {
-    state.triangles.all.clear();
+    Triangles& triangles = state.triangles;
+    if (triangles.bodies == 0) triangles.all.clear();
     Finder finder(state);
-    for (const BodyRecord& body : state.bodies)
+    for (; triangles.bodies < state.bodies.size(); ++triangles.bodies) {
+        const BodyRecord& body = state.bodies[triangles.bodies];
         if (body.kind == BodyKind::dynamic && body.joints.size() > 2 &&
             !isOneComponent(state, body))
             finder.find(body);
-    state.triangles.stale = false;
+    }
 }
 
 void listTriangles(State& state) {
     Triangles& triangles = state.triangles;
-    if (triangles.stale) findTriangles(state);
+    findTriangles(state);
     triangles.awake.clear();
     const auto moves = [&](std::uint32_t particle) {
         return inverseMassAwake(state, particle) > 0 || state.particles.cluster[particle] != none;

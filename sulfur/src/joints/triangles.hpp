@@ -55,12 +55,12 @@ struct Triangles {
     AwakeTriangles awake;                  // of these
     std::vector<PressedTriangle> pressed;  // in this tick
     bool anyHeld = false;                  // of those pressed
-    bool stale = true;                     // all of them must be found again
+    std::uint32_t bodies = 0;              // so many, from the first on, have theirs in `all`
 };
 
-/// Finds the triangles of joints in dynamic bodies, but for those that are flat at rest, rigid, or
-/// part of a chain that moves alone. A body with more than four triangles a joint is no lattice
-/// (everything hangs on everything there) and has none.
+/// Finds the triangles of joints in dynamic bodies that have not been looked at, but for those that
+/// are flat at rest, rigid, or part of a chain that moves alone. A body with more than four
+/// triangles a joint is no lattice (everything hangs on everything there) and has none.
 void findTriangles(State& state);
 
 /// Derives which of them are awake.

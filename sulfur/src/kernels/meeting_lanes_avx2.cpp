@@ -6,6 +6,6 @@
 
 namespace sulfur::detail {
 
-const MeetingKernels avx2Meetings = {meetAll};
+const MeetingKernels avx2Meetings = {gatherAll, meetAll};
 
 }  // namespace sulfur::detail

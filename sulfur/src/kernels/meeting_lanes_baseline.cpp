@@ -6,6 +6,6 @@
 
 namespace sulfur::detail {
 
-const MeetingKernels baselineMeetings = {meetAll};
+const MeetingKernels baselineMeetings = {gatherAll, meetAll};
 
 }  // namespace sulfur::detail

@@ -74,7 +74,20 @@ class Finder {
 public:
     explicit Finder(State& state) : state_(state), next_() {}
 
-    void run() {
+    void run(const Counts& before) {
+        const std::size_t had = before.bodies > 0 ? state_.clusters.list.size() : 0;
+        if (before.bodies > 0) {
+            next_ = std::move(state_.clusters);
+            for (auto body = before.bodies; body < state_.bodies.size(); ++body) findAnew(body);
+        } else {
+            findAll();
+        }
+        state_.clusters = std::move(next_);
+        pointParticlesAtClusters(had, before.particles);
+    }
+
+private:
+    void findAll() {
         std::size_t old = 0, oldHinge = 0;
         const Clusters& before = state_.clusters;
         for (std::uint32_t body = 0; body < state_.bodies.size(); ++body) {
@@ -87,11 +100,8 @@ public:
             else
                 keep(from, old, fromHinge, oldHinge);
         }
-        state_.clusters = std::move(next_);
-        pointParticlesAtClusters();
     }
 
-private:
     void keep(std::size_t from, std::size_t to, std::size_t fromHinge, std::size_t toHinge) {
         const Clusters& before = state_.clusters;
         const auto shiftOfClusters = next_.list.size() - from;  // wraps, and wraps back
@@ -189,10 +199,12 @@ private:
         return true;
     }
 
-    void pointParticlesAtClusters() {
+    /// Of the clusters and particles from these numbers on.
+    void pointParticlesAtClusters(std::size_t firstCluster, std::uint32_t firstParticle) {
         Particles& p = state_.particles;
-        std::fill(p.cluster.begin(), p.cluster.end(), none);
-        for (std::uint32_t c = 0; c < state_.clusters.list.size(); ++c) {
+        std::fill(p.cluster.begin() + firstParticle, p.cluster.end(), none);
+        for (auto c = static_cast<std::uint32_t>(firstCluster); c < state_.clusters.list.size();
+             ++c) {
             const Cluster& cluster = state_.clusters.list[c];
             for (std::uint32_t k = cluster.first; k < cluster.last; ++k) {
                 const auto i = state_.clusters.members[k];
@@ -200,7 +212,7 @@ private:
                 p.arm[i] = turned(cluster.heading, state_.clusters.places[k]).cast<Real>();
             }
         }
-        for (std::uint32_t i = 0; i < p.size(); ++i)
+        for (auto i = firstParticle; i < p.size(); ++i)
             if (p.cluster[i] == none) p.arm[i] = Vec2(0, 0);
     }
 
@@ -210,10 +222,10 @@ private:
 
 }  // namespace
 
-void updateClusters(State& state) {
-    Finder(state).run();
+void updateClusters(State& state, const Counts& before) {
+    Finder(state).run(before);
     state.anyStirred = true;  // new ones are
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) restoreClusterMasses(state, i);
+    for (auto i = before.bodies; i < state.bodies.size(); ++i) restoreClusterMasses(state, i);
 }
 
 bool strainIsGone(const State& state, std::uint32_t body) {

@@ -188,7 +188,7 @@ void watchStrain(State& state) {
     const auto watch = [&](std::uint32_t i) {
         if (!state.bodies[i].strained || !strainIsGone(state, i)) return;
         state.bodies[i].clustersStale = true;
-        state.structure.stale = true;
+        state.structure.changed();
     };
     if (!state.work.stale && !state.structure.stale) {
         state.looked(Stage::changes, state.work.strained.size());
@@ -206,14 +206,20 @@ void listStrained(State& state) {
         if (state.bodies[i].strained) strained.push_back(i);
 }
 
+/// Bodies that were added are tied to nothing, so that all but the trees, whose order is that of
+/// all particles, stays for the others.
 void deriveStructure(State& state) {
+    const bool onlyAdded = state.structure.onlyAdded;
+    const Counts before = onlyAdded ? state.structure.before : Counts{};
     dissolveTrees(state);
-    updateClusters(state);
-    state.broad.plansStale = true;
-    classifyJoints(state);
+    updateClusters(state, before);
+    classifyJoints(state, before);
     buildTrees(state);
-    state.triangles.stale = true;
-    state.structure.stale = false;
+    if (!onlyAdded) {
+        state.broad.plansStale = true;
+        state.triangles.bodies = 0;
+    }
+    state.structure.stale = state.structure.onlyAdded = false;
     state.work.stale = true;
     ++state.listChanges;
 }
@@ -272,7 +278,8 @@ void applyChanges(State& state) {
     state.work.movers = wantedMovers(state);
     noteStill(state);
     // The broad phase derives it later in the tick; the lists need it now.
-    if (state.broad.collidersStale) updateReach(state);
+    if (state.broad.collidersStale)
+        updateReach(state, state.broad.onlyAdded ? state.broad.listed : Counts{});
     listTrees(state);
     listAwakeParticles(state);
     listClusters(state);

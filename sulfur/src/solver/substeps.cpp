@@ -272,8 +272,10 @@ void setDivided(State& state, std::uint32_t b, bool divided) {
     const double before = state.lastStepOfBody(b);
     body.divided = divided;
     noteLate(state, body, (before - state.lastStepOfBody(b)) / 2);
-    if (!state.structure.stale && state.structure.dependsOnStep[b] != 0)
-        state.structure.stale = true;
+    Structure& structure = state.structure;
+    const bool known =
+        (!structure.stale || structure.onlyAdded) && b < structure.dependsOnStep.size();
+    if (known && structure.dependsOnStep[b] != 0) structure.changed();
 }
 
 void choosePaces(State& state, bool changed) {

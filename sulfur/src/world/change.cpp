@@ -84,7 +84,7 @@ void World::setTickRate(int tickRate) {
     state.rateTick = state.tick;
     state.settings.tickRate = tickRate;
     state.h = detail::stepDuration(state, detail::Pace::whole);
-    state.structure.stale = true;
+    state.structure.changed();
     state.broad.pairsStale = true;
 }
 

@@ -199,7 +199,7 @@ void compact(State& state, Removal& removal) {
         renumberParticles(state, newParticle);
     }
     updateReach(state);
-    state.structure.stale = true;
+    state.structure.changed();
     state.broad.bodiesChanged();
 }
 

@@ -172,7 +172,7 @@ void restoreInverseMass(State& state, std::uint32_t index) {
 }
 
 void bodyChanged(State& state) {
-    state.structure.stale = true;
+    state.structure.changed();
     state.work.stale = true;
     state.broad.bodiesChanged();
 }
@@ -193,12 +193,12 @@ void jointChanged(State& state, std::uint32_t joint) {
     wakeEnds(state, joint);
     if (state.joints.body[joint] != none)
         state.bodies[state.joints.body[joint]].clustersStale = true;
-    state.structure.stale = true;
+    state.structure.changed();
 }
 
 void shapeChanged(State& state, std::uint32_t body) {
     state.bodies[body].clustersStale = true;
-    state.structure.stale = true;
+    state.structure.changed();
 }
 
 }  // namespace detail
@@ -211,6 +211,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     detail::validatePose(pose);
     detail::State& state = impl_->state;
     const auto index = static_cast<std::uint32_t>(state.bodies.size());
+    const detail::Counts before = detail::countsOf(state);
     detail::BodyRecord body;
     body.id = state.bodySlots.insert(index);
     body.kind = plan.kind;
@@ -236,7 +237,8 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     state.bodyIds.push_back(body.id);
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);
-    state.structure.stale = state.work.stale = true;
+    state.structure.bodyAdded(before);
+    state.work.stale = true;
     state.broad.bodyAdded();
     // What is fixed looks for nobody: a sleeper in its place must notice by itself.
     if (plan.kind == BodyKind::fixed) detail::wakeNear(state, index);

@@ -59,6 +59,22 @@ struct Structure {
     // steps solve in different ways.
     std::vector<std::uint8_t> unresolved, dependsOnStep;
     bool stale = true;
+    // Never archived: bodies were added since it was derived of `before`, and nothing else changed.
+    bool onlyAdded = false;
+    Counts before;
+
+    /// To what there was so far.
+    void bodyAdded(const Counts& soFar) {
+        if (!stale) {
+            onlyAdded = true;
+            before = soFar;
+        }
+        stale = true;
+    }
+    void changed() {
+        stale = true;
+        onlyAdded = false;
+    }
 
     template <class Archive>
     void archive(Archive& a) {
@@ -142,7 +158,7 @@ struct Steps {
     std::vector<AppliedForce> applied;  // to bodies whose ticks are divided
     // What belongs to the pace that stands by, while both run.
     WorkLists parkedWork;
-    Triangles parkedTriangles;        // all but `all` and `stale`
+    Triangles parkedTriangles;        // all but what was found
     std::vector<std::uint8_t> still;  // bodies that take no part; empty unless mixed
 };
 
@@ -218,6 +234,12 @@ struct State {
     }
 };
 
+inline Counts countsOf(const State& state) {
+    return {static_cast<std::uint32_t>(state.particles.size()),
+            static_cast<std::uint32_t>(state.joints.size()),
+            static_cast<std::uint32_t>(state.bodies.size())};
+}
+
 /// Drops what is marked (true) and closes the gaps, keeping the order. Joints and attachments
 /// that lose a particle go too.
 struct Removal {
@@ -242,8 +264,9 @@ void restoreInverseMass(State& state, std::uint32_t body);
 Real inverseMassAwake(const State& state, std::uint32_t particle);
 
 /// Derives how each joint is solved; the collision radius of particles, whose surface they show,
-/// that of the thickest capsule that ends there, and how thin bodies are.
-void classifyJoints(State& state);
-void updateReach(State& state);
+/// that of the thickest capsule that ends there, and how thin bodies are. Where bodies were added
+/// to what was there `before`, and nothing else changed, only theirs.
+void classifyJoints(State& state, const Counts& before);
+void updateReach(State& state, const Counts& before = {});
 
 }  // namespace sulfur::detail

@@ -74,6 +74,35 @@ TEST_P(MeetingLanes, MeetAsOneByOne) {
     EXPECT_GT(beside, 1000);
 }
 
+TEST_P(MeetingLanes, AreGatheredAsOneByOne) {
+    test::Random random(8);
+    detail::Particles particles;
+    for (int i = 0; i < 50; ++i) {
+        particles.position.emplace_back(random.uniform(-1e4, 1e4), random.uniform(-1, 1));
+        particles.displacement.emplace_back(static_cast<Real>(random.uniform(-1, 1)),
+                                            static_cast<Real>(random.uniform(-1, 1)));
+    }
+    const auto& x = particles.position;
+    std::array<MeetingBlock, 3> blocks{};
+    for (MeetingBlock& b : blocks)
+        for (auto* list : {b.particle, b.a, b.b})
+            for (std::size_t i = 0; i < detail::meetingLanes; ++i)
+                list[i] = static_cast<std::uint32_t>(random.below(50));
+    detail::meetingKernels().gather({x.data()->data(), particles.displacement.data()->data()},
+                                    blocks.data(), blocks.size());
+    for (const MeetingBlock& b : blocks)
+        for (std::size_t i = 0; i < detail::meetingLanes; ++i) {
+            const detail::Local l = detail::localise(particles, b.particle[i], b.a[i], b.b[i]);
+            ASSERT_EQ(Vec2(b.x[i], b.y[i]), l.p);
+            ASSERT_EQ(Vec2(b.endX[i], b.endY[i]), l.b);
+            ASSERT_EQ(Vec2(b.moveX[i], b.moveY[i]), l.dp);
+            ASSERT_EQ(Vec2(b.moveAX[i], b.moveAY[i]), l.da);
+            ASSERT_EQ(Vec2(b.moveBX[i], b.moveBY[i]), l.db);
+            const Point end = x[b.b[i]] - x[b.a[i]], p = x[b.particle[i]] - x[b.a[i]];
+            ASSERT_EQ(b.beside[i], end[0] * p[1] - end[1] * p[0]);
+        }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kernels, MeetingLanes,
                          testing::Values(detail::Instructions::baseline,
                                          detail::Instructions::avx512));

@@ -170,5 +170,52 @@ TEST(Lifecycle, AttachmentsAreListedWithTheirSupports) {
     EXPECT_THROW(world.info(first), Error);
 }
 
+/// Adds one of many things to a world that has something else of everything already.
+void addThing(World& world, int i) {
+    const Pose pose{.position = {-3 + 1.3 * (i % 5), 3 + 0.2 * (i % 7)}, .angle = 0.3 * i};
+    switch (i % 7) {
+        case 0:
+            world.add(shapes::box(), pose);
+            break;
+        case 1:
+            world.add(shapes::jelly({.columns = 3, .rows = 3}), pose);
+            break;
+        case 2:
+            world.add(shapes::rope({.from = {-1, 0}, .to = {1, 0}, .pinFirst = true}), pose);
+            break;
+        case 3:
+            world.add(shapes::wheel(), pose);
+            break;
+        case 4:
+            world.add(shapes::chain(), pose);
+            break;
+        case 5:
+            world.add(shapes::blob({.radius = Real(0.4)}), pose);
+            break;
+        default:
+            world.add(shapes::box({.strength = 200}), pose);
+            break;
+    }
+}
+
+TEST(Lifecycle, WhatAnAddedBodyNeedsIsDerivedAsIfAllWere) {
+    World added({.sleeping = false}), renewed({.sleeping = false});
+    for (World* world : {&added, &renewed}) {
+        world->add(shapes::ground({.points = {{-20, 0}, {20, 0}}}));
+        for (int i = 0; i < 7; ++i) addThing(*world, i);
+    }
+    for (int tick = 0; tick < 500; ++tick) {
+        const bool adds = tick % 25 == 3;
+        for (World* world : {&added, &renewed})
+            if (adds) addThing(*world, tick);
+        // A setting that is set again: everything is derived from all bodies.
+        const BodyId first = renewed.bodies().front();
+        if (adds) renewed.setFilter(first, renewed.filter(first));
+        added.step();
+        renewed.step();
+        ASSERT_EQ(added.hash(), renewed.hash()) << tick;
+    }
+}
+
 }  // namespace
 }  // namespace sulfur
