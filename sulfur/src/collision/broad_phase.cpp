@@ -5,6 +5,7 @@
 #include "collision/covering.hpp"
 #include "collision/listing.hpp"
 #include "collision/pairs.hpp"
+#include "kernels/outings.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -175,6 +176,20 @@ void forEachAwake(const State& state, Function&& f) {
         for (const Range& range : parked.awake) f(range);
 }
 
+/// Whether any awake surface has used a share of its skin.
+bool anyHasUsed(const State& state, Real lookAhead, Real share) {
+    const Particles& p = state.particles;
+    const BroadPhase& broad = state.broad;
+    const OutingView view{p.position.data()->data(), broad.reference.data()->data(),
+                          p.displacement.data()->data()};
+    const SkinBound bound{broad.skin.data(), p.reach.data(), broad.baseSkin / 4, lookAhead, share};
+    bool any = false;
+    forEachAwake(state, [&](const Range& range) {
+        any = any || outingKernels().anyBeyond(view, bound, range.first, range.last);
+    });
+    return any;
+}
+
 /// Calls f(piece) for awake surfaces that have used a share of their skins.
 template <class Function>
 void forEachOuting(const State& state, Real lookAhead, Real share, Function&& f) {
@@ -199,6 +214,7 @@ void findLeft(State& state, Real lookAhead) {
         broad.left.push_back(piece);
     };
     for (auto piece = broad.drawnPieces; piece < broad.pieces.size(); ++piece) note(piece);
+    if (!anyHasUsed(state, lookAhead, 1)) return;
     bool any = false;
     forEachOuting(state, lookAhead, 1,
                   [&](std::uint32_t piece) { any = any || broad.hasLeft[piece] == 0; });

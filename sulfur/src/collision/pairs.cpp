@@ -8,6 +8,7 @@
 #include "collision/geometry.hpp"
 #include "core/bucket_sort.hpp"
 #include "core/pieces.hpp"
+#include "kernels/outings.hpp"
 
 namespace sulfur::detail {
 
@@ -415,17 +416,22 @@ void measureOutings(const State& state, const std::vector<Vec2>& displacements, 
         while (i > 0 && i < p.size() && p.body[i] == p.body[i - 1]) ++i;
         return static_cast<std::uint32_t>(i);
     };
-    constexpr std::size_t particlesInMicrosecond = 300;
+    const OutingView view{p.position.data()->data(), state.broad.reference.data()->data(),
+                          displacements.data()->data()};
+    constexpr std::size_t particlesInMicrosecond = 500;
     inPieces(
         state.tasks, p.size(), particlesInMicrosecond, [&](std::size_t begin, std::size_t end) {
             const auto from = bodyStart(begin), to = bodyStart(end);
-            for (const Range range : state.work.awake)
-                for (auto i = std::max(range.first, from); i < std::min(range.last, to); ++i) {
-                    ofParticle[i] = (p.position[i] - state.broad.reference[i]).cast<Real>().norm() +
-                                    displacements[i].norm();
+            for (const Range range : state.work.awake) {
+                const auto first = std::max(range.first, from), last = std::min(range.last, to);
+                if (first >= last) continue;
+                outingKernels().measure(view, ofParticle.data(), first, last);
+                for (auto i = first; i < last; ++i) {
+                    if (p.reach[i] == 0) continue;
                     Real& most = ofBody[p.body[i]];
                     most = std::max(most, ofParticle[i]);
                 }
+            }
         });
     for (const auto& [one, other] : state.broad.tied)
         ofBody[one] = ofBody[other] = std::max(ofBody[one], ofBody[other]);

@@ -11,6 +11,7 @@
 #include "kernels/joint_force.hpp"
 #include "kernels/joint_sweep.hpp"
 #include "kernels/meeting_lanes.hpp"
+#include "kernels/outings.hpp"
 #include "kernels/particle_motion.hpp"
 
 namespace sulfur::detail {
@@ -97,6 +98,13 @@ const MeetingKernels& meetingKernels() {
     if (mayUse(Instructions::avx2)) return avx2Meetings;
 #endif
     return baselineMeetings;
+}
+
+const OutingKernels& outingKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Outings;
+#endif
+    return baselineOutings;
 }
 
 const ContactKernels& contactKernels() {

@@ -71,6 +71,13 @@ const std::vector<std::uint8_t>& heldByTrees(const State& state) {
     return held;
 }
 
+std::uint32_t countSurfaces(const State& state, const BodyRecord& body) {
+    const auto first = state.particles.reach.begin() + body.firstParticle;
+    return static_cast<std::uint32_t>(
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
+                      [](Real reach) { return reach > 0; }));
+}
+
 void listAwakeParticles(State& state) {
     WorkLists& work = state.work;
     work.bodies.clear();
@@ -93,11 +100,10 @@ void listAwakeParticles(State& state) {
         if (body.kind == BodyKind::kinematic) work.kinematic.push_back(b);
         const auto size = static_cast<std::uint32_t>(body.particles.size());
         work.awakeParticles += size;
+        const auto surfaces = countSurfaces(state, body);
+        work.awakeSurfaces += surfaces;
         for (auto i = body.firstParticle; i < body.firstParticle + size; ++i) {
-            if (state.particles.reach[i] > 0) {
-                append(work.awake, i);
-                ++work.awakeSurfaces;
-            }
+            if (surfaces > 0) append(work.awake, i);
             if (state.particles.cluster[i] != none) continue;
             append(work.points, i);
             if (state.trees.ofParticle[i] != none) continue;

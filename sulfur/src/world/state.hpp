@@ -94,7 +94,7 @@ enum class Movers : std::uint8_t { all, whole, divided };
 /// What the stages loop over, so that they never ask each particle whether it takes part.
 /// Derived from the structure and from who is awake whenever `stale`.
 struct WorkLists {
-    std::vector<Range> awake;   // particles of bodies that move, those with a surface
+    std::vector<Range> awake;   // all particles of bodies that move and have a surface
     std::vector<Range> points;  // all particles of bodies that move but those in clusters
     std::vector<Range> free;    // of these, the ones in no tree that moves alone
     std::vector<std::uint32_t> awakeClusters;

@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 9955970225460301655u);
 #else
-    EXPECT_EQ(world.hash(), 18325580053374767705u);
+    EXPECT_EQ(world.hash(), 2627219051752240099u);
 #endif
 }
 
