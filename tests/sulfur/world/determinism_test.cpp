@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 9955970225460301655u);
+    EXPECT_EQ(world.hash(), 9892932478798553711u);
 #else
     EXPECT_EQ(world.hash(), 2627219051752240099u);
 #endif
