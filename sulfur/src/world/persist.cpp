@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x34735f7266756c53u;  // "Slfr_s4", little-endian
+constexpr std::uint64_t snapshotMark = 0x35735f7266756c53u;  // "Slfr_s5", little-endian
 
 /// Everything that decides how the world goes on. Candidates are not part of it: contacts depend
 /// on geometry alone, not on when their candidates were found.
@@ -49,6 +49,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.h);
     a(state.settings.tellPersisting);
     archiveDecisive(a, state);
+    state.structure.archiveAdded(a);
     a(state.bodies);
     a(state.bodyIds);
     a(state.particleSlots);
@@ -97,6 +98,7 @@ std::uint64_t World::hash() const {
     // An archive takes its fields by reference because a reader fills them; the hasher only reads.
     State& state = impl_->state;
     detail::archiveDecisive(hasher, state);
+    if (state.structure.onlyAdded) state.structure.archiveAdded(hasher);
     detail::archiveBodyMotion(hasher, state);
     if (!state.influences.empty()) {
         hasher(state.influences.fields);

@@ -59,7 +59,8 @@ struct Structure {
     // steps solve in different ways.
     std::vector<std::uint8_t> unresolved, dependsOnStep;
     bool stale = true;
-    // Never archived: bodies were added since it was derived of `before`, and nothing else changed.
+    // Bodies were added since it was derived of `before`, and nothing else changed. What was
+    // derived then may differ by roundings from what would be now, so that it decides.
     bool onlyAdded = false;
     Counts before;
 
@@ -85,6 +86,11 @@ struct Structure {
         a(unresolved);
         a(dependsOnStep);
         a(stale);
+    }
+    template <class Archive>
+    void archiveAdded(Archive& a) {
+        a(onlyAdded);
+        a(before);
     }
 };
 

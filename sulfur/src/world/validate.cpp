@@ -215,6 +215,25 @@ std::string validateContacts(const State& state) {
     return std::is_sorted(state.vetoes.begin(), state.vetoes.end()) ? "" : "vetoes out of order";
 }
 
+/// What was there before bodies were added keeps what was derived for it.
+std::string validateAdded(const State& state) {
+    const Structure& s = state.structure;
+    if (!s.onlyAdded) return {};
+    const Counts& before = s.before;
+    if (!s.stale || before.bodies >= state.bodies.size() || before.joints > state.joints.size() ||
+        before.particles != state.bodies[before.bodies].firstParticle)
+        return "bodies added to others than there are";
+    const auto& body = state.particles.body;
+    for (std::uint32_t j = 0; j < state.joints.size(); ++j)
+        for (const auto p : {state.joints.a[j], state.joints.b[j]})
+            if ((body[p] < before.bodies) != (j < before.joints))
+                return problem("joint that was added with no body", j);
+    for (std::size_t i = 0; i < state.clusters.list.size(); ++i)
+        if (state.clusters.list[i].body >= before.bodies)
+            return problem("rigid component of a body that was added", i);
+    return {};
+}
+
 std::string validateStructure(const State& state) {
     const Structure& s = state.structure;
     const auto within = [](const std::vector<std::uint32_t>& list, std::size_t count) {
@@ -236,7 +255,7 @@ std::string validateStructure(const State& state) {
 std::string findBroken(const State& state) {
     for (const auto check : {validateArrays, validateParticles, validateJoints, validateAttachments,
                              validateBodies, validateSleepers, validateVisits, validateContacts,
-                             validateClusters, validateTrees, validateStructure})
+                             validateClusters, validateTrees, validateStructure, validateAdded})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }

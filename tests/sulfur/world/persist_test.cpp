@@ -110,6 +110,54 @@ TEST(Persist, ManyQueriesBetweenTicksMakeTheGridOnce) {
     EXPECT_LE(world.statistics().broadPhases, before + 2);
 }
 
+/// How much of a stiff spring at a rigid body is a force follows from where the body had turned to
+/// when that was derived; adding a body elsewhere does not derive it again.
+TEST(Persist, AWorldToWhichABodyWasJustAddedGoesOnTheSameWay) {
+    for (int n = 0; n < 10; ++n) {
+        World world;
+        for (int i = 0; i < 6; ++i) {
+            const Body box =
+                world.add(shapes::box({.size = {Real(0.5), Real(0.3)}}), {{2.0 * i, 0}, 0.1 * i});
+            const Body ball =
+                world.add(shapes::ball({.radius = Real(0.1)}), {{2.0 * i + 0.6, 0.5}, 0});
+            world.connect(box[1], ball[0],
+                          {.stiffness = static_cast<Real>(300000 + 30000 * i), .damping = 1});
+            world.setVelocity(ball[0], {0, 3});
+        }
+        test::run(world, 0.1 + 0.014 * n);
+        for (int k = 0; k < 2; ++k) world.add(shapes::jelly(), {{100, 3.0 * k}, 0});
+        World other;
+        other.restore(world.snapshot());
+        EXPECT_EQ(other.hash(), world.hash());
+        EXPECT_EQ(other.snapshot(), world.snapshot());
+        for (int tick = 0; tick < 3; ++tick) {
+            world.step();
+            other.step();
+            ASSERT_EQ(other.hash(), world.hash()) << n << ", tick " << tick;
+        }
+    }
+}
+
+/// The same of damaged ones, which may name other bodies than those that were there.
+TEST(Persist, DamagedSnapshotsOfWorldsToWhichABodyWasJustAddedAreRefused) {
+    World world;
+    fill(world);
+    test::run(world, 0.2);
+    world.add(shapes::box(), {{0, 8}, 0});
+    const Snapshot good = world.snapshot();
+    test::Random random(7);
+    World victim;
+    for (int i = 0; i < 1000; ++i) {
+        Snapshot bad = good;
+        bad[random.below(good.size())] ^= static_cast<std::byte>(1 + random.below(255));
+        try {
+            victim.restore(bad);
+            ASSERT_EQ(victim.validate(), "") << i;
+        } catch (const Error&) {
+        }
+    }
+}
+
 TEST(Persist, DamagedSnapshotsAreRefused) {
     World world;
     fill(world);
