@@ -220,12 +220,14 @@ Distances measure(const BroadPhase& broad, const Collider& a, const Collider& b)
     return d;
 }
 
-/// How far both sides of a candidate may go, together, that are `apart` further from each other
-/// than a contact needs. What moves by more than its thickness in a tick is stopped up to half of
-/// that before it touches, so that half of the way must do. That takes 0.7 thicknesses: both
-/// coordinates of a step together are at most the square root of 2 of its length.
-Real spareOf(Real apart, Real thickness) {
-    return std::min(apart, std::max(apart / 2, Real(0.7) * thickness));
+/// How far both sides of a candidate may go, together, before it must be looked at, when they are
+/// `apart` further from each other than a contact needs. lookAt() lets through what comes as near
+/// as both coordinates of a step add up to, at most the square root of 2 of its length, and the end
+/// of a capsule that has gone far need not be the one that steps. (What is passed over although it
+/// would be let through would depend on when candidates were found, as after a restore.)
+Real spareOf(Real apart) {
+    constexpr Real share = Real(0.41);  // 1 / (1 + sqrt 2), rounded down
+    return apart < 0 ? apart : share * apart;
 }
 
 /// An end of one collider and another collider, while candidates are being collected.
@@ -243,8 +245,7 @@ void addWatch(const State& state, const End& end, const Collider& c, Real thickn
     const Real needed = Real(1.001) * thickness + broad.watchedGap(thickness);
     const double distance = std::sqrt(end.squaredDistance);
     const Real apart = static_cast<Real>(distance - static_cast<double>(needed));
-    watches.push_back(
-        {{end.particle, end.collider}, c.a, c.b, c.body, spareOf(apart, thickness), thickness});
+    watches.push_back({{end.particle, end.collider}, c.a, c.b, c.body, spareOf(apart), thickness});
 }
 
 /// Adds the candidate of an end against a collider, rasterised with a skin of so many m, if it can

@@ -104,12 +104,13 @@ inline Way wayOf(Gathered& m, Lanes armX, Lanes armY) {
             m.y() + m.sine() * armX - m.versine() * armY};
 }
 
-/// Adds a turn, by the series of sine and cosine; beyond 3 rad in a tick what counts is that they
-/// stay bounded.
+/// Adds a turn, by the series of sine and cosine. Beyond 1 rad at once what counts is that they
+/// stay bounded: there the series still keep the length of what they turn, at 3 rad they added a
+/// seventh each time, and hundreds of blows to infinity.
 inline void turnBy(Gathered& m, Lanes by) {
     m.turn() += by;
-    const Lanes three = Lanes{} + SweepReal(3);
-    const Lanes angle = smaller(larger(by, -three), three);
+    const Lanes most = Lanes{} + SweepReal(1);
+    const Lanes angle = smaller(larger(by, -most), most);
     const Lanes square = angle * angle;
     const Lanes c1 = Lanes{} + SweepReal(1.0 / 6), c2 = Lanes{} + SweepReal(1.0 / 120),
                 c3 = Lanes{} + SweepReal(1.0 / 5040);

@@ -71,6 +71,17 @@ TEST_P(ContactSweep, TurnsWhatIsPushedBesideItsCentre) {
     EXPECT_NEAR(gap, 0, 1e-6);
 }
 
+/// As what was led through others by metres gets in the sweeps that part them.
+TEST_P(ContactSweep, HundredsOfLargeTurnsStayBounded) {
+    Falling f;
+    f.movers[1].inertia = 6;
+    f.block.armX[f.lane] = SweepReal(0.5);
+    f.block.normalLambda[f.lane] = 1;
+    for (int i = 0; i < 500; ++i) GetParam()->warmTwo(f.movers, &f.block, 1);
+    EXPECT_NEAR(static_cast<double>(f.movers[1].turn), 1500, 1e-3);
+    EXPECT_LE(std::hypot(f.movers[1].sine, 1 - f.movers[1].versine), 1.001);
+}
+
 TEST_P(ContactSweep, SharesBetweenTheEndsOfACapsule) {
     Falling f;
     Mover movers[4] = {{}, f.movers[1], {.mass = 1}, {.mass = 1}};
