@@ -18,6 +18,7 @@
 #include "collision/geometry.hpp"
 #include "collision/meeting.hpp"
 #include "collision/outlines.hpp"
+#include "collision/pairs.hpp"
 #include "core/pieces.hpp"
 #include "kernels/meeting_lanes.hpp"
 #include "solver/stages.hpp"
@@ -448,6 +449,9 @@ void findContacts(State& state) {
     state.contacts.clear();
     state.knocked.clear();
     partEntwined(state);
+    // Which has led some of them on since they were measured.
+    if (!state.entwined.empty())
+        measureOutings(state, state.particles.displacement, state.broad.outings);
     dropStalePlans(state.broad);
     indexMemory(state);
     thread_local std::vector<Crossing> crossings;  // nearly always empty
