@@ -5,7 +5,6 @@
 #include "collision/covering.hpp"
 #include "collision/listing.hpp"
 #include "collision/pairs.hpp"
-#include "kernels/outings.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -180,8 +179,7 @@ void forEachAwake(const State& state, Function&& f) {
 bool anyHasUsed(const State& state, Real lookAhead, Real share) {
     const Particles& p = state.particles;
     const BroadPhase& broad = state.broad;
-    const OutingView view{p.position.data()->data(), broad.reference.data()->data(),
-                          p.displacement.data()->data()};
+    const OutingView view = outingsOf(state, p.displacement);
     const SkinBound bound{broad.skin.data(), p.reach.data(), broad.baseSkin / 4, lookAhead, share};
     bool any = false;
     forEachAwake(state, [&](const Range& range) {

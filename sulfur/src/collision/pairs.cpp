@@ -8,7 +8,6 @@
 #include "collision/geometry.hpp"
 #include "core/bucket_sort.hpp"
 #include "core/pieces.hpp"
-#include "kernels/outings.hpp"
 
 namespace sulfur::detail {
 
@@ -400,6 +399,15 @@ void renewPairs(State& state) {
     if (2 * broad.plans.size() > broad.watches.size()) broad.plansStale = true;
 }
 
+OutingView outingsOf(const State& state, const std::vector<Vec2>& displacements) {
+    // (An empty list has no first element whose numbers could be pointed to.)
+    const auto numbersOf = [](const auto& list) {
+        return list.empty() ? nullptr : list.data()->data();
+    };
+    return {numbersOf(state.particles.position), numbersOf(state.broad.reference),
+            numbersOf(displacements)};
+}
+
 void measureOutings(const State& state, const std::vector<Vec2>& displacements, Outings& outings) {
     const Particles& p = state.particles;
     auto& ofParticle = outings.ofParticle;
@@ -417,8 +425,7 @@ void measureOutings(const State& state, const std::vector<Vec2>& displacements, 
         while (i > 0 && i < p.size() && p.body[i] == p.body[i - 1]) ++i;
         return static_cast<std::uint32_t>(i);
     };
-    const OutingView view{p.position.data()->data(), state.broad.reference.data()->data(),
-                          displacements.data()->data()};
+    const OutingView view = outingsOf(state, displacements);
     constexpr std::size_t particlesInMicrosecond = 500;
     inPieces(
         state.tasks, p.size(), particlesInMicrosecond, [&](std::size_t begin, std::size_t end) {

@@ -1,6 +1,7 @@
 // What of the grid's neighbours may touch.
 #pragma once
 
+#include "kernels/outings.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -18,6 +19,10 @@ void renewPairs(State& state);
 inline Real skinOf(const BroadPhase& broad, const Collider& c) {
     return std::max(broad.skin[c.a], broad.skin[c.b]);
 }
+
+/// For kernels, valid while particles stay where they are in their lists. `displacements`: m, by
+/// particle.
+OutingView outingsOf(const State& state, const std::vector<Vec2>& displacements);
 
 /// Writes down how far everything awake is, with the given displacements (m, by particle), from
 /// where it was rasterised. Sleepers are where they were: when a body falls asleep, everything is
