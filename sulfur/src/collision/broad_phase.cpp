@@ -5,6 +5,7 @@
 #include "collision/covering.hpp"
 #include "collision/listing.hpp"
 #include "collision/pairs.hpp"
+#include "collision/skins.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -55,7 +56,7 @@ void rasteriseFixed(State& state) {
         const auto level = levelFor(state, broad.fixed[i], 0, mostCellsFixed);
         broad.levelOfFixed.push_back(static_cast<std::uint8_t>(level));
         if (level > 0) broad.largeFixed.push_back(i);
-        rasterise(state, broad.fixed[i], 0, level,
+        rasterise(state, broad.fixed[i], skinOf(broad, Real(-1)), level,
                   [&](Cell cell) { gridOf(level).insert(cell, i); });
     }
     for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).build();
@@ -64,23 +65,22 @@ void rasteriseFixed(State& state) {
     ++broad.fixedRuns;
 }
 
-/// A skin as wide as what the particle covers in this tick and half of the next, at least; and up
-/// to ten ticks, if that is no more than a cell, so that not every tick something leaves its skin.
-Real skinOf(const State& state, std::uint32_t particle) {
-    const Real cell = static_cast<Real>(state.broad.cellSize);
-    const Real step = state.particles.displacement[particle].norm();
-    return state.broad.baseSkin + Real(1.5) * step + std::min(Real(8.5) * step, cell);
+/// The skin with which a moving collider is drawn now.
+Real skinNow(const State& state, const Collider& c) {
+    const auto& d = state.particles.displacement;
+    return skinFor(state.broad, std::max(d[c.a].norm(), d[c.b].norm()));
 }
 
-/// Gives a moving collider its skin, and finds the grid in which it belongs.
+/// Notes for which step a moving collider is drawn, and finds the grid in which it belongs.
 std::size_t placeMoving(State& state, std::uint32_t i) {
     BroadPhase& broad = state.broad;
     const Collider& c = broad.moving[i];
-    const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
+    const auto& d = state.particles.displacement;
+    const Real step = std::max(d[c.a].norm(), d[c.b].norm());
     // A particle may leave the narrowest skin of the capsules that it ends.
     for (const auto p : {c.a, c.b})
-        broad.skin[p] = broad.skin[p] == 0 ? skin : std::min(broad.skin[p], skin);
-    return levelFor(state, c, skin, mostCellsMoving);
+        broad.step[p] = broad.step[p] < 0 ? step : std::min(broad.step[p], step);
+    return levelFor(state, c, skinFor(broad, step), mostCellsMoving);
 }
 
 void rasteriseMoving(State& state) {
@@ -89,7 +89,7 @@ void rasteriseMoving(State& state) {
         return level == 0 ? broad.movingGrid : broad.coarse[level - 1].moving;
     };
     broad.reference = state.particles.position;
-    broad.skin.assign(state.particles.size(), 0);
+    broad.step.assign(state.particles.size(), -1);
     for (std::size_t level = 0; level <= broad.coarse.size(); ++level) gridOf(level).clear();
     broad.largeMoving.clear();
     broad.levelOfMoving.clear();
@@ -100,8 +100,7 @@ void rasteriseMoving(State& state) {
         broad.levelOfMoving.push_back(static_cast<std::uint8_t>(level));
         if (level > 0) broad.largeMoving.push_back(i);
         const Collider& c = broad.moving[i];
-        const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
-        rasterise(state, c, skin, level, [&](Cell cell) {
+        rasterise(state, c, skinNow(state, c), level, [&](Cell cell) {
             gridOf(level).insert(cell, i);
             ++broad.cellsOf[i];
             ++broad.liveCells;
@@ -131,7 +130,7 @@ bool rasteriseLeft(State& state) {
     if (2 * broad.movingGrid.added() > broad.movingGrid.entries().size()) return false;
     forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
         broad.reference[p] = state.particles.position[p];
-        broad.skin[p] = 0;
+        broad.step[p] = -1;
     });
     forEachLeft(pieces.colliderStart, pieces.colliders,
                 [&](std::uint32_t i) { anyLarge |= placeMoving(state, i) > 0; });
@@ -140,8 +139,7 @@ bool rasteriseLeft(State& state) {
         const Collider& c = broad.moving[i];
         broad.liveCells -= broad.cellsOf[i];
         broad.cellsOf[i] = 0;
-        const Real skin = std::max(skinOf(state, c.a), skinOf(state, c.b));
-        rasterise(state, c, skin, 0, [&](Cell cell) {
+        rasterise(state, c, skinNow(state, c), 0, [&](Cell cell) {
             broad.movingGrid.add(cell, i);
             ++broad.cellsOf[i];
             ++broad.liveCells;
@@ -152,16 +150,16 @@ bool rasteriseLeft(State& state) {
 }
 
 /// Whether a particle is, or with `lookAhead` ticks of displacement will be, further than a share
-/// of its skin from where it was rasterised; a quarter of the base skin is left for the contact
-/// margin.
+/// of its leeway from where it was rasterised, or goes too far with them (see skins.hpp).
 bool hasUsed(const State& state, std::uint32_t i, Real lookAhead, Real share) {
     const BroadPhase& broad = state.broad;
     const Point &at = state.particles.position[i], &from = broad.reference[i];
     const Vec2& d = state.particles.displacement[i];
-    const Real x = static_cast<Real>(at[0] - from[0]) + lookAhead * d[0];
-    const Real y = static_cast<Real>(at[1] - from[1]) + lookAhead * d[1];
-    const Real allowed = broad.skin[i] - broad.baseSkin / 4;
-    return x * x + y * y > share * share * (allowed * allowed);
+    const Vec2 here = (at - from).cast<Real>(), step = lookAhead * d, there = here + step;
+    const Real allowed = share * leewayFor(broad, broad.step[i]);
+    const Real stride = strideFor(broad, broad.step[i]);
+    return std::max(here.squaredNorm(), there.squaredNorm()) > allowed * allowed ||
+           step.squaredNorm() > stride * stride;
 }
 
 /// Calls f(Range) for the particles of all that is awake and has a surface.
@@ -175,12 +173,14 @@ void forEachAwake(const State& state, Function&& f) {
         for (const Range& range : parked.awake) f(range);
 }
 
-/// Whether any awake surface has used a share of its skin.
+/// Whether any awake surface has used a share of its leeway.
 bool anyHasUsed(const State& state, Real lookAhead, Real share) {
     const Particles& p = state.particles;
     const BroadPhase& broad = state.broad;
     const OutingView view = outingsOf(state, p.displacement);
-    const SkinBound bound{broad.skin.data(), p.reach.data(), broad.baseSkin / 4, lookAhead, share};
+    const SkinBound bound{broad.step.data(), p.reach.data(),
+                          broad.baseSkin,    static_cast<Real>(broad.cellSize),
+                          lookAhead,         share};
     bool any = false;
     forEachAwake(state, [&](const Range& range) {
         any = any || outingKernels().anyBeyond(view, bound, range.first, range.last);
@@ -188,7 +188,7 @@ bool anyHasUsed(const State& state, Real lookAhead, Real share) {
     return any;
 }
 
-/// Calls f(piece) for awake surfaces that have used a share of their skins.
+/// Calls f(piece) for awake surfaces that have used a share of their leeways.
 template <class Function>
 void forEachOuting(const State& state, Real lookAhead, Real share, Function&& f) {
     const BroadPhase& broad = state.broad;

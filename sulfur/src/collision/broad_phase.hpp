@@ -45,7 +45,8 @@ struct Watch {
 /// before their axes can cross.
 struct WatchedPair {
     std::uint32_t first = 0, second = 0;
-    Real spare = 0;  // m
+    std::uint32_t one = 0, other = 0;  // their bodies
+    Real spare = 0;                    // m
 
     friend bool operator<(const WatchedPair& p, const WatchedPair& q) {
         return p.first != q.first ? p.first < q.first : p.second < q.second;
@@ -56,13 +57,29 @@ struct WatchedPair {
 /// common, with the least spare of them: mostly one look is enough for all.
 struct WatchRun {
     std::uint32_t first = 0, last = 0;  // in the list
-    std::uint32_t one = 0, other = 0;   // of candidates, a particle and a body; of pairs, bodies
+    std::uint32_t one = 0, other = 0;   // bodies
     Real spare = 0;                     // m
 };
 
-/// A box round a collider with its skin and all that may make a contact with it.
+/// What most looks at candidates need, as arrays; see Watch.
+struct Looks {
+    std::vector<std::uint32_t> particle, a, b;
+    std::vector<Real> spare;          // m
+    std::vector<Real> thickness;      // m
+    std::vector<std::uint32_t> plan;  // or none
+
+    template <class Function>
+    void forEachArray(Function&& f) {
+        f(particle), f(a), f(b), f(spare), f(thickness), f(plan);
+    }
+};
+
+/// A collider as it was drawn, ready to be measured from.
 struct Surroundings {
-    Point low{0, 0}, high{0, 0};  // m
+    Point start{0, 0}, along{0, 0};  // m, of its axis
+    double scale = 0;                // 1/m^2: over its length, squared; 0 for a disc
+    Real margin = 0;                 // m, round a box round that: what may make a contact with it
+    Real skin = 0, leeway = 0;       // m
     std::uint32_t body = 0;
     bool meetsItself = false;  // its body
 };
@@ -97,8 +114,8 @@ struct BroadPhase {
     std::vector<Collider> moving;  // of bodies that can move
     std::vector<Collider> fixed;   // of those that cannot; numbered after the moving ones
     std::vector<Point> reference;  // per particle: where it was when rasterised
-    std::vector<Real> skin;        // m, per particle
-    Real baseSkin = Real(0.1);     // m
+    std::vector<Real> step;        // m, per particle: for which it was drawn; -1: it never was
+    Real baseSkin = Real(0.1);     // m, by which skins are measured
     /// Colliders that would cover too many cells of the grid, and in which coarser one each is.
     std::vector<std::uint32_t> largeMoving, largeFixed;
     std::vector<std::uint8_t> levelOfMoving, levelOfFixed;  // 0: the grid, k: coarse[k - 1]
@@ -110,6 +127,8 @@ struct BroadPhase {
     std::vector<Watch> watches;      // sorted by candidates, without duplicates
     std::vector<WatchedPair> pairs;  // of colliders, sorted, without duplicates; for crossings
     std::vector<WatchRun> watchRuns, pairRuns;
+    bool watchRunsStale = false;             // they are listed when somebody asks for them
+    Looks looks;                             // of the watches: what most looks need
     std::vector<ContactPlan> plans;          // of candidates that have come near, in no order
     std::vector<Surroundings> surroundings;  // of all colliders
     Pieces pieces;
@@ -162,38 +181,6 @@ struct BroadPhase {
         return i < moving.size() ? moving[i] : fixed[i - moving.size()];
     }
 };
-
-/// The most candidates that forEachNear() hands over at once.
-inline constexpr std::size_t nearBatch = 256;
-
-/// Calls f(numbers of watches), at most nearBatch of them, in their order, for all candidates of
-/// some runs whose sides can have come near enough to each other, but for runs that are to be
-/// passed over.
-template <class PassOver, class Function>
-void forEachNear(const BroadPhase& broad, const Outings& outings, std::size_t firstRun,
-                 std::size_t lastRun, PassOver&& passOver, Function&& f) {
-    // Half of them come near enough, in no order that a processor could foresee: which they are is
-    // found without a branch, many at a time.
-    std::array<std::uint32_t, nearBatch> near;
-    std::size_t count = 0;
-    const auto flush = [&] {
-        f(std::span<const std::uint32_t>(near.data(), count));
-        count = 0;
-    };
-    const auto& out = outings.ofParticle;
-    for (auto r = firstRun; r < lastRun; ++r) {
-        const WatchRun& run = broad.watchRuns[r];
-        const Real one = out[run.one];
-        if (one + outings.ofBody[run.other] < run.spare || passOver(run)) continue;
-        for (auto k = run.first; k < run.last; ++k) {
-            const Watch& w = broad.watches[k];
-            near[count] = k;
-            count += one + std::max(out[w.a], out[w.b]) >= w.spare ? 1 : 0;
-            if (count == nearBatch) flush();
-        }
-    }
-    flush();
-}
 
 /// Calls f(const WatchedPair&), in their order, for all pairs of colliders that can have come to
 /// cross each other, but for runs that are to be passed over.

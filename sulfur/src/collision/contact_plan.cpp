@@ -43,6 +43,7 @@ bool moveAsOne(const State& state, std::uint32_t particle, const Collider& c) {
 void dropStalePlans(BroadPhase& broad) {
     if (!broad.plansStale) return;
     for (Watch& w : broad.watches) w.plan = none;
+    std::fill(broad.looks.plan.begin(), broad.looks.plan.end(), none);
     broad.plans.clear();
     broad.plansStale = false;
 }

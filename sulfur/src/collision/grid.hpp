@@ -73,6 +73,15 @@ public:
             if (added_[i].entry.cell == cell) f(added_[i].entry.item);
     }
 
+    /// Calls f(item) for everything in a cell that is greater than `item`, where items were
+    /// inserted in ascending order, and nothing was added.
+    template <class Function>
+    void forEachAfter(Cell cell, std::uint32_t item, Function&& f) const {
+        const std::uint32_t bucket = bucketOf(cell);
+        for (auto i = start_[bucket + 1]; i-- > start_[bucket] && sorted_[i].item > item;)
+            if (sorted_[i].cell == cell) f(sorted_[i].item);
+    }
+
     /// Calls f(first, second) for every two entries of one cell; first was inserted before.
     template <class Function>
     void forEachPair(Function&& f) const {

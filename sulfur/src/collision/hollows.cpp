@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/skins.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -21,7 +22,7 @@ void Hollows::derive(const State& state) {
         if (edges.empty()) continue;
         Box box{body, broad.reference[edges.front().from], broad.reference[edges.front().from]};
         for (const OutlineEdge& edge : edges) {
-            const double skin = static_cast<double>(broad.skin[edge.from]);
+            const double skin = static_cast<double>(skinOf(broad, broad.step[edge.from]));
             box.low = box.low.cwiseMin((broad.reference[edge.from].array() - skin).matrix());
             box.high = box.high.cwiseMax((broad.reference[edge.from].array() + skin).matrix());
         }

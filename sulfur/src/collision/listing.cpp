@@ -62,6 +62,7 @@ void reserveRoom(BroadPhase& broad) {
     reserve(broad.watches, 16 * broad.moving.size());
     reserve(broad.pairRuns, broad.pairs.capacity());
     reserve(broad.watchRuns, broad.watches.capacity());
+    broad.looks.forEachArray([&](auto& list) { reserve(list, broad.watches.capacity()); });
     reserve(broad.plans, broad.watches.capacity() / 2);
 }
 
@@ -250,7 +251,7 @@ bool listAdded(State& state) {
     reserveRoom(broad);
     const auto& x = state.particles.position;
     broad.reference.insert(broad.reference.end(), x.begin() + before.particles, x.end());
-    broad.skin.resize(x.size(), 0);
+    broad.step.resize(x.size(), -1);
     noteListed(state);
     return true;
 }

@@ -21,6 +21,7 @@
 #include "collision/pairs.hpp"
 #include "core/pieces.hpp"
 #include "kernels/meeting_lanes.hpp"
+#include "kernels/outings.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -79,13 +80,13 @@ bool isOtherCorners(std::uint32_t particle, std::uint32_t corner) {
 }
 
 /// Whether a candidate's particle meets this corner of its collider; most that come near it do not.
-bool meetsCorner(const State& state, const Candidate& candidate, std::uint32_t corner,
-                 Real fraction, const Found& found) {
-    const auto [particle, collider] = candidate;
+bool meetsCorner(const State& state, std::uint32_t watch, std::uint32_t corner, Real fraction,
+                 const Found& found) {
+    const auto particle = state.broad.looks.particle[watch];
     if (isOtherCorners(particle, corner) || !isNearestAt(state, corner, particle, fraction) ||
         !isNearestAt(state, particle, corner, fraction) || !isNew(found, particle, corner))
         return false;
-    const Collider& c = state.broad.collider(collider);
+    const Collider& c = state.broad.collider(state.broad.watches[watch].candidate.collider);
     return !moveAsOne(state, particle, c) &&
            !areEntwined(state, state.particles.body[particle], c.body);
 }
@@ -148,24 +149,33 @@ bool leavesThrough(const State& state, const ContactPlan& plan, Found& found) {
            nearestOf(state, found.inside) == plan.joint;
 }
 
+/// The particles of a candidate. (Those of a Watch are further off in memory.)
+struct Sides {
+    std::uint32_t particle = 0, a = 0, b = 0;
+};
+Sides sidesOf(const State& state, std::uint32_t watch) {
+    const Looks& looks = state.broad.looks;
+    return {looks.particle[watch], looks.a[watch], looks.b[watch]};
+}
+
 /// The end of a candidate's capsule that is nearer to a place on it.
-std::uint32_t cornerAt(const Watch& w, Real along) {
-    return along < Real(0.5) ? w.a : w.b;
+std::uint32_t cornerAt(const Looks& looks, std::uint32_t watch, Real along) {
+    return along < Real(0.5) ? looks.a[watch] : looks.b[watch];
 }
 
 /// The plane of an impact, seen from the start of the tick.
-void seeFromStart(const Local& local, const Watch& w, Touch& t) {
-    const Vec2 offset = t.atCorner() && t.plan.a == w.b ? Vec2(local.p - local.b)
-                        : t.atCorner()                  ? local.p
-                                                        : Vec2(local.p - t.meeting.along * local.b);
+void seeFromStart(const Local& local, const Sides& sides, Touch& t) {
+    const Vec2 offset = t.atCorner() && t.plan.a == sides.b ? Vec2(local.p - local.b)
+                        : t.atCorner()                      ? local.p
+                                       : Vec2(local.p - t.meeting.along * local.b);
     t.meeting.distance = t.meeting.normal.dot(offset);
 }
 
 /// How a candidate meets at the start of the tick.
-void considerNow(const State& state, const Watch& w, Touch t, Found& found) {
+void considerNow(const State& state, const Sides& sides, Touch t, Found& found) {
     Meeting& m = t.meeting;
     const auto& x = state.particles.position;
-    if (isBehind(t.plan.outward, areaBeside(x[w.a], x[w.b], x[w.candidate.particle]))) {
+    if (isBehind(t.plan.outward, areaBeside(x[sides.a], x[sides.b], x[sides.particle]))) {
         if (m.atEnd || !leavesThrough(state, t.plan, found)) return;
         turnRound(m);
     }
@@ -176,9 +186,10 @@ void considerNow(const State& state, const Watch& w, Touch t, Found& found) {
 }
 
 /// The same for one that may meet on its way.
-void considerLater(const State& state, const Watch& w, const Local& local, Touch t, Found& found) {
-    if (!(t.meeting.fraction > 0)) return considerNow(state, w, t, found);
-    seeFromStart(local, w, t);
+void considerLater(const State& state, const Sides& sides, const Local& local, Touch t,
+                   Found& found) {
+    if (!(t.meeting.fraction > 0)) return considerNow(state, sides, t, found);
+    seeFromStart(local, sides, t);
     keepIfNear(state, t, found);
 }
 
@@ -192,7 +203,7 @@ const ContactPlan& planFirst(const State& state, std::uint32_t watch, Found& fou
 
 /// The plan of a candidate's own contact, not of that of its corners.
 inline const ContactPlan& planOf(const State& state, std::uint32_t watch, Found& found) {
-    const auto kept = state.broad.watches[watch].plan;
+    const auto kept = state.broad.looks.plan[watch];
     return kept != none ? state.broad.plans[kept] : planFirst(state, watch, found);
 }
 
@@ -201,52 +212,56 @@ void considerSide(const State& state, std::uint32_t watch, const Local& local, R
                   Found& found) {
     const ContactPlan& plan = planOf(state, watch, found);
     if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return;
-    considerNow(state, state.broad.watches[watch], {plan, meetSide(local, along)}, found);
+    considerNow(state, sidesOf(state, watch), {plan, meetSide(local, along)}, found);
 }
 
-ContactPlan planCorner(const State& state, const Watch& w, std::uint32_t corner) {
-    const auto& [particle, collider] = w.candidate;
+ContactPlan planCorner(const State& state, std::uint32_t watch, std::uint32_t corner) {
+    const auto& [particle, collider] = state.broad.watches[watch].candidate;
     return planContact(state, particle, corner, corner, state.broad.collider(collider));
 }
 
 /// An end of the axis is nearest at the start of the tick: the corner there, if it is the one that
 /// counts.
-void considerCorner(const State& state, const Watch& w, Real along, Found& found) {
-    const auto corner = cornerAt(w, along);
-    if (!meetsCorner(state, w.candidate, corner, 0, found)) return;
-    const ContactPlan plan = planCorner(state, w, corner);
-    const Local local = localise(state.particles, w.candidate.particle, w.a, w.b);
-    considerNow(state, w, {plan, meetEnd(local, along)}, found);
+void considerCorner(const State& state, std::uint32_t watch, Real along, Found& found) {
+    const auto corner = cornerAt(state.broad.looks, watch, along);
+    if (!meetsCorner(state, watch, corner, 0, found)) return;
+    const ContactPlan plan = planCorner(state, watch, corner);
+    const Sides sides = sidesOf(state, watch);
+    const Local local = localise(state.particles, sides.particle, sides.a, sides.b);
+    considerNow(state, sides, {plan, meetEnd(local, along)}, found);
 }
 
 /// The same on the way.
-void considerFastCorner(const State& state, const Watch& w, const Local& local,
+void considerFastCorner(const State& state, std::uint32_t watch, const Local& local,
                         const Meeting& meeting, Found& found) {
-    const auto corner = cornerAt(w, meeting.along);
-    if (!meetsCorner(state, w.candidate, corner, meeting.fraction, found)) return;
-    const ContactPlan plan = planCorner(state, w, corner);
-    considerLater(state, w, local, {plan, meeting}, found);
+    const auto corner = cornerAt(state.broad.looks, watch, meeting.along);
+    if (!meetsCorner(state, watch, corner, meeting.fraction, found)) return;
+    const ContactPlan plan = planCorner(state, watch, corner);
+    considerLater(state, sidesOf(state, watch), local, {plan, meeting}, found);
 }
 
 /// What moves by more than its thickness in this tick.
 void considerFast(const State& state, std::uint32_t watch, const Local& local, Found& found) {
-    const Watch& w = state.broad.watches[watch];
-    const Meeting meeting = meetOnTheWay(local, w.thickness);
-    if (meeting.atEnd) return considerFastCorner(state, w, local, meeting, found);
+    const Meeting meeting = meetOnTheWay(local, state.broad.looks.thickness[watch]);
+    if (meeting.atEnd) return considerFastCorner(state, watch, local, meeting, found);
     const ContactPlan& plan = planOf(state, watch, found);
     if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return;
-    considerLater(state, w, local, {plan, meeting}, found);
+    considerLater(state, sidesOf(state, watch), local, {plan, meeting}, found);
 }
 
 void considerAlone(const State& state, std::uint32_t watch, Found& found) {
-    const Watch& w = state.broad.watches[watch];
-    const Local local = localise(state.particles, w.candidate.particle, w.a, w.b);
-    const Look look = lookAt(local, w.thickness + state.broad.watchedGap(w.thickness));
+    const Sides sides = sidesOf(state, watch);
+    const Local local = localise(state.particles, sides.particle, sides.a, sides.b);
+    const Real thickness = state.broad.looks.thickness[watch];
+    const Look look = lookAt(local, thickness + state.broad.watchedGap(thickness));
     if (look.far) return;
-    if (look.travel > w.thickness) return considerFast(state, watch, local, found);
+    if (look.travel > thickness) return considerFast(state, watch, local, found);
     if (!isEnd(look.along)) return considerSide(state, watch, local, look.along, found);
-    considerCorner(state, w, look.along, found);
+    considerCorner(state, watch, look.along, found);
 }
+
+/// So many candidates are looked at together at most.
+constexpr std::size_t nearBatch = 256;
 
 /// Candidates that are looked at together. Most are far, near a corner that does not count, or lie
 /// against the side of a capsule as they did in the last tick; that is settled here, and the others
@@ -273,10 +288,11 @@ public:
         const MeetingBlock& b = blocks_[k / meetingLanes];
         const std::size_t i = k % meetingLanes;
         if (b.far[i] != 0) return;
-        const Watch& w = state.broad.watches[watch];
-        if (!(b.travel[i] > w.thickness)) {
-            if (isEnd(b.along[i])) return considerCorner(state, w, b.along[i], found);
-            if (w.plan != none && considerSide(state, w, b, i, found)) return;
+        const Looks& looks = state.broad.looks;
+        if (!(b.travel[i] > looks.thickness[watch])) {
+            if (isEnd(b.along[i])) return considerCorner(state, watch, b.along[i], found);
+            const auto plan = looks.plan[watch];
+            if (plan != none && considerSide(state, state.broad.plans[plan], b, i, found)) return;
         }
         considerAlone(state, watch, found);
     }
@@ -284,20 +300,20 @@ public:
 private:
     static void place(const BroadPhase& broad, std::span<const std::uint32_t> watches,
                       MeetingBlock& block) {
+        const Looks& looks = broad.looks;
         for (std::size_t i = 0; i < meetingLanes; ++i) {
             // Lanes behind the last candidate look at it once more.
-            const Watch& w = broad.watches[watches[std::min(i, watches.size() - 1)]];
-            block.particle[i] = w.candidate.particle;
-            block.a[i] = w.a;
-            block.b[i] = w.b;
-            block.reach[i] = w.thickness + broad.watchedGap(w.thickness);
+            const auto k = watches[std::min(i, watches.size() - 1)];
+            block.particle[i] = looks.particle[k];
+            block.a[i] = looks.a[k];
+            block.b[i] = looks.b[k];
+            block.reach[i] = looks.thickness[k] + broad.watchedGap(looks.thickness[k]);
         }
     }
 
     /// Beside its capsule. Returns false where it is not where it belongs.
-    static bool considerSide(const State& state, const Watch& w, const MeetingBlock& b,
+    static bool considerSide(const State& state, const ContactPlan& plan, const MeetingBlock& b,
                              std::size_t i, Found& found) {
-        const ContactPlan& plan = state.broad.plans[w.plan];
         if (plan.movesAsOne || areEntwined(state, plan.bodyA, plan.bodyB)) return true;
         const Real distance = b.distance[i], x = b.normalX[i], y = b.normalY[i];
         if (isBehind(plan.outward, b.beside[i])) return false;
@@ -356,15 +372,18 @@ void findCrossings(const State& state, std::vector<Crossing>& found) {
 /// Walks along the crossings beside candidates that come in their order.
 class CrossingWalk {
 public:
-    explicit CrossingWalk(const std::vector<Crossing>& crossings)
-        : next_(crossings.begin()), end_(crossings.end()) {}
+    CrossingWalk(const BroadPhase& broad, const std::vector<Crossing>& crossings)
+        : broad_(broad), next_(crossings.begin()), end_(crossings.end()) {}
 
-    bool has(const Candidate& candidate) {
+    bool has(std::uint32_t watch) {
+        if (next_ == end_ || broad_.looks.particle[watch] < next_->end.particle) return false;
+        const Candidate& candidate = broad_.watches[watch].candidate;
         while (next_ != end_ && next_->end < candidate) ++next_;
         return next_ != end_ && next_->end == candidate;
     }
 
 private:
+    const BroadPhase& broad_;
     std::vector<Crossing>::const_iterator next_, end_;
 };
 
@@ -376,14 +395,36 @@ void considerCrossing(const State& state, const Crossing& crossing, Found& found
     keepIfNear(state, t, found);
 }
 
-/// Runs of candidates, of which most are far.
-constexpr std::size_t runsInMicrosecond = 100;
-
-/// The first run from `i` on that is of another particle than the one before: contacts of one
+/// Candidates, of which most are far.
+constexpr std::size_t candidatesInMicrosecond = 200;
+/// The first candidate from `i` on that is of another particle than the one before: contacts of one
 /// particle are found by one thread.
-std::size_t particleStart(const std::vector<WatchRun>& runs, std::size_t i) {
-    while (i > 0 && i < runs.size() && runs[i].one == runs[i - 1].one) ++i;
+std::size_t particleStart(const std::vector<std::uint32_t>& particle, std::size_t i) {
+    while (i > 0 && i < particle.size() && particle[i] == particle[i - 1]) ++i;
     return i;
+}
+
+/// Calls f(numbers of candidates), in their order, for those in [first, last) whose sides can have
+/// come near enough to each other, but for those that stand by.
+template <class Function>
+void forEachNear(const State& state, std::size_t first, std::size_t last, Function&& f) {
+    const BroadPhase& broad = state.broad;
+    const Looks& looks = broad.looks;
+    const CandidateView view{looks.particle.data(), looks.a.data(), looks.b.data(),
+                             looks.spare.data()};
+    const auto standsBy = [&](std::uint32_t k) {
+        return areStill(state, state.particles.body[looks.particle[k]], broad.watches[k].body);
+    };
+    std::array<std::uint32_t, nearBatch> near;
+    for (; first < last; first += nearBatch) {
+        const auto end = std::min(first + nearBatch, last);
+        auto count = outingKernels().findNear(view, broad.outings.ofParticle.data(), near.data(),
+                                              first, end);
+        if (!state.steps.still.empty())
+            count = static_cast<std::size_t>(
+                std::remove_if(near.begin(), near.begin() + count, standsBy) - near.begin());
+        f(std::span<const std::uint32_t>(near.data(), count));
+    }
 }
 
 /// What the pieces but the first find, which writes to the state; scratch memory only.
@@ -396,7 +437,8 @@ struct Piece {
 /// Writes down what the pieces planned, for the ticks to come.
 void keepPlans(BroadPhase& broad, const std::vector<FirstPlan>& plans) {
     for (const FirstPlan& first : plans) {
-        broad.watches[first.watch].plan = static_cast<std::uint32_t>(broad.plans.size());
+        broad.watches[first.watch].plan = broad.looks.plan[first.watch] =
+            static_cast<std::uint32_t>(broad.plans.size());
         broad.plans.push_back(first.plan);
     }
 }
@@ -406,12 +448,9 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
     thread_local std::vector<Piece> scratch;
     std::vector<Piece>& found = scratch;
     BroadPhase& broad = state.broad;
-    const std::size_t count = broad.watchRuns.size();
+    const std::size_t count = broad.watches.size();
     const Real slip = slipOfRest(state);
-    const auto passOver = [&](const WatchRun& run) {
-        return areStill(state, state.particles.body[run.one], run.other);
-    };
-    const std::size_t pieces = piecesOf(state.tasks, count, runsInMicrosecond);
+    const std::size_t pieces = piecesOf(state.tasks, count, candidatesInMicrosecond);
     if (found.size() < pieces) found.resize(pieces);
     runPieces(state.tasks, pieces, [&](std::size_t i) {
         Piece& piece = found[i];
@@ -422,16 +461,15 @@ void considerCandidates(State& state, const std::vector<Crossing>& crossings) {
         Found here = i == 0 ? Found{state.contacts, state.knocked, piece.plans, slip}
                             : Found{piece.contacts, piece.knocked, piece.plans, slip};
         const auto start = [&](std::size_t k) {
-            return particleStart(broad.watchRuns, pieceStart(k, pieces, count));
+            return particleStart(broad.looks.particle, pieceStart(k, pieces, count));
         };
-        CrossingWalk crossing(crossings);
+        CrossingWalk crossing(broad, crossings);
         thread_local Lookout room;
         Lookout& lookout = room;
-        forEachNear(broad, broad.outings, start(i), start(i + 1), passOver, [&](auto watches) {
+        forEachNear(state, start(i), start(i + 1), [&](auto watches) {
             lookout.look(state, watches);
             for (std::size_t k = 0; k < watches.size(); ++k)
-                if (!crossing.has(broad.watches[watches[k]].candidate))
-                    lookout.consider(state, watches[k], k, here);
+                if (!crossing.has(watches[k])) lookout.consider(state, watches[k], k, here);
         });
     });
     for (std::size_t i = 0; i < pieces; ++i) {

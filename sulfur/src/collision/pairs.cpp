@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <span>
 
-#include "collision/covering.hpp"
 #include "collision/geometry.hpp"
-#include "core/bucket_sort.hpp"
+#include "collision/neighbours.hpp"
+#include "collision/skins.hpp"
 #include "core/pieces.hpp"
 
 namespace sulfur::detail {
@@ -44,179 +46,34 @@ bool areLinked(const BroadPhase& broad, std::uint32_t particle, std::uint32_t bo
            std::binary_search(broad.linked.begin(), broad.linked.end(), std::pair(particle, body));
 }
 
-/// Two colliders, the one of the smaller number first, while they are being collected: both numbers
-/// in one, so that they are quickly sorted.
-class Found {
-public:
-    Found() = default;
-    Found(std::uint32_t i, std::uint32_t j)
-        : both_(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j)) {}
-    std::uint32_t first() const { return static_cast<std::uint32_t>(both_ >> 32); }
-    std::uint32_t second() const { return static_cast<std::uint32_t>(both_); }
-    friend auto operator<=>(const Found&, const Found&) = default;
-
-private:
-    std::uint64_t both_ = 0;
+/// A candidate, while they are being collected.
+struct Sighting {
+    Candidate candidate;
+    Real spare = 0;      // m
+    Real thickness = 0;  // m
 };
 
-/// What one piece of the pairs that were found came to.
+/// What one piece of the pairs that are near came to.
 struct Watched {
     std::vector<WatchedPair> pairs;
-    std::vector<Watch> watches;
+    std::vector<Sighting> sightings;
+    std::vector<std::uint32_t> place;  // by particle: how many, then where the next belongs
+    Neighbours neighbours;
 };
 
 /// Scratch memory only.
 struct Finder {
-    std::vector<Found> found, foundScratch;
-    std::vector<WatchedPair> pairs, mergedPairs;
-    std::vector<Watch> watches, watchScratch;
-    std::vector<Watched> watched;  // of all pieces but the first
-    std::vector<std::uint32_t> start;
+    FoundList found;
+    std::vector<Watched> pieces;
+    std::vector<std::uint32_t> entries;
+    std::vector<WatchedPair> pairs, pairScratch;  // of what has left
+    std::vector<Watch> watches, watchScratch;     // likewise
 };
 
-/// What finer colliders share cells of a coarse grid with. Each is rasterised there too, which for
-/// most gives a cell or two.
-template <class Keep>
-void collectCoarsePairs(const State& state, std::size_t level, Keep&& keep) {
-    const BroadPhase& broad = state.broad;
-    const CoarseGrid& grid = broad.coarse[level - 1];
-    const auto offset = static_cast<std::uint32_t>(broad.moving.size());
-    grid.moving.forEachPair(keep);
-    for (const auto& entry : grid.moving.entries())
-        grid.fixed.forEachIn(entry.cell,
-                             [&](std::uint32_t other) { keep(entry.item, offset + other); });
-    const bool moving = !grid.moving.entries().empty();
-    if (!moving && grid.fixed.entries().empty()) return;
-    for (std::uint32_t i = 0; i < offset; ++i) {
-        if (broad.levelOfMoving[i] >= level) continue;
-        rasterise(state, broad.moving[i], skinOf(broad, broad.moving[i]), level, [&](Cell cell) {
-            grid.moving.forEachIn(cell, [&](std::uint32_t large) { keep(i, large); });
-            grid.fixed.forEachIn(cell, [&](std::uint32_t large) { keep(i, offset + large); });
-        });
-    }
-    for (std::uint32_t i = 0; moving && i < broad.fixed.size(); ++i) {
-        if (broad.levelOfFixed[i] >= level) continue;
-        rasterise(state, broad.fixed[i], 0, level, [&](Cell cell) {
-            grid.moving.forEachIn(cell, [&](std::uint32_t large) { keep(large, offset + i); });
-        });
-    }
-}
-
-/// A margin for the rounding of places that are 1e9 m away.
-constexpr double rounding = 1e-6;
-
-/// The thickest part of a collider: of its ends, where other capsules end too.
-Real reachOf(const State& state, const Collider& c) {
-    return std::max({c.radius, state.particles.reach[c.a], state.particles.reach[c.b]});
-}
-
-/// What is fast may be stopped up to half of its thickness before it touches.
-constexpr Real farthestTouch = Real(1.5);  // thicknesses
-
-Surroundings surroundingsOf(const State& state, const Collider& c) {
-    const auto& x = state.broad.reference;
-    const double around =
-        static_cast<double>(farthestTouch * reachOf(state, c) + skinOf(state.broad, c)) + rounding;
-    const Point margin(around, around);
-    return {x[c.a].cwiseMin(x[c.b]) - margin, x[c.a].cwiseMax(x[c.b]) + margin, c.body,
-            state.bodies[c.body].selfCollision};
-}
-
-/// Writes down a pair that shares a cell, if it is near enough.
-struct Keep {
-    void operator()(std::uint32_t i, std::uint32_t j) {
-        const Surroundings &a = broad.surroundings[i], &b = broad.surroundings[j];
-        if (a.body == b.body && !a.meetsItself) return;
-        if (a.low[0] > b.high[0] || b.low[0] > a.high[0]) return;
-        if (a.low[1] > b.high[1] || b.low[1] > a.high[1]) return;
-        found.emplace_back(i, j);
-    }
-    const BroadPhase& broad;
-    std::vector<Found>& found;
-};
-
-void sortFound(const BroadPhase& broad, Finder& finder) {
-    auto& found = finder.found;
-    bucketSort(found, finder.foundScratch, finder.start, broad.moving.size(),
-               [](const Found& pair) { return pair.first(); });
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-}
-
-/// All that shares a cell and is near, sorted, each pair once.
-void collectFound(const State& state, Finder& finder) {
-    const BroadPhase& broad = state.broad;
-    finder.found.clear();
-    Keep keep{broad, finder.found};
-    broad.movingGrid.forEachPair(keep);
-    const auto offset = static_cast<std::uint32_t>(broad.moving.size());
-    for (const auto& entry : broad.movingGrid.entries())
-        broad.fixedGrid.forEachIn(entry.cell,
-                                  [&](std::uint32_t fixed) { keep(entry.item, offset + fixed); });
-    for (std::size_t level = 1; level <= broad.coarse.size(); ++level)
-        collectCoarsePairs(state, level, keep);
-    sortFound(broad, finder);
-}
-
-/// The same for colliders of the pieces that have left their skins, against all others.
-void collectFoundOfLeft(const State& state, Finder& finder) {
-    const BroadPhase& broad = state.broad;
-    const auto offset = static_cast<std::uint32_t>(broad.moving.size());
-    finder.found.clear();
-    Keep keep{broad, finder.found};
-    const auto look = [&](std::uint32_t i, const Grid& moving, const Grid& fixed,
-                          std::size_t level) {
-        if (moving.entries().empty() && fixed.entries().empty()) return;
-        const Collider& c = broad.moving[i];
-        rasterise(state, c, skinOf(broad, c), level, [&](Cell cell) {
-            moving.forEachIn(cell, [&](std::uint32_t j) {
-                if (j != i) keep(i, j);
-            });
-            fixed.forEachIn(cell, [&](std::uint32_t j) { keep(i, offset + j); });
-        });
-    };
-    for (const auto piece : broad.left)
-        for (auto k = broad.pieces.colliderStart[piece]; k < broad.pieces.colliderStart[piece + 1];
-             ++k) {
-            const auto i = broad.pieces.colliders[k];
-            look(i, broad.movingGrid, broad.fixedGrid, 0);
-            for (std::size_t level = 1; level <= broad.coarse.size(); ++level)
-                look(i, broad.coarse[level - 1].moving, broad.coarse[level - 1].fixed, level);
-        }
-    sortFound(broad, finder);
-}
-
-/// A segment from the origin of its frame, ready to be measured from.
-struct Axis {
-    Axis(const Point& from, const Point& to)
-        : start(from), along(to - from), scale(along.squaredNorm()) {
-        scale = scale > 0 ? 1 / scale : 0;
-    }
-    double squaredDistance(const Point& p) const {
-        const Point offset = p - start;
-        return (std::clamp(offset.dot(along) * scale, 0.0, 1.0) * along - offset).squaredNorm();
-    }
-    Point start, along;  // m
-    double scale;        // 1/m^2
-};
-
-/// How far the axes of two colliders are apart, and each end of one from the axis of the other.
-struct Distances {
-    double least = 0;                    // m^2; 0 when they cross
-    std::array<double, 2> ofA{}, ofB{};  // m^2
-};
-
-/// The squared distances of two colliders as they were rasterised.
-Distances measure(const BroadPhase& broad, const Collider& a, const Collider& b) {
-    const auto& x = broad.reference;
-    const Point origin = x[a.a];
-    const Point a1(0, 0), a2 = x[a.b] - origin, b1 = x[b.a] - origin, b2 = x[b.b] - origin;
-    const Axis axisA(a1, a2), axisB(b1, b2);
-    Distances d;
-    d.ofA = {axisB.squaredDistance(a1), axisB.squaredDistance(a2)};
-    d.ofB = {axisA.squaredDistance(b1), axisA.squaredDistance(b2)};
-    d.least =
-        segmentsCross(a1, a2, b1, b2) ? 0 : std::min({d.ofA[0], d.ofA[1], d.ofB[0], d.ofB[1]});
-    return d;
+double squaredDistance(const Surroundings& axis, const Point& p) {
+    const Point offset = p - axis.start;
+    const double along = std::clamp(offset.dot(axis.along) * axis.scale, 0.0, 1.0);
+    return (along * axis.along - offset).squaredNorm();
 }
 
 /// How far both sides of a candidate may go, together, before it must be looked at, when they are
@@ -229,53 +86,76 @@ Real spareOf(Real apart) {
     return apart < 0 ? apart : share * apart;
 }
 
-/// An end of one collider and another collider, while candidates are being collected.
-struct End {
-    std::uint32_t particle = 0, collider = 0;
-    double squaredDistance = 0;  // m^2
+/// Sees who comes near enough to be a candidate, before anything leaves its skin.
+class Lookout {
+public:
+    Lookout(const State& state, Watched& found)
+        : state_(state), broad_(state.broad), found_(found) {
+        found.pairs.clear();
+        found.sightings.clear();
+        found.place.assign(state.particles.size(), 0);
+    }
+
+    /// Two colliders that are near each other.
+    void see(std::uint32_t i, std::uint32_t j) {
+        const Surroundings &a = broad_.surroundings[i], &b = broad_.surroundings[j];
+        if (!mayTouch(state_, a.body, b.body)) return;
+        const Collider &first = broad_.collider(i), &second = broad_.collider(j);
+        seeCrossing(i, j);
+        seeEnd(first.a, first, j, second);
+        if (first.b != first.a) seeEnd(first.b, first, j, second);
+        seeEnd(second.a, second, i, first);
+        if (second.b != second.a) seeEnd(second.b, second, i, first);
+    }
+
+private:
+    /// Axes may come as near as their leeways before they cross.
+    void seeCrossing(std::uint32_t i, std::uint32_t j) {
+        const Surroundings &a = broad_.surroundings[i], &b = broad_.surroundings[j];
+        const double most = static_cast<double>(a.leeway + b.leeway) + rounding;
+        if (!areWithin(a, b, most)) return;
+        const Point a2 = a.start + a.along, b2 = b.start + b.along;
+        const double least = segmentsCross(a.start, a2, b.start, b2)
+                                 ? 0
+                                 : std::min({squaredDistance(b, a.start), squaredDistance(b, a2),
+                                             squaredDistance(a, b.start), squaredDistance(a, b2)});
+        if (least > most * most) return;
+        const auto spare = static_cast<Real>(std::sqrt(least) * (1 - 1e-6) - rounding);
+        found_.pairs.push_back({i, j, a.body, b.body, spare});
+    }
+
+    /// Whether a particle is looked at as an end of this collider: where several end in it, the
+    /// thickest, whose skin holds it and all that it can touch, so that candidates come once. (The
+    /// literal Bresenham line holds nothing for sure; a joint between bodies is of one of them.)
+    bool speaksFor(const Collider& c, std::uint32_t particle) const {
+        const auto joint = broad_.surface[particle];
+        return c.joint == joint || (joint != none && state_.joints.body[joint] == none) ||
+               state_.settings.rasterisation == Rasterisation::bresenham;
+    }
+
+    /// An end of a collider, and another collider.
+    void seeEnd(std::uint32_t particle, const Collider& own, std::uint32_t collider,
+                const Collider& c) {
+        if (!speaksFor(own, particle)) return;
+        const Surroundings& axis = broad_.surroundings[collider];
+        const double distance2 = squaredDistance(axis, broad_.reference[particle]);
+        const Real thickness = state_.particles.reach[particle] + c.radius;
+        // A thousandth for rounding.
+        const Real needed = Real(1.001) * thickness + broad_.watchedGap(thickness);
+        const Real skin = skinOf(broad_, broad_.step[particle]) + axis.skin;
+        const Real most = needed + skin - broad_.baseSkin / 4;
+        const double reach = static_cast<double>(most) + rounding;
+        if (distance2 > reach * reach) return;
+        if (areLinked(broad_, particle, c.body) || belongsTogether(state_, particle, c)) return;
+        const Real apart = static_cast<Real>(std::sqrt(distance2) - static_cast<double>(needed));
+        found_.sightings.push_back({{particle, collider}, spareOf(apart), thickness});
+        ++found_.place[particle];
+    }
+
+    const State& state_;
+    const BroadPhase& broad_;
+    Watched& found_;
 };
-
-/// Adds the candidate of an end that is near.
-void addWatch(const State& state, const End& end, const Collider& c, Real thickness,
-              std::vector<Watch>& watches) {
-    const BroadPhase& broad = state.broad;
-    if (areLinked(broad, end.particle, c.body) || belongsTogether(state, end.particle, c)) return;
-    // A thousandth for rounding.
-    const Real needed = Real(1.001) * thickness + broad.watchedGap(thickness);
-    const double distance = std::sqrt(end.squaredDistance);
-    const Real apart = static_cast<Real>(distance - static_cast<double>(needed));
-    watches.push_back({{end.particle, end.collider}, c.a, c.b, c.body, spareOf(apart), thickness});
-}
-
-/// Adds the candidate of an end against a collider, rasterised with a skin of so many m, if it can
-/// touch before anything leaves its skin.
-inline void watchEnd(const State& state, const End& end, const Collider& c, Real skin,
-                     std::vector<Watch>& watches) {
-    const Real thickness = state.particles.reach[end.particle] + c.radius;
-    const Real reach = farthestTouch * thickness + state.broad.skin[end.particle] + skin;
-    const double most = static_cast<double>(reach) + rounding;
-    if (end.squaredDistance <= most * most) addWatch(state, end, c, thickness, watches);
-}
-
-void watchPair(const State& state, const Found& pair, std::vector<WatchedPair>& pairs,
-               std::vector<Watch>& watches) {
-    const BroadPhase& broad = state.broad;
-    const auto i = pair.first(), j = pair.second();
-    const Collider &a = broad.collider(i), &b = broad.collider(j);
-    const Real radii = a.radius + b.radius;
-    const Real skinA = skinOf(broad, a), skinB = skinOf(broad, b);
-    const Distances d = measure(broad, a, b);
-    // Axes may come as near as they are before they cross; a thousandth of the radii for rounding.
-    const double most = static_cast<double>(radii + (skinA + skinB)) + rounding;
-    if (d.least <= most * most)
-        pairs.push_back({i, j,
-                         static_cast<Real>(std::sqrt(d.least) - 0.001 * static_cast<double>(radii) -
-                                           rounding)});
-    watchEnd(state, {a.a, j, d.ofA[0]}, b, skinB, watches);
-    if (a.b != a.a) watchEnd(state, {a.b, j, d.ofA[1]}, b, skinB, watches);
-    watchEnd(state, {b.a, i, d.ofB[0]}, a, skinA, watches);
-    if (b.b != b.a) watchEnd(state, {b.b, i, d.ofB[1]}, a, skinA, watches);
-}
 
 /// Joins neighbours that have the same key, keyOf(item) with two numbers, into runs.
 template <class Item, class KeyOf>
@@ -294,51 +174,73 @@ void collectRuns(const std::vector<Item>& items, std::vector<WatchRun>& runs, Ke
     }
 }
 
-/// Makes pairs and candidates of what was found, both sorted and each once.
-void watchFound(const State& state, Finder& finder, std::vector<WatchedPair>& pairs,
-                std::vector<Watch>& watches) {
-    const BroadPhase& broad = state.broad;
-    pairs.clear();
-    watches.clear();
-    constexpr std::size_t foundInMicrosecond = 40;
-    const std::size_t count = finder.found.size();
-    const std::size_t pieces = piecesOf(state.tasks, count, foundInMicrosecond);
-    if (finder.watched.size() < pieces) finder.watched.resize(pieces);
-    runPieces(state.tasks, pieces, [&](std::size_t i) {
-        auto& [itsPairs, itsWatches] = finder.watched[i];
-        itsPairs.clear();
-        itsWatches.clear();
-        // One day most are in one piece.
-        if (i > 0) {
-            itsWatches.reserve(broad.watches.capacity());
-            itsPairs.reserve(broad.pairs.capacity());
+/// Turns numbers of sightings by particles into places in the list of all; those of one particle
+/// keep the order of the pieces. Returns how many there are.
+std::uint32_t findPlaces(std::span<Watched> pieces) {
+    std::uint32_t place = 0;
+    for (std::size_t p = 0; p < pieces.front().place.size(); ++p)
+        for (Watched& piece : pieces) {
+            const auto count = piece.place[p];
+            piece.place[p] = place;
+            place += count;
         }
-        const auto last = pieceStart(i + 1, pieces, count);
-        for (auto k = pieceStart(i, pieces, count); k < last; ++k) {
-            const Found& pair = finder.found[k];
-            if (mayTouch(state, broad.surroundings[pair.first()].body,
-                         broad.surroundings[pair.second()].body))
-                watchPair(state, pair, i == 0 ? pairs : itsPairs, i == 0 ? watches : itsWatches);
-        }
-    });
-    for (std::size_t i = 1; i < pieces; ++i) {
-        const Watched& more = finder.watched[i];
-        pairs.insert(pairs.end(), more.pairs.begin(), more.pairs.end());
-        watches.insert(watches.end(), more.watches.begin(), more.watches.end());
+    return place;
+}
+
+/// Sorts those of each particle by colliders, and keeps each once, where they are not so already.
+void mendOrder(std::vector<Watch>& watches) {
+    const auto isInOrder = [](const Watch& p, const Watch& q) { return p < q; };
+    const auto next = [&](auto from) {
+        return std::adjacent_find(from, watches.end(), std::not_fn(isInOrder));
+    };
+    auto disorder = next(watches.begin());
+    if (disorder == watches.end()) return;
+    const auto particle = [](const Watch& w) { return w.candidate.particle; };
+    for (; disorder != watches.end();) {
+        auto first = disorder, last = disorder;
+        while (first != watches.begin() && particle(first[-1]) == particle(*disorder)) --first;
+        while (last != watches.end() && particle(*last) == particle(*disorder)) ++last;
+        std::sort(first, last);
+        disorder = next(last);
     }
-    bucketSort(watches, finder.watchScratch, finder.start, state.particles.size(),
-               [](const Watch& w) { return w.candidate.particle; });
     const auto same = [](const Watch& p, const Watch& q) { return p.candidate == q.candidate; };
     watches.erase(std::unique(watches.begin(), watches.end(), same), watches.end());
 }
 
-void collectAllRuns(BroadPhase& broad) {
-    collectRuns(broad.watches, broad.watchRuns,
-                [](const Watch& w) { return std::pair(w.candidate.particle, w.body); });
-    const auto bodyOf = [&](std::uint32_t i) { return broad.surroundings[i].body; };
-    collectRuns(broad.pairs, broad.pairRuns, [&](const WatchedPair& pair) {
-        return std::pair(bodyOf(pair.first), bodyOf(pair.second));
+/// Makes lists of what was seen, sorted, each once: pairs come in order, and so do the colliders of
+/// each particle.
+void listSeen(const State& state, std::span<Watched> pieces, std::vector<WatchedPair>& pairs,
+              std::vector<Watch>& watches) {
+    pairs.clear();
+    for (const Watched& piece : pieces)
+        pairs.insert(pairs.end(), piece.pairs.begin(), piece.pairs.end());
+    watches.resize(findPlaces(pieces));
+    runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
+        for (const Sighting& s : pieces[i].sightings) {
+            const Collider& c = state.broad.collider(s.candidate.collider);
+            watches[pieces[i].place[s.candidate.particle]++] = {s.candidate, c.a,     c.b,
+                                                                c.body,      s.spare, s.thickness};
+        }
     });
+    mendOrder(watches);
+}
+
+/// What follows from the lists of candidates and pairs.
+void listLooks(BroadPhase& broad) {
+    collectRuns(broad.pairs, broad.pairRuns,
+                [](const WatchedPair& pair) { return std::pair(pair.one, pair.other); });
+    broad.watchRunsStale = true;
+    Looks& looks = broad.looks;
+    looks.forEachArray([&](auto& list) { list.resize(broad.watches.size()); });
+    for (std::size_t k = 0; k < broad.watches.size(); ++k) {
+        const Watch& w = broad.watches[k];
+        looks.particle[k] = w.candidate.particle;
+        looks.a[k] = w.a;
+        looks.b[k] = w.b;
+        looks.spare[k] = w.spare;
+        looks.thickness[k] = w.thickness;
+        looks.plan[k] = w.plan;
+    }
 }
 
 /// Drops what concerns a piece that has left its skin.
@@ -367,36 +269,82 @@ Finder& finder() {
     return scratch;
 }
 
+/// So many pieces to collect into.
+std::span<Watched> piecesFor(Finder& finder, std::size_t count) {
+    if (finder.pieces.size() < count) finder.pieces.resize(count);
+    return {finder.pieces.data(), count};
+}
+
+void drawSurroundings(State& state) {
+    BroadPhase& broad = state.broad;
+    broad.surroundings.resize(broad.moving.size() + broad.fixed.size());
+    constexpr std::size_t inMicrosecond = 50;
+    inPieces(state.tasks, broad.surroundings.size(), inMicrosecond,
+             [&](std::size_t begin, std::size_t end) {
+                 for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i)
+                     broad.surroundings[i] = surroundingsOf(state, broad.collider(i));
+             });
+}
+
 }  // namespace
 
 void findPairs(State& state) {
     BroadPhase& broad = state.broad;
-    broad.surroundings.clear();
-    for (const auto* colliders : {&broad.moving, &broad.fixed})
-        for (const Collider& c : *colliders) broad.surroundings.push_back(surroundingsOf(state, c));
-    collectFound(state, finder());
-    watchFound(state, finder(), broad.pairs, broad.watches);
+    Finder& lists = finder();
+    drawSurroundings(state);
+    collectCoarsePairs(state, lists.found);
+    findEntries(broad, lists.entries);
+    constexpr std::size_t collidersInMicrosecond = 1;
+    const std::size_t count = broad.moving.size();
+    const auto pieces = piecesFor(lists, piecesOf(state.tasks, count, collidersInMicrosecond));
+    runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
+        Lookout lookout(state, pieces[i]);
+        forEachNeighbour(broad, lists.entries, lists.found.pairs,
+                         pieceStart(i, pieces.size(), count),
+                         pieceStart(i + 1, pieces.size(), count), pieces[i].neighbours,
+                         [&](std::uint32_t a, std::uint32_t b) { lookout.see(a, b); });
+    });
+    listSeen(state, pieces, broad.pairs, broad.watches);
     broad.plans.clear();
     broad.plansStale = false;
-    collectAllRuns(broad);
+    listLooks(broad);
 }
 
 void renewPairs(State& state) {
     BroadPhase& broad = state.broad;
-    const Pieces& pieces = broad.pieces;
+    const Pieces& drawn = broad.pieces;
     for (const auto piece : broad.left)
-        for (auto k = pieces.colliderStart[piece]; k < pieces.colliderStart[piece + 1]; ++k)
-            broad.surroundings[pieces.colliders[k]] =
-                surroundingsOf(state, broad.moving[pieces.colliders[k]]);
+        for (auto k = drawn.colliderStart[piece]; k < drawn.colliderStart[piece + 1]; ++k)
+            broad.surroundings[drawn.colliders[k]] =
+                surroundingsOf(state, broad.moving[drawn.colliders[k]]);
     forgetLeft(broad);
     Finder& lists = finder();
-    collectFoundOfLeft(state, lists);
-    watchFound(state, lists, lists.pairs, lists.watches);
-    mergeInto(broad.pairs, lists.pairs, lists.mergedPairs);
+    collectPairsOfLeft(state, piecesFor(lists, 1).front().neighbours, lists.found);
+    constexpr std::size_t pairsInMicrosecond = 20;
+    const std::size_t count = lists.found.pairs.size();
+    const auto pieces = piecesFor(lists, piecesOf(state.tasks, count, pairsInMicrosecond));
+    runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
+        Lookout lookout(state, pieces[i]);
+        for (auto k = pieceStart(i, pieces.size(), count);
+             k < pieceStart(i + 1, pieces.size(), count); ++k)
+            lookout.see(lists.found.pairs[k].first(), lists.found.pairs[k].second());
+    });
+    listSeen(state, pieces, lists.pairs, lists.watches);
+    mergeInto(broad.pairs, lists.pairs, lists.pairScratch);
     mergeInto(broad.watches, lists.watches, lists.watchScratch);
-    collectAllRuns(broad);
+    listLooks(broad);
     // Those of candidates that are gone are still there.
     if (2 * broad.plans.size() > broad.watches.size()) broad.plansStale = true;
+}
+
+const std::vector<WatchRun>& watchRuns(State& state) {
+    BroadPhase& broad = state.broad;
+    if (broad.watchRunsStale)
+        collectRuns(broad.watches, broad.watchRuns, [&](const Watch& w) {
+            return std::pair(state.particles.body[w.candidate.particle], w.body);
+        });
+    broad.watchRunsStale = false;
+    return broad.watchRuns;
 }
 
 OutingView outingsOf(const State& state, const std::vector<Vec2>& displacements) {

@@ -15,10 +15,8 @@ void findPairs(State& state);
 /// again.
 void renewPairs(State& state);
 
-/// With how wide a skin a collider was rasterised, at least, in m.
-inline Real skinOf(const BroadPhase& broad, const Collider& c) {
-    return std::max(broad.skin[c.a], broad.skin[c.b]);
-}
+/// All candidates by the bodies of both sides.
+const std::vector<WatchRun>& watchRuns(State& state);
 
 /// For kernels, valid while particles stay where they are in their lists. `displacements`: m, by
 /// particle.

@@ -72,29 +72,56 @@ void measureMany(const OutingView& view, SweepReal* to, std::size_t first, std::
     for (int k = 0; first < last; ++first, ++k) to[first] = far[k];
 }
 
-inline bool anyFar(const OutingView& view, const SweepReal* skin, const SweepReal* reach,
+inline bool anyFar(const OutingView& view, const SweepReal* drawnFor, const SweepReal* reach,
                    const SkinBound& bound, std::size_t i) {
     const Places way = ways(view.reference + 2 * i, view.position + 2 * i);
     const Places step = pairs(view.displacement + 2 * i);
     const Lanes ahead = all(bound.lookAhead), share = all(bound.share);
     const Lanes x = way.x + ahead * step.x, y = way.y + ahead * step.y;
-    const Lanes allowed = load(skin) - all(bound.margin);
-    const Mask far = x * x + y * y > share * share * (allowed * allowed);
+    const Lanes longest = load(drawnFor), more = all(moreSteps) * longest, cell = all(bound.cell);
+    const Lanes leeway =
+        all(leastLeeway * bound.base) + all(leewaySteps) * longest + (more < cell ? more : cell);
+    const Lanes stride = all(leastStride * bound.base) + all(strideSteps) * longest;
+    const Lanes here = way.x * way.x + way.y * way.y, there = x * x + y * y;
+    const Lanes steps = ahead * ahead * (step.x * step.x + step.y * step.y);
+    const Lanes allowed = share * share * (leeway * leeway);
+    const Mask far = (here > allowed) | (there > allowed) | (steps > stride * stride);
     return bits(far & (load(reach) > Lanes{})) != 0;
+}
+
+std::size_t findNearMany(const CandidateView& c, const SweepReal* outings, std::uint32_t* near,
+                         std::size_t first, std::size_t last) {
+    // In no order that a processor could foresee, so that there is no branch.
+    std::size_t count = 0;
+    for (; first + width <= last; first += width) {
+        const Lanes a = gatherOne(outings, c.a + first), b = gatherOne(outings, c.b + first);
+        const Lanes off = gatherOne(outings, c.particle + first) + (a < b ? b : a);
+        const std::uint32_t are = bits(off >= load(c.spare + first));
+        for (std::uint32_t k = 0; k < width; ++k) {
+            near[count] = static_cast<std::uint32_t>(first) + k;
+            count += are >> k & 1u;
+        }
+    }
+    for (; first < last; ++first) {
+        const SweepReal a = outings[c.a[first]], b = outings[c.b[first]];
+        near[count] = static_cast<std::uint32_t>(first);
+        count += outings[c.particle[first]] + (a < b ? b : a) >= c.spare[first] ? 1 : 0;
+    }
+    return count;
 }
 
 bool anyBeyondMany(const OutingView& view, const SkinBound& bound, std::size_t first,
                    std::size_t last) {
     for (; first + width <= last; first += width)
-        if (anyFar(view, bound.skin + first, bound.reach + first, bound, first)) return true;
+        if (anyFar(view, bound.step + first, bound.reach + first, bound, first)) return true;
     if (first == last) return false;
     const Few few(view, first, last);
-    SweepReal skin[width] = {}, reach[width] = {};
+    SweepReal step[width] = {}, reach[width] = {};
     for (std::size_t k = 0; first + k < last; ++k) {
-        skin[k] = bound.skin[first + k];
+        step[k] = bound.step[first + k];
         reach[k] = bound.reach[first + k];
     }
-    return anyFar(few.view(), skin, reach, bound, 0);
+    return anyFar(few.view(), step, reach, bound, 0);
 }
 
 }  // namespace

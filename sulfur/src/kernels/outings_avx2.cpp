@@ -6,6 +6,6 @@
 
 namespace sulfur::detail {
 
-const OutingKernels avx2Outings = {measureMany, anyBeyondMany};
+const OutingKernels avx2Outings = {measureMany, anyBeyondMany, findNearMany};
 
 }  // namespace sulfur::detail

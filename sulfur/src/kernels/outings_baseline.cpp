@@ -6,6 +6,6 @@
 
 namespace sulfur::detail {
 
-const OutingKernels baselineOutings = {measureMany, anyBeyondMany};
+const OutingKernels baselineOutings = {measureMany, anyBeyondMany, findNearMany};
 
 }  // namespace sulfur::detail

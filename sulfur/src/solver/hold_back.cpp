@@ -6,6 +6,7 @@
 
 #include "collision/entwined.hpp"
 #include "collision/meeting.hpp"
+#include "collision/pairs.hpp"
 #include "rigid/grip.hpp"
 
 namespace sulfur::detail {
@@ -148,11 +149,10 @@ Real meetingTime(const State& state, const Watch& watch) {
 
 /// Calls f(const Watch&) for the candidates of all bodies that may move past each other.
 template <class Function>
-void forEachCrossing(const State& state, const Courses& courses, Function&& f) {
-    const BroadPhase& broad = state.broad;
-    for (const WatchRun& run : broad.watchRuns) {
-        if (courses.stayApart(state.particles.body[run.one], run.other)) continue;
-        for (auto k = run.first; k < run.last; ++k) f(broad.watches[k]);
+void forEachCrossing(State& state, const Courses& courses, Function&& f) {
+    for (const WatchRun& run : watchRuns(state)) {
+        if (courses.stayApart(run.one, run.other)) continue;
+        for (auto k = run.first; k < run.last; ++k) f(state.broad.watches[k]);
     }
 }
 

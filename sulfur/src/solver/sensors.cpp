@@ -6,6 +6,7 @@
 #include <array>
 
 #include "collision/query.hpp"
+#include "collision/skins.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -36,7 +37,8 @@ void collectAroundSensor(State& state, std::uint32_t sensor) {
     Point low = broad.reference[body.firstParticle], high = low;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        const double room = static_cast<double>(broad.skin[i] + state.particles.reach[i]);
+        const double room =
+            static_cast<double>(skinOf(broad, broad.step[i]) + state.particles.reach[i]);
         low = low.cwiseMin((broad.reference[i].array() - room).matrix());
         high = high.cwiseMax((broad.reference[i].array() + room).matrix());
     }

@@ -112,7 +112,7 @@ MemoryUse ofTrees(const State& state) {
 MemoryUse ofColliders(const State& state) {
     const auto& b = state.broad;
     return Sum()
-        .add(b.moving, b.fixed, b.reference, b.skin, b.largeMoving, b.largeFixed, b.levelOfMoving,
+        .add(b.moving, b.fixed, b.reference, b.step, b.largeMoving, b.largeFixed, b.levelOfMoving,
              b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked, b.tied, b.surface,
              b.thinnest)
         .as("colliders", b.moving.size() + b.fixed.size(), true);
@@ -121,7 +121,8 @@ MemoryUse ofColliders(const State& state) {
 MemoryUse ofCandidates(const State& state) {
     const auto& b = state.broad;
     return Sum()
-        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns, b.plans)
+        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns, b.looks.particle, b.looks.a, b.looks.b,
+             b.looks.spare, b.looks.thickness, b.looks.plan, b.plans)
         .as("candidates", b.watches.size(), true);
 }
 

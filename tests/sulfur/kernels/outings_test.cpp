@@ -1,6 +1,7 @@
 // How far particles are from where they were drawn, with and without wide registers.
 #include "kernels/outings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -16,16 +17,16 @@ using detail::SkinBound;
 
 /// Particles anywhere near where they were drawn.
 struct Strays {
-    explicit Strays(std::size_t count) : outings(count), skin(count), reach(count) {
+    explicit Strays(std::size_t count) : outings(count), drawnFor(count), reach(count) {
         std::mt19937 random(static_cast<unsigned>(count));
         std::uniform_real_distribution<double> anywhere(-1, 1);
         for (std::size_t i = 0; i < 2 * count; ++i) {
             reference.push_back(1e4 * anywhere(random));
-            position.push_back(reference.back() + 0.1 * anywhere(random));
+            position.push_back(reference.back() + 0.05 * anywhere(random));
             displacement.push_back(static_cast<Real>(0.01 * anywhere(random)));
         }
         for (std::size_t i = 0; i < count; ++i) {
-            skin[i] = Real(0.5);
+            drawnFor[i] = Real(0.02);
             reach[i] = i % 3 == 1 ? Real(0) : Real(0.1);
         }
     }
@@ -36,12 +37,13 @@ struct Strays {
         return static_cast<Real>(position[2 * i + 1] - reference[2 * i + 1]);
     }
     bool anyBeyond(const OutingKernels& kernels, std::size_t first, std::size_t last) const {
-        const SkinBound bound{skin.data(), reach.data(), Real(0.1), 1, Real(0.5)};
+        const SkinBound bound{drawnFor.data(), reach.data(), base, cell, 1, Real(0.5)};
         return kernels.anyBeyond(view(), bound, first, last);
     }
 
     std::vector<double> position, reference;
-    std::vector<Real> displacement, outings, skin, reach;
+    static constexpr Real base = Real(0.1), cell = Real(0.1);
+    std::vector<Real> displacement, outings, drawnFor, reach;
 };
 
 class Outings : public testing::TestWithParam<const OutingKernels*> {};
@@ -65,14 +67,56 @@ TEST_P(Outings, TellWhetherAnySurfaceIsBeyondItsShare) {
         for (std::size_t stray = 0; stray < count; ++stray) {
             Strays s(count);
             EXPECT_FALSE(s.anyBeyond(*GetParam(), 0, count));
-            // With what is ahead it is 0.21 m away, and half of 0.4 is allowed.
-            s.position[2 * stray] = s.reference[2 * stray] + 0.2;
+            // With what is ahead it is 0.11 m away, and half of 0.206 is allowed.
+            s.position[2 * stray] = s.reference[2 * stray] + 0.1;
             s.position[2 * stray + 1] = s.reference[2 * stray + 1];
             s.displacement[2 * stray] = Real(0.01);
             EXPECT_EQ(s.anyBeyond(*GetParam(), 0, count), s.reach[stray] > 0) << stray;
             EXPECT_FALSE(s.anyBeyond(*GetParam(), 0, stray));
             EXPECT_FALSE(s.anyBeyond(*GetParam(), stray + 1, count));
         }
+}
+
+TEST_P(Outings, TellWhetherAnySurfaceStartsBeyondItsShareOrGoesTooFar) {
+    for (const std::size_t count : {1u, 8u, 13u})
+        for (std::size_t stray = 0; stray < count; ++stray) {
+            Strays s(count);
+            // It comes back from 0.11 m.
+            s.position[2 * stray] = s.reference[2 * stray] + 0.11;
+            s.position[2 * stray + 1] = s.reference[2 * stray + 1];
+            s.displacement[2 * stray] = Real(-0.01);
+            s.displacement[2 * stray + 1] = 0;
+            EXPECT_EQ(s.anyBeyond(*GetParam(), 0, count), s.reach[stray] > 0) << stray;
+            // It stays near, but goes further in a tick than 0.047 m.
+            s.position[2 * stray] = s.reference[2 * stray] - 0.02;
+            s.displacement[2 * stray] = Real(0.046);
+            EXPECT_FALSE(s.anyBeyond(*GetParam(), 0, count)) << stray;
+            s.displacement[2 * stray] = Real(0.048);
+            EXPECT_EQ(s.anyBeyond(*GetParam(), 0, count), s.reach[stray] > 0) << stray;
+        }
+}
+
+TEST_P(Outings, TellWhichCandidatesHaveComeNear) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<Real> off(0, 1);
+    constexpr std::uint32_t particles = 20;
+    std::vector<Real> outings(particles);
+    for (Real& outing : outings) outing = off(random);
+    for (const std::size_t count : {1u, 4u, 8u, 9u, 40u, 256u}) {
+        std::vector<std::uint32_t> p(count), a(count), b(count), near(count), expected;
+        std::vector<Real> spare(count);
+        const std::size_t first = count / 4;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (auto* list : {&p, &a, &b}) (*list)[i] = random() % particles;
+            const Real both = outings[p[i]] + std::max(outings[a[i]], outings[b[i]]);
+            // Some may just be off so far.
+            spare[i] = i % 5 == 0 ? both : 2 * off(random);
+            if (i >= first && both >= spare[i]) expected.push_back(i);
+        }
+        near.resize(GetParam()->findNear({p.data(), a.data(), b.data(), spare.data()},
+                                         outings.data(), near.data(), first, count));
+        EXPECT_EQ(near, expected) << count;
+    }
 }
 
 const std::vector<const OutingKernels*>& runnable() {
