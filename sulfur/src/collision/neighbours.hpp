@@ -99,8 +99,8 @@ void forEachNeighbour(const BroadPhase& broad, const std::vector<std::uint32_t>&
                       Neighbours& scratch, Function&& f) {
     const auto offset = static_cast<std::uint32_t>(broad.moving.size());
     scratch.begin(broad.surroundings.size());
-    auto next =
-        std::lower_bound(coarse.begin(), coarse.end(), Found(static_cast<std::uint32_t>(begin), 0));
+    auto next = std::find_if(coarse.begin(), coarse.end(),
+                             [&](const Found& pair) { return pair.first() >= begin; });
     for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
         scratch.beginOf(i);
         const auto see = [&](std::uint32_t j) { scratch.see(broad, j); };

@@ -73,6 +73,28 @@ TEST(Tasks, ThreadsDoNotMatter) {
     EXPECT_EQ(play(&threads, ticks), alone);
 }
 
+/// What is very large stands in a grid of its own, and touches colliders of all pieces.
+TEST(Tasks, DoNotMatterAmongThingsOfAllSizes) {
+    const auto playRoof = [](Tasks* tasks) {
+        World world;
+        world.add(shapes::ground({.points = {{-40, 0}, {40, 0}}}));
+        for (int i = 0; i < 40; ++i) world.add(shapes::box(), {.position = {-30 + 1.5 * i, 0.5}});
+        Blueprint roof = shapes::box({.size = {20000, 1}});
+        roof.kind = BodyKind::kinematic;
+        const Body body = world.add(roof, {.position = {0, 1.53}});
+        world.setVelocity(body, Vec2(1, Real(-0.5)));
+        world.setTasks(tasks);
+        for (int i = 0; i < 40; ++i) world.step();
+        EXPECT_GT(world.statistics().contacts, 120u);
+        return world.hash();
+    };
+    const auto alone = playRoof(nullptr);
+    for (const std::size_t threads : {2u, 3u, 4u, 7u}) {
+        Backwards tasks(threads);
+        EXPECT_EQ(playRoof(&tasks), alone) << threads;
+    }
+}
+
 /// Soft bodies in parts, which a stone presses flat, and crates in trees of contacts.
 void buildHeap(World& world) {
     world.add(shapes::ground({.points = {{-40, 0}, {40, 0}}}));
