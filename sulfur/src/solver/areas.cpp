@@ -24,8 +24,10 @@ constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare 
 /// opposite directions would lock each other.
 constexpr Real givenShare = Real(0.002);
 
-/// In a microsecond: blocks of triangles that are looked at, triangles that are pushed, led back.
-constexpr std::size_t seenInMicrosecond = 130, pushedInMicrosecond = 100, ledInMicrosecond = 60;
+/// In a microsecond: blocks of triangles that are looked at, triangles that are pressed anew,
+/// pushed, led back.
+constexpr std::size_t seenInMicrosecond = 130, pressedInMicrosecond = 50, pushedInMicrosecond = 100,
+                      ledInMicrosecond = 60;
 
 using Slopes = std::array<Vec2, 3>;
 
@@ -286,11 +288,17 @@ const std::vector<std::uint32_t>& findPressed(State& state, Real share) {
 void pressBelow(State& state, Real share) {
     Triangles& triangles = state.triangles;
     if (triangles.awake.count == 0) return;
-    for (const auto i : findPressed(state, share)) {
-        PressedTriangle& added = triangles.pressed.emplace_back();
-        press(state, triangles.awake[i], added);
-        triangles.anyHeld |= added.held;
-    }
+    const auto& found = findPressed(state, share);
+    const std::size_t before = triangles.pressed.size();
+    triangles.pressed.resize(before + found.size());
+    inPieces(state.tasks, found.size(), pressedInMicrosecond,
+             [&](std::size_t first, std::size_t last) {
+                 for (auto k = first; k < last; ++k)
+                     press(state, triangles.awake[found[k]], triangles.pressed[before + k]);
+             });
+    triangles.anyHeld |=
+        std::any_of(triangles.pressed.begin() + static_cast<std::ptrdiff_t>(before),
+                    triangles.pressed.end(), [](const PressedTriangle& t) { return t.held; });
 }
 
 }  // namespace

@@ -29,6 +29,18 @@ std::uint32_t findLevels(const State& state, const std::vector<std::uint32_t>& l
     return highest;
 }
 
+/// (Joints that were made later come after all others.)
+bool isByBodies(const State& state, const std::vector<std::uint32_t>& list,
+                const ForceBatch& batch) {
+    std::uint32_t last = 0;
+    for (auto k = batch.first; k < batch.last; ++k) {
+        const auto body = state.joints.body[list[k]];
+        if (body == none || body < last) return false;
+        last = body;
+    }
+    return true;
+}
+
 void fill(const State& state, const std::vector<std::uint32_t>& list, ExplicitJoints& all,
           ForceBatch& batch) {
     const Joints& joints = state.joints;
@@ -54,6 +66,7 @@ void batchExplicitJoints(State& state) {
     const std::uint32_t highest = findLevels(state, list, level);
     countingSort(list, scratch, start, highest + 1, [&](std::uint32_t j) { return level[j]; });
     all.batches.clear();
+    all.byBodies = true;
     std::size_t places = 0;
     const auto size = static_cast<std::uint32_t>(list.size());
     for (std::uint32_t first = 0, last = 0; first < size; first = last) {
@@ -61,6 +74,7 @@ void batchExplicitJoints(State& state) {
         ForceBatch batch{first, last, static_cast<std::uint32_t>(places)};
         batch.wide = last - first >= fewest;
         if (batch.wide) places += (last - first + sweepLanes - 1) / sweepLanes * sweepLanes;
+        all.byBodies = all.byBodies && isByBodies(state, list, batch);
         all.batches.push_back(batch);
     }
     // What lies behind the last joint of a batch takes hold of a particle that there is.

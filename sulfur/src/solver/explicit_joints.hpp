@@ -1,6 +1,7 @@
 // Elastic joints that are forces, in batches that the kernels take as a whole.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <sulfur/math.hpp>
 #include <vector>
@@ -21,6 +22,7 @@ struct ForceBatch {
 /// The arrays that ForceView points into, derived with the work lists.
 struct ExplicitJoints {
     std::vector<ForceBatch> batches;
+    bool byBodies = false;  // each in one body, and those of a batch in the order of the bodies
     std::vector<std::uint32_t> joint, a, b;
     std::vector<Real> rest, stiffness, damping;
 };

@@ -1,6 +1,8 @@
 // Stage: forces of explicit elastic joints.
+#include <algorithm>
 #include <cmath>
 
+#include "core/pieces.hpp"
 #include "kernels/joint_force.hpp"
 #include "solver/stages.hpp"
 
@@ -52,6 +54,41 @@ ForceView viewOf(State& state) {
             j.damping.data()};
 }
 
+/// Adds the forces of joints that are neighbours in the list, all of one batch.
+void addForces(State& state, const ForceView& view, const ForceBatch& batch, std::uint32_t first,
+               std::uint32_t last) {
+    if (!batch.wide || (state.settings.damper == Damper::full && batch.damped)) {
+        for (auto k = first; k < last; ++k) addElasticForce(state, state.work.explicitJoints[k]);
+        return;
+    }
+    const auto add = batch.damped ? forceKernels().damped : forceKernels().elastic;
+    add(view, batch.place + (first - batch.first), last - first);
+}
+
+/// The first particle of the body with the particle of that number, or how many there are.
+std::uint32_t bodyStart(const State& state, std::size_t particle) {
+    const Particles& p = state.particles;
+    if (particle >= p.size()) return static_cast<std::uint32_t>(p.size());
+    return state.bodies[p.body[particle]].firstParticle;
+}
+
+/// Those of the bodies whose first particles are in [begin, end): within a batch they come in the
+/// order of their bodies.
+void addForcesOf(State& state, const ForceView& view, std::uint32_t begin, std::uint32_t end) {
+    const auto& list = state.work.explicitJoints;
+    const auto& a = state.joints.a;
+    for (const ForceBatch& batch : state.work.explicitBatches.batches) {
+        const auto firstFrom = [&](std::uint32_t particle) {
+            const auto found =
+                std::partition_point(list.begin() + batch.first, list.begin() + batch.last,
+                                     [&](std::uint32_t j) { return a[j] < particle; });
+            return static_cast<std::uint32_t>(found - list.begin());
+        };
+        const auto first = firstFrom(begin), last = firstFrom(end);
+        if (first < last) addForces(state, view, batch, first, last);
+    }
+}
+
 }  // namespace
 
 void gatherForces(State& state) {
@@ -59,15 +96,19 @@ void gatherForces(State& state) {
     state.looked(Stage::forces, list.size());
     if (list.empty()) return;
     const ForceView view = viewOf(state);
-    const bool full = state.settings.damper == Damper::full;
-    for (const ForceBatch& batch : state.work.explicitBatches.batches) {
-        if (!batch.wide || (full && batch.damped)) {
-            for (auto k = batch.first; k < batch.last; ++k) addElasticForce(state, list[k]);
-            continue;
-        }
-        const auto add = batch.damped ? forceKernels().damped : forceKernels().elastic;
-        add(view, batch.place, batch.last - batch.first);
+    constexpr std::size_t inMicrosecond = 400;
+    const std::size_t size = state.particles.size();
+    const std::size_t pieces =
+        state.work.explicitBatches.byBodies ? piecesOf(state.tasks, list.size(), inMicrosecond) : 1;
+    if (pieces == 1) {
+        for (const ForceBatch& batch : state.work.explicitBatches.batches)
+            addForces(state, view, batch, batch.first, batch.last);
+        return;
     }
+    runPieces(state.tasks, pieces, [&](std::size_t i) {
+        addForcesOf(state, view, bodyStart(state, pieceStart(i, pieces, size)),
+                    bodyStart(state, pieceStart(i + 1, pieces, size)));
+    });
 }
 
 }  // namespace sulfur::detail
