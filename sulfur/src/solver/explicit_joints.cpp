@@ -77,7 +77,9 @@ void batchExplicitJoints(State& state) {
         all.byBodies = all.byBodies && isByBodies(state, list, batch);
         all.batches.push_back(batch);
     }
-    // What lies behind the last joint of a batch takes hold of a particle that there is.
+    // What lies behind the last joint of a batch takes hold of a particle that there is; also where
+    // a thread begins in the midst of one.
+    places += sweepLanes;
     for (auto* numbers : {&all.joint, &all.a, &all.b}) numbers->assign(places, 0);
     for (auto* numbers : {&all.rest, &all.stiffness, &all.damping}) numbers->assign(places, 0);
     for (ForceBatch& batch : all.batches)
