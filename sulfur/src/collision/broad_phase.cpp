@@ -35,7 +35,7 @@ constexpr double mostCellsFixed = 20000;
 std::size_t levelFor(const State& state, const Collider& collider, Real skin, double most) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
-    const double radius = static_cast<double>(collider.radius + skin);
+    const double radius = static_cast<double>(coverRadius(state, collider) + skin);
     std::size_t level = 0;
     for (; level < broad.coarse.size(); ++level) {
         const double size = cellSizeOf(broad, level);
@@ -112,7 +112,8 @@ void rasteriseMoving(State& state) {
 
 /// Enters the pieces that have left their skins into the grid once more; where they were entered
 /// before, they are found in vain. Returns false where it is better to begin anew: when much has
-/// left, when as much was entered since the grid was built as then, or when something large has.
+/// left, when as much was entered since the grid was built as then, or when something large has, or
+/// what is tied to fixed geometry by a joint with a surface.
 bool rasteriseLeft(State& state) {
     BroadPhase& broad = state.broad;
     const Pieces& pieces = broad.pieces;
@@ -128,6 +129,12 @@ bool rasteriseLeft(State& state) {
     });
     if (anyLarge || 4 * count > broad.moving.size()) return false;
     if (2 * broad.movingGrid.added() > broad.movingGrid.entries().size()) return false;
+    // What others have with fixed geometry is not found again by the colliders of a piece that is
+    // tied to it.
+    forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
+        anyLarge |= state.bodies[state.particles.body[p]].kind == BodyKind::fixed;
+    });
+    if (anyLarge) return false;
     forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
         broad.reference[p] = state.particles.position[p];
         broad.step[p] = -1;

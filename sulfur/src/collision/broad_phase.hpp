@@ -113,6 +113,7 @@ struct Counts {
 struct BroadPhase {
     std::vector<Collider> moving;  // of bodies that can move
     std::vector<Collider> fixed;   // of those that cannot; numbered after the moving ones
+    std::vector<Real> fixedCover;  // m: how thick the fixed ones are drawn
     std::vector<Point> reference;  // per particle: where it was when rasterised
     std::vector<Real> step;        // m, per particle: for which it was drawn; -1: it never was
     Real baseSkin = Real(0.1);     // m, by which skins are measured

@@ -1,6 +1,8 @@
 // Which cells of a grid a collider covers.
 #pragma once
 
+#include <algorithm>
+
 #include "collision/rasterise.hpp"
 #include "world/state.hpp"
 
@@ -15,6 +17,19 @@ inline Point inCells(const Point& p, double cellSize) {
     return (p / cellSize).cwiseMax(-2e15).cwiseMin(2e15);
 }
 
+/// How thick a collider is drawn, in m: as its ends, where a joint to another body makes them
+/// thicker than what is their own. (That joint is a part of one of the bodies only, and does not
+/// meet what the other one may.)
+inline Real coverRadius(const State& state, const Collider& collider) {
+    Real radius = collider.radius;
+    for (const auto p : {collider.a, collider.b}) {
+        const auto joint = state.broad.surface[p];
+        if (joint != none && state.joints.body[joint] == none)
+            radius = std::max(radius, state.particles.reach[p]);
+    }
+    return radius;
+}
+
 /// Calls emit(Cell) for the cells of a level that a collider covers.
 template <class Emit>
 void rasterise(const State& state, const Collider& collider, Real skin, std::size_t level,
@@ -25,7 +40,8 @@ void rasterise(const State& state, const Collider& collider, Real skin, std::siz
     if (state.settings.rasterisation == Rasterisation::bresenham)
         rasteriseLine(from, to, emit);
     else
-        rasteriseCapsule(from, to, static_cast<double>(collider.radius + skin) / size, emit);
+        rasteriseCapsule(from, to, static_cast<double>(coverRadius(state, collider) + skin) / size,
+                         emit);
 }
 
 }  // namespace sulfur::detail

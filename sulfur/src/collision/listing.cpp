@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collision/covering.hpp"
 #include "core/disjoint_sets.hpp"
 #include "solver/stages.hpp"
 
@@ -39,6 +40,7 @@ void widenReach(BroadPhase& broad, const Collider& collider) {
 void collectColliders(State& state) {
     BroadPhase& broad = state.broad;
     const auto fixedBefore = broad.fixed;
+    const auto thickBefore = broad.fixedCover;
     broad.moving.clear();
     broad.fixed.clear();
     broad.reach = 0;
@@ -48,7 +50,9 @@ void collectColliders(State& state) {
         widenReach(broad, collider);
     };
     forEachCollider(state, {}, add, add);
-    if (broad.fixed != fixedBefore) broad.fixedStale = true;
+    broad.fixedCover.clear();
+    for (const Collider& c : broad.fixed) broad.fixedCover.push_back(coverRadius(state, c));
+    if (broad.fixed != fixedBefore || broad.fixedCover != thickBefore) broad.fixedStale = true;
 }
 
 /// Room for what packed things have, so that the tick in which a heap has grown together takes no

@@ -487,9 +487,8 @@ void findContacts(State& state) {
     state.contacts.clear();
     state.knocked.clear();
     partEntwined(state);
-    // Which has led some of them on since they were measured.
-    if (!state.entwined.empty())
-        measureOutings(state, state.particles.displacement, state.broad.outings);
+    // Which has led some of them on since the grid was looked at.
+    if (!state.entwined.empty()) updateBroadPhase(state);
     dropStalePlans(state.broad);
     indexMemory(state);
     thread_local std::vector<Crossing> crossings;  // nearly always empty

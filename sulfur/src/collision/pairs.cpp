@@ -270,9 +270,15 @@ Finder& finder() {
 }
 
 /// So many pieces to collect into.
-std::span<Watched> piecesFor(Finder& finder, std::size_t count) {
+std::span<Watched> piecesFor(const BroadPhase& broad, Finder& finder, std::size_t count) {
     if (finder.pieces.size() < count) finder.pieces.resize(count);
-    return {finder.pieces.data(), count};
+    const std::span<Watched> pieces(finder.pieces.data(), count);
+    // One day most are in one piece.
+    for (Watched& piece : pieces) {
+        piece.sightings.reserve(broad.watches.capacity());
+        piece.pairs.reserve(broad.pairs.capacity());
+    }
+    return pieces;
 }
 
 void drawSurroundings(State& state) {
@@ -296,7 +302,8 @@ void findPairs(State& state) {
     findEntries(broad, lists.entries);
     constexpr std::size_t collidersInMicrosecond = 1;
     const std::size_t count = broad.moving.size();
-    const auto pieces = piecesFor(lists, piecesOf(state.tasks, count, collidersInMicrosecond));
+    const auto pieces =
+        piecesFor(broad, lists, piecesOf(state.tasks, count, collidersInMicrosecond));
     runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
         Lookout lookout(state, pieces[i]);
         forEachNeighbour(broad, lists.entries, lists.found.pairs,
@@ -319,10 +326,10 @@ void renewPairs(State& state) {
                 surroundingsOf(state, broad.moving[drawn.colliders[k]]);
     forgetLeft(broad);
     Finder& lists = finder();
-    collectPairsOfLeft(state, piecesFor(lists, 1).front().neighbours, lists.found);
+    collectPairsOfLeft(state, piecesFor(broad, lists, 1).front().neighbours, lists.found);
     constexpr std::size_t pairsInMicrosecond = 20;
     const std::size_t count = lists.found.pairs.size();
-    const auto pieces = piecesFor(lists, piecesOf(state.tasks, count, pairsInMicrosecond));
+    const auto pieces = piecesFor(broad, lists, piecesOf(state.tasks, count, pairsInMicrosecond));
     runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
         Lookout lookout(state, pieces[i]);
         for (auto k = pieceStart(i, pieces.size(), count);

@@ -362,6 +362,56 @@ TEST(BroadPhase, KeepsCandidatesUntilSomethingLeavesItsSkin) {
     EXPECT_EQ(world.centreOfMass(other)[0], 1.05);
 }
 
+/// A thick joint to fixed ground makes its corner part of what swings: when that is drawn again,
+/// what others have with the ground stays.
+TEST(BroadPhase, KeepsWhatLiesOnGroundThatSomethingThickIsTiedTo) {
+    World world;
+    const Body ground = world.add(shapes::ground({.points = {{0, 6}, {0, 0}, {8, 0}}}));
+    const Body ball =
+        world.add(shapes::ball({.radius = Real(0.2), .mass = 5}), {.position = {1.5, 0}});
+    world.connect(world.particles(ground)[1], ball.front(),
+                  {.stiffness = infinite, .radius = Real(0.02)});
+    std::vector<Body> boxes;
+    for (int i = 0; i < 30; ++i)
+        boxes.push_back(
+            world.add(shapes::box({.size = {Real(0.3), Real(0.3)}}),
+                      {.position = {0.5 + 0.24 * i, 0.2 + 0.5 * (i % 2)}, .angle = 0.1}));
+    for (int tick = 0; tick < 700; ++tick) {
+        World restored;
+        if (tick % 10 == 0) restored.restore(world.snapshot());
+        world.step();
+        if (tick % 10 != 0) continue;
+        restored.step();
+        ASSERT_EQ(restored.hash(), world.hash()) << tick;
+    }
+    for (const Body& box : boxes) EXPECT_GT(world.centreOfMass(box)[1], 0);
+}
+
+/// The end of a thin rod is as thick as a joint to another body, also for what that body lets pass.
+TEST(BroadPhase, HoldsOffWhatTouchesAnEndThatAnotherBodysJointMakesThick) {
+    for (const double speed : {0.5, 2.0}) {
+        World world({.gravity = {0, 0}});
+        const Body rod = world.add(shapes::chain({.to = {2, 0}, .links = 1, .pinFirst = true}),
+                                   {.position = {0, 3}});
+        Blueprint plan = shapes::ball({.radius = Real(0.05), .mass = 1});
+        plan.filter.mask = 0;
+        const Body other = world.add(plan, {.position = {2, 5}});
+        plan.filter = {};
+        // So that cells are small.
+        for (int i = 0; i < 20; ++i) world.add(plan, {.position = {-10.0 - i, -5}});
+        world.connect(other.front(), rod.back(), {.stiffness = infinite, .radius = Real(0.5)});
+        const Body visitor = world.add(plan, {.position = {4, 1}});
+        world.setVelocity(visitor, Point(-speed, speed).cast<Real>());
+        double nearest = 9;
+        for (int tick = 0; tick < 2500 / speed; ++tick) {
+            world.step();
+            nearest = std::min(nearest,
+                               (world.position(rod.back()) - world.centreOfMass(visitor)).norm());
+        }
+        EXPECT_NEAR(nearest, 0.55, 0.005) << speed;
+    }
+}
+
 TEST(CellSize, IsThatOfThingsOfOneSize) {
     for (const double size : {0.02, 0.1, 1.0, 30.0}) {
         detail::SizeCensus discs, rods;
