@@ -21,8 +21,9 @@ CellBox boundsOf(const std::vector<Grid::Entry>& entries) {
 
 void Grid::build() {
     if (sorted_.capacity() < entries_.size()) {
-        // Room for as many again: what turns and speeds up covers more cells than at first.
-        const std::size_t room = 2 * entries_.size();
+        // Room for five times as many more: what turns and speeds up covers more cells than at
+        // first, with a skin that widens by a cell.
+        const std::size_t room = 6 * entries_.size();
         entries_.reserve(room);
         sorted_.reserve(room);
         start_.reserve(std::bit_ceil(std::max<std::size_t>(2, room * 2)) + 1);

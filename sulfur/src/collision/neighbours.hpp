@@ -31,6 +31,10 @@ struct FoundList {
     std::vector<Found> pairs, scratch;
     std::vector<std::uint32_t> start;
 
+    void reserve(std::size_t count) {
+        pairs.reserve(count);
+        scratch.reserve(count);
+    }
     /// Sorts them, and keeps each once. `colliders`: how many there are.
     void sort(std::size_t colliders);
 };
@@ -58,6 +62,10 @@ inline bool areNear(const Surroundings& a, const Surroundings& b) {
 /// Who comes near one collider after the other, each once. Scratch memory only.
 class Neighbours {
 public:
+    void reserve(std::size_t colliders) {
+        seenBy_.reserve(colliders);
+        near_.reserve(colliders);
+    }
     void begin(std::size_t colliders) { seenBy_.assign(colliders, none); }
     void beginOf(std::uint32_t collider) {
         collider_ = collider;

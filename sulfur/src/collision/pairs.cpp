@@ -264,19 +264,28 @@ void mergeInto(std::vector<Item>& items, const std::vector<Item>& more,
     std::swap(items, scratch);
 }
 
-Finder& finder() {
+/// Lists with room for as much as those of the broad phase have, so that the first tick in which
+/// only some of it is drawn again, or most of it is in one piece, takes no memory.
+Finder& finder(const BroadPhase& broad) {
     thread_local Finder scratch;
+    const std::size_t watches = broad.watches.capacity(), pairs = broad.pairs.capacity();
+    scratch.found.reserve(watches);
+    scratch.watches.reserve(watches);
+    scratch.watchScratch.reserve(watches);
+    scratch.pairs.reserve(pairs);
+    scratch.pairScratch.reserve(pairs);
     return scratch;
 }
 
 /// So many pieces to collect into.
-std::span<Watched> piecesFor(const BroadPhase& broad, Finder& finder, std::size_t count) {
+std::span<Watched> piecesFor(const State& state, Finder& finder, std::size_t count) {
     if (finder.pieces.size() < count) finder.pieces.resize(count);
     const std::span<Watched> pieces(finder.pieces.data(), count);
-    // One day most are in one piece.
     for (Watched& piece : pieces) {
-        piece.sightings.reserve(broad.watches.capacity());
-        piece.pairs.reserve(broad.pairs.capacity());
+        piece.sightings.reserve(state.broad.watches.capacity());
+        piece.pairs.reserve(state.broad.pairs.capacity());
+        piece.place.reserve(state.particles.size());
+        piece.neighbours.reserve(state.broad.surroundings.capacity());
     }
     return pieces;
 }
@@ -296,14 +305,14 @@ void drawSurroundings(State& state) {
 
 void findPairs(State& state) {
     BroadPhase& broad = state.broad;
-    Finder& lists = finder();
+    Finder& lists = finder(broad);
     drawSurroundings(state);
     collectCoarsePairs(state, lists.found);
     findEntries(broad, lists.entries);
     constexpr std::size_t collidersInMicrosecond = 1;
     const std::size_t count = broad.moving.size();
     const auto pieces =
-        piecesFor(broad, lists, piecesOf(state.tasks, count, collidersInMicrosecond));
+        piecesFor(state, lists, piecesOf(state.tasks, count, collidersInMicrosecond));
     runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
         Lookout lookout(state, pieces[i]);
         forEachNeighbour(broad, lists.entries, lists.found.pairs,
@@ -325,11 +334,11 @@ void renewPairs(State& state) {
             broad.surroundings[drawn.colliders[k]] =
                 surroundingsOf(state, broad.moving[drawn.colliders[k]]);
     forgetLeft(broad);
-    Finder& lists = finder();
-    collectPairsOfLeft(state, piecesFor(broad, lists, 1).front().neighbours, lists.found);
+    Finder& lists = finder(broad);
+    collectPairsOfLeft(state, piecesFor(state, lists, 1).front().neighbours, lists.found);
     constexpr std::size_t pairsInMicrosecond = 20;
     const std::size_t count = lists.found.pairs.size();
-    const auto pieces = piecesFor(broad, lists, piecesOf(state.tasks, count, pairsInMicrosecond));
+    const auto pieces = piecesFor(state, lists, piecesOf(state.tasks, count, pairsInMicrosecond));
     runPieces(state.tasks, pieces.size(), [&](std::size_t i) {
         Lookout lookout(state, pieces[i]);
         for (auto k = pieceStart(i, pieces.size(), count);
