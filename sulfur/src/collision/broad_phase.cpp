@@ -122,26 +122,26 @@ bool rasteriseLeft(State& state) {
             for (auto k = start[piece]; k < start[piece + 1]; ++k) f(list[k]);
     };
     std::size_t count = 0;
-    bool anyLarge = false;
+    bool mustBeginAnew = false;
     forEachLeft(pieces.colliderStart, pieces.colliders, [&](std::uint32_t i) {
         ++count;
-        anyLarge |= broad.levelOfMoving[i] > 0;
+        mustBeginAnew |= broad.levelOfMoving[i] > 0;
     });
-    if (anyLarge || 4 * count > broad.moving.size()) return false;
+    if (mustBeginAnew || 4 * count > broad.moving.size()) return false;
     if (2 * broad.movingGrid.added() > broad.movingGrid.entries().size()) return false;
     // What others have with fixed geometry is not found again by the colliders of a piece that is
     // tied to it.
     forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
-        anyLarge |= state.bodies[state.particles.body[p]].kind == BodyKind::fixed;
+        mustBeginAnew |= state.bodies[state.particles.body[p]].kind == BodyKind::fixed;
     });
-    if (anyLarge) return false;
+    if (mustBeginAnew) return false;
     forEachLeft(pieces.particleStart, pieces.particles, [&](std::uint32_t p) {
         broad.reference[p] = state.particles.position[p];
         broad.step[p] = -1;
     });
     forEachLeft(pieces.colliderStart, pieces.colliders,
-                [&](std::uint32_t i) { anyLarge |= placeMoving(state, i) > 0; });
-    if (anyLarge) return false;
+                [&](std::uint32_t i) { mustBeginAnew |= placeMoving(state, i) > 0; });
+    if (mustBeginAnew) return false;
     forEachLeft(pieces.colliderStart, pieces.colliders, [&](std::uint32_t i) {
         const Collider& c = broad.moving[i];
         broad.liveCells -= broad.cellsOf[i];

@@ -53,8 +53,8 @@ struct WatchedPair {
     }
 };
 
-/// Neighbours in a list of candidates or pairs that have a particle or body on either side in
-/// common, with the least spare of them: mostly one look is enough for all.
+/// Neighbours in a list of candidates or pairs that have the bodies on both sides in common, with
+/// the least spare of them: mostly one look is enough for all.
 struct WatchRun {
     std::uint32_t first = 0, last = 0;  // in the list
     std::uint32_t one = 0, other = 0;   // bodies

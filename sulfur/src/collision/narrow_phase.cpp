@@ -397,6 +397,7 @@ void considerCrossing(const State& state, const Crossing& crossing, Found& found
 
 /// Candidates, of which most are far.
 constexpr std::size_t candidatesInMicrosecond = 200;
+
 /// The first candidate from `i` on that is of another particle than the one before: contacts of one
 /// particle are found by one thread.
 std::size_t particleStart(const std::vector<std::uint32_t>& particle, std::size_t i) {

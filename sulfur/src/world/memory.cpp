@@ -112,9 +112,9 @@ MemoryUse ofTrees(const State& state) {
 MemoryUse ofColliders(const State& state) {
     const auto& b = state.broad;
     return Sum()
-        .add(b.moving, b.fixed, b.fixedCover, b.reference, b.step, b.largeMoving, b.largeFixed, b.levelOfMoving,
-             b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked, b.tied, b.surface,
-             b.thinnest)
+        .add(b.moving, b.fixed, b.fixedCover, b.reference, b.step, b.largeMoving, b.largeFixed,
+             b.levelOfMoving, b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked,
+             b.tied, b.surface, b.thinnest)
         .as("colliders", b.moving.size() + b.fixed.size(), true);
 }
 
