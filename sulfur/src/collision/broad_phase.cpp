@@ -175,7 +175,7 @@ void forEachAwake(const State& state, Function&& f) {
     for (const Range& range : state.work.awake) f(range);
     // Between ticks, lists of one pace do not name those of the other; in steps those stand by.
     const WorkLists& parked = state.steps.parkedWork;
-    const bool named = state.work.movers == Movers::all || state.steps.mixed;
+    const bool named = state.work.movers == ListedMovers::all || state.steps.mixed;
     if (!named && parked.madeAfter == state.listChanges)
         for (const Range& range : parked.awake) f(range);
 }

@@ -16,7 +16,7 @@
 namespace sulfur::detail {
 
 /// A particle and what it is held off, and how they meet.
-struct Touch {
+struct FoundTouch {
     const ContactPlan& plan;
     Meeting meeting;
 
@@ -33,7 +33,7 @@ struct Hold {
 };
 
 /// What the contact acts on: the capsule's point is one grip if a rigid component has both ends.
-[[gnu::always_inline]] inline Hold takeHold(const State& state, const Touch& t) {
+[[gnu::always_inline]] inline Hold takeHold(const State& state, const FoundTouch& t) {
     const ContactPlan& plan = t.plan;
     const auto& arm = state.particles.arm;
     const Vec2 &p = arm[plan.particle], &a = arm[plan.a], &b = arm[plan.b];
@@ -65,7 +65,7 @@ struct InverseMasses {
 /// All but what depends on how it moves. Written in its place, since to copy a contact takes as
 /// long as this; and nothing that was just written is read, since a processor waits for what it
 /// has to read in other portions than it was written in.
-[[gnu::always_inline]] inline void fillContact(const State& state, const Touch& t,
+[[gnu::always_inline]] inline void fillContact(const State& state, const FoundTouch& t,
                                                Contact& contact) {
     const ContactPlan& plan = t.plan;
     const Vec2 normal(t.meeting.normal[0], t.meeting.normal[1]);
@@ -148,7 +148,7 @@ inline void knock(const State& state, const Contact& c, Real closing, Found& fou
 }
 
 /// Adds the contact if the predicted displacements, which close its gap by so many m, can do so.
-[[gnu::always_inline]] inline void keepIfNear(const State& state, const Touch& t, const Vec2& moved,
+[[gnu::always_inline]] inline void keepIfNear(const State& state, const FoundTouch& t, const Vec2& moved,
                                               Real closing, Found& found) {
     const Real near = state.broad.watchedGap(t.plan.thickness);
     if (t.gap() + std::min<Real>(closing, 0) > near) return;

@@ -28,7 +28,7 @@ namespace sulfur::detail {
 
 namespace {
 
-Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
+Vec2 relativeDisplacement(const Particles& particles, const FoundTouch& t) {
     const auto& d = particles.displacement;
     const ContactPlan& plan = t.plan;
     const Vec2 &p = d[plan.particle], &a = d[plan.a], &b = d[plan.b];
@@ -37,7 +37,7 @@ Vec2 relativeDisplacement(const Particles& particles, const Touch& t) {
     return {p[0] - onA * a[0] - onB * b[0], p[1] - onA * a[1] - onB * b[1]};
 }
 
-void keepIfNear(const State& state, const Touch& t, Found& found) {
+void keepIfNear(const State& state, const FoundTouch& t, Found& found) {
     const Vec2 moved = relativeDisplacement(state.particles, t);
     keepIfNear(state, t, moved, t.meeting.normal.dot(moved), found);
 }
@@ -164,7 +164,7 @@ std::uint32_t cornerAt(const Looks& looks, std::uint32_t watch, Real along) {
 }
 
 /// The plane of an impact, seen from the start of the tick.
-void seeFromStart(const Local& local, const Sides& sides, Touch& t) {
+void seeFromStart(const Local& local, const Sides& sides, FoundTouch& t) {
     const Vec2 offset = t.atCorner() && t.plan.a == sides.b ? Vec2(local.p - local.b)
                         : t.atCorner()                      ? local.p
                                        : Vec2(local.p - t.meeting.along * local.b);
@@ -172,7 +172,7 @@ void seeFromStart(const Local& local, const Sides& sides, Touch& t) {
 }
 
 /// How a candidate meets at the start of the tick.
-void considerNow(const State& state, const Sides& sides, Touch t, Found& found) {
+void considerNow(const State& state, const Sides& sides, FoundTouch t, Found& found) {
     Meeting& m = t.meeting;
     const auto& x = state.particles.position;
     if (isBehind(t.plan.outward, areaBeside(x[sides.a], x[sides.b], x[sides.particle]))) {
@@ -186,7 +186,7 @@ void considerNow(const State& state, const Sides& sides, Touch t, Found& found) 
 }
 
 /// The same for one that may meet on its way.
-void considerLater(const State& state, const Sides& sides, const Local& local, Touch t,
+void considerLater(const State& state, const Sides& sides, const Local& local, FoundTouch t,
                    Found& found) {
     if (!(t.meeting.fraction > 0)) return considerNow(state, sides, t, found);
     seeFromStart(local, sides, t);
@@ -319,7 +319,7 @@ private:
         if (isBehind(plan.outward, b.beside[i])) return false;
         if (distance > 0 && distance <= plan.thickness && isPressedThrough(state, plan, x, y))
             return false;
-        const Touch t{plan, {.along = b.along[i], .normal = Vec2(x, y), .distance = distance}};
+        const FoundTouch t{plan, {.along = b.along[i], .normal = Vec2(x, y), .distance = distance}};
         keepIfNear(state, t, Vec2(b.movedX[i], b.movedY[i]), b.closing[i], found);
         return true;
     }
@@ -390,7 +390,7 @@ private:
 void considerCrossing(const State& state, const Crossing& crossing, Found& found) {
     const Collider& c = state.broad.collider(crossing.end.collider);
     const ContactPlan plan = planContact(state, crossing.end.particle, c.a, c.b, c);
-    Touch t{plan, crossing.meeting};
+    FoundTouch t{plan, crossing.meeting};
     turnRound(t.meeting);
     keepIfNear(state, t, found);
 }

@@ -12,6 +12,7 @@
 #include <sulfur/error.hpp>
 #include <sulfur/math.hpp>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace sulfur::detail {
@@ -28,6 +29,9 @@ template <class T>
 struct IsPlain : std::bool_constant<std::is_trivially_copyable_v<T> && !Archivable<T>> {};
 template <class S, int R, int C, int O>
 struct IsPlain<Eigen::Matrix<S, R, C, O>> : std::bool_constant<(R > 0 && C > 0)> {};
+
+template <>
+struct IsPlain<std::pair<std::uint32_t, std::uint32_t>> : std::true_type {};
 
 template <class Archive, class T>
 void archiveEach(Archive& a, std::vector<T>& list) {

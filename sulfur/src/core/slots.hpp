@@ -42,6 +42,8 @@ public:
     /// The largest index of any handle that was given out.
     std::size_t slots() const { return dense_.size(); }
     std::uint32_t dense(Id id) const { return dense_[id.index - 1]; }
+    /// By slot, which is a handle's index less 1 and never changes; none where nothing lives.
+    std::uint32_t denseOf(std::uint32_t slot) const { return dense_[slot]; }
     void move(Id id, std::uint32_t denseIndex) { dense_[id.index - 1] = denseIndex; }
 
     /// Whether the lists fit each other, as those that an archive has read may not.

@@ -13,6 +13,7 @@
 #include "kernels/meeting_lanes.hpp"
 #include "kernels/outings.hpp"
 #include "kernels/particle_motion.hpp"
+#include "kernels/rows.hpp"
 
 namespace sulfur::detail {
 
@@ -105,6 +106,13 @@ const OutingKernels& outingKernels() {
     if (mayUse(Instructions::avx2)) return avx2Outings;
 #endif
     return baselineOutings;
+}
+
+const RowKernels& rowKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Rows;
+#endif
+    return baselineRows;
 }
 
 const ContactKernels& contactKernels() {

@@ -225,6 +225,7 @@ void deriveStructure(State& state) {
         state.broad.plansStale = true;
         state.triangles.bodies = 0;
     }
+    if (!onlyAdded) state.structureChanged = true;
     state.structure.stale = state.structure.onlyAdded = false;
     state.work.stale = true;
     ++state.listChanges;
@@ -296,6 +297,7 @@ void applyChanges(State& state) {
     listTriangles(state);
     count(state);
     state.touchingFrozen = false;
+    state.core.listsStale = true;
     state.work.stale = false;
 }
 

@@ -15,7 +15,7 @@ BodyPair pairOf(const State& state, const Contact& c) {
 }
 
 /// All contacts of two bodies, as one.
-struct Touch {
+struct FoundTouch {
     std::uint32_t strongest = none;  // contact
     Real most = 0;                   // N s, its impulse
     Real impulse = 0;                // N s, of all
@@ -32,7 +32,7 @@ struct Touch {
 /// Two bodies that did not touch in the last tick.
 struct NewTouch {
     BodyPair pair;
-    Touch touch;
+    FoundTouch touch;
 
     friend bool operator<(const NewTouch& p, const NewTouch& q) {
         return p.pair != q.pair ? p.pair < q.pair : p.touch.strongest < q.touch.strongest;
@@ -54,7 +54,7 @@ Point placeOf(const State& state, const Contact& c) {
 /// sorted. Holds scratch memory only.
 class Touches {
 public:
-    std::vector<Touch> old;       // of the pairs in State::touching; of none, who parted
+    std::vector<FoundTouch> old;       // of the pairs in State::touching; of none, who parted
     std::vector<NewTouch> begun;  // sorted
     bool any = false;
     bool same = false;  // the pairs are those in State::touching
@@ -68,7 +68,7 @@ public:
         if (places_.size() < state.particles.size()) places_.resize(state.particles.size());
         std::size_t touched = 0;
         const Contact* before = nullptr;  // and, if it is an old one, its touch:
-        Touch* touch = nullptr;
+        FoundTouch* touch = nullptr;
         for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
             const Contact& c = state.contacts[i];
             if (c.normalLambda <= 0) continue;
@@ -101,7 +101,7 @@ private:
 
     /// What lies goes on touching the same: a pair is looked for first where the one of the same
     /// particle was found last.
-    Touch* find(const State& state, const Contact& c) {
+    FoundTouch* find(const State& state, const Contact& c) {
         const BodyPair pair = pairOf(state, c);
         // Most touch at most two bodies.
         const std::size_t which = asker_ == c.particle ? 1 : 0;
@@ -141,20 +141,20 @@ private:
     std::vector<NewTouch> scratch_;
 };
 
-void tellBegun(State& state, const Touch& t) {
+void tellBegun(State& state, const FoundTouch& t) {
     const Contact& c = state.contacts[t.strongest];
     state.events.contactsBegun.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                                           placeOf(state, c), c.normal,
                                           std::max<Real>(c.approach, 0), t.impulse});
 }
 
-void tellPersisted(State& state, const Touch& t) {
+void tellPersisted(State& state, const FoundTouch& t) {
     const Contact& c = state.contacts[t.strongest];
     state.events.contactsPersisted.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                                               placeOf(state, c), c.normal, t.impulse});
 }
 
-void tellAllPersisted(State& state, const std::vector<Touch>& touches) {
+void tellAllPersisted(State& state, const std::vector<FoundTouch>& touches) {
     const bool anyBegan = state.steps.done > 0 && !state.told.contactsBegun.empty();
     if (!state.settings.tellPersisting && !anyBegan) return;
     for (std::size_t k = 0; k < touches.size(); ++k)
@@ -197,7 +197,7 @@ void collectEvents(State& state) {
     };
     for (std::size_t k = 0; k < state.touching.size(); ++k) {
         const BodyPair& pair = state.touching[k];
-        const Touch& touch = touches.old[k];
+        const FoundTouch& touch = touches.old[k];
         beginUntil(&pair);
         if (touch.strongest == none && !isFrozen(state, pair)) {
             state.events.contactsEnded.push_back({pair.a, pair.b});

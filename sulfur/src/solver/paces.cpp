@@ -77,7 +77,7 @@ void swapLists(State& state) {
 /// The lists for the present steps, to be made again if they are not those of its movers.
 void takeLists(State& state) {
     Steps& steps = state.steps;
-    const Movers wanted = wantedMovers(state);
+    const ListedMovers wanted = wantedMovers(state);
     if (state.work.stale && state.work.madeAfter == state.listChanges) ++state.listChanges;
     if (steps.mixed && state.work.movers != wanted) swapLists(state);
     if (state.work.movers != wanted) state.work.madeAfter = 0;  // those of others
@@ -86,9 +86,9 @@ void takeLists(State& state) {
 
 }  // namespace
 
-Movers wantedMovers(const State& state) {
-    if (!state.steps.mixed) return Movers::all;
-    return state.steps.pace == Pace::whole ? Movers::whole : Movers::divided;
+ListedMovers wantedMovers(const State& state) {
+    if (!state.steps.mixed) return ListedMovers::all;
+    return state.steps.pace == Pace::whole ? ListedMovers::whole : ListedMovers::divided;
 }
 
 void enterPace(State& state, Pace pace) {

@@ -19,7 +19,7 @@ void joinPace(State& state, std::uint32_t body);
 void noteStill(State& state);
 
 /// Which bodies the lists of the present steps name.
-Movers wantedMovers(const State& state);
+ListedMovers wantedMovers(const State& state);
 
 /// Before a tick: keeps what the caller applied to bodies whose ticks are divided, for all of their
 /// steps; before each step but the first: applies it again.

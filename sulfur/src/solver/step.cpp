@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "contacts/stages.hpp"
 #include "solver/driven.hpp"
 #include "solver/paces.hpp"
 #include "solver/stages.hpp"
@@ -77,15 +78,31 @@ void runStages(State& state) {
     timed(state, Stage::forces, gatherForces);
     timed(state, Stage::fields, applyFields);
     timed(state, Stage::predict, predict);
+    if (state.core.on) {
+        timed(state, Stage::broadPhase, [](State& s) {
+            updateShapes(s);
+            takeMotion(s);
+            updateBoxes(s);
+        });
+        timed(state, Stage::narrowPhase, [](State& s) {
+            lookAtPairs(s);
+            refreshRows(s);
+        });
+        timed(state, Stage::constraints, [](State& s) {
+            for (int k = 0; k < 2; ++k) sweepRows(s, k == 1);
+            giveMotion(s);
+        });
+    } else {
     timed(state, Stage::broadPhase, updateBroadPhase);
     timed(state, Stage::narrowPhase, findContacts);
     timed(state, Stage::constraints, solveConstraints);
+    }
     timed(state, Stage::velocities, updateVelocities);
     noteItems(state);
     timed(state, Stage::breakage, breakJoints);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     collectEvents(state);
-    timed(state, Stage::sleep, updateSleep);
+    if (!state.core.on) timed(state, Stage::sleep, updateSleep);
     state.idle = state.contacts.empty() && state.entwined.empty() && allRest(state);
 }
 
@@ -135,7 +152,7 @@ void runPaces(State& state) {
 /// Lists that name all that moves, of both paces, and the structure that they follow.
 void updateLists(State& state) {
     const bool parkedBehind =
-        state.work.movers != Movers::all && state.steps.parkedWork.madeAfter != state.listChanges;
+        state.work.movers != ListedMovers::all && state.steps.parkedWork.madeAfter != state.listChanges;
     state.work.stale = state.work.stale || parkedBehind;
     if (state.work.stale) timed(state, Stage::changes, applyChanges);
 }

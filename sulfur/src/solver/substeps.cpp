@@ -27,7 +27,7 @@ double tickOf(const State& state) {
 template <class Function>
 void forEachAwake(const State& state, Function&& f) {
     for (const auto body : state.work.bodies) f(body);
-    if (state.work.movers != Movers::all)
+    if (state.work.movers != ListedMovers::all)
         for (const auto body : state.steps.parkedWork.bodies) f(body);
 }
 
@@ -242,7 +242,7 @@ void givePaces(State& state, bool anyDivided) {
         setDivided(state, b, divide);
     });
     const bool mixed = anyDivided && anyWhole;
-    if (mixed ? changed : state.work.movers != Movers::all) state.work.stale = true;
+    if (mixed ? changed : state.work.movers != ListedMovers::all) state.work.stale = true;
     state.anyDivided = anyDivided;
     state.steps.mixed = mixed;
     state.statistics.dividedBodies = divided;

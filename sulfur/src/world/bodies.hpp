@@ -8,6 +8,8 @@
 #include <sulfur/ids.hpp>
 #include <vector>
 
+#include "core/slots.hpp"
+
 namespace sulfur::detail {
 
 struct BodyRecord {
@@ -29,6 +31,7 @@ struct BodyRecord {
     Real restingTime = 0;                   // s for which its island has been at rest
     BodyId nextAsleep;                // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index
+    std::uint32_t frame = none;       // fixed: the mover on which all of it stands, or none
     Material material;
     Filter filter;
     bool sensor = false;
@@ -59,6 +62,7 @@ struct BodyRecord {
         a(restingTime);
         a(nextAsleep);
         a(firstParticle);
+        a(frame);
         a(material);
         a(filter);
         a(sensor);

@@ -1,6 +1,7 @@
 // World: changing what exists.
 #include <algorithm>
 
+#include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "rigid/find_clusters.hpp"
@@ -102,6 +103,7 @@ void World::setMaterial(BodyId id, const Material& material) {
     detail::validate(material);
     state.bodies[index].material = material;
     state.broad.plansStale = true;
+    detail::shapeIsStale(state, id.index - 1);
     detail::wakeTouching(state, index);
 }
 
@@ -109,6 +111,7 @@ void World::setFilter(BodyId id, const Filter& filter) {
     State& state = impl_->state;
     const auto index = indexOf(state, id);
     state.bodies[index].filter = filter;
+    detail::shapeIsStale(state, id.index - 1);
     wakeAround(state, index);
     detail::bodyChanged(state);
 }
@@ -119,6 +122,8 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
     if (material) detail::validate(*material);
     state.joints.material[j] = material.value_or(Material{});
     state.joints.ownMaterial[j] = material ? 1 : 0;
+    for (const auto p : {state.joints.a[j], state.joints.b[j]})
+        detail::shapeIsStale(state, state.bodies[state.particles.body[p]].id.index - 1);
     state.broad.plansStale = true;
     detail::wakeEnds(state, j);
 }
@@ -128,6 +133,7 @@ void World::setSelfCollision(BodyId id, bool on) {
     const auto index = indexOf(state, id);
     if (state.bodies[index].selfCollision == on) return;
     state.bodies[index].selfCollision = on;
+    detail::shapeIsStale(state, id.index - 1);
     detail::wakeBody(state, index);
     detail::bodyChanged(state);
 }
@@ -148,7 +154,10 @@ void World::setCollision(BodyId a, BodyId b, bool on) {
         vetoes.erase(at);
     else
         vetoes.insert(at, pair);
-    for (const auto body : {first, second}) wakeAround(state, body);
+    for (const auto body : {first, second}) {
+        wakeAround(state, body);
+        detail::shapeIsStale(state, state.bodies[body].id.index - 1);
+    }
     detail::bodyChanged(state);
 }
 
@@ -157,6 +166,7 @@ void World::setSensor(BodyId id, bool sensor) {
     const auto index = indexOf(state, id);
     if (state.bodies[index].sensor == sensor) return;
     state.bodies[index].sensor = sensor;
+    detail::shapeIsStale(state, id.index - 1);
     std::erase_if(state.sensing.visits,
                   [&](const detail::Visit& visit) { return visit.sensor == id; });
     wakeAround(state, index);

@@ -1,6 +1,7 @@
 // Removing things and closing the gaps that they leave.
 #include <algorithm>
 
+#include "contacts/stages.hpp"
 #include "trees/tree_solver.hpp"
 #include "world/skins.hpp"
 #include "world/state.hpp"
@@ -183,6 +184,8 @@ void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex)
 void compact(State& state, Removal& removal) {
     dissolveTrees(state);
     spreadRemoval(state, removal);
+    for (std::size_t i = 0; i < removal.bodies.size(); ++i)
+        if (removal.bodies[i] && state.core.on) removeShape(state, state.bodies[i].id.index - 1);
     markChangedBodies(state, removal);
     forgetHandles(state, removal);
     const auto newBody = renumber(removal.bodies);

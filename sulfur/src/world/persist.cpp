@@ -40,6 +40,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.vetoes);
     a(state.entwined);
     a(state.anyPlaced);
+    a(state.core);
     a(state.broad.cellSize);
     a(state.broad.cellSizeStale);
 }
@@ -57,6 +58,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.bodySlots);
     a(state.attachmentSlots);
     a(state.influences);
+    a(state.structureChanged);
     a(state.sensing.visits);
 }
 

@@ -12,6 +12,7 @@
 
 #include "collision/broad_phase.hpp"
 #include "collision/contact.hpp"
+#include "contacts/contact_core.hpp"
 #include "core/slots.hpp"
 #include "joints/joints.hpp"
 #include "joints/triangles.hpp"
@@ -95,7 +96,7 @@ struct Structure {
 };
 
 /// Whom the lists below name: all that moves, or those of one pace.
-enum class Movers : std::uint8_t { all, whole, divided };
+enum class ListedMovers : std::uint8_t { all, whole, divided };
 
 /// What the stages loop over, so that they never ask each particle whether it takes part.
 /// Derived from the structure and from who is awake whenever `stale`.
@@ -127,7 +128,7 @@ struct WorkLists {
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
     std::uint64_t madeAfter = 0;                          // State::listChanges
-    Movers movers = Movers::all;
+    ListedMovers movers = ListedMovers::all;
     bool stale = true;
 };
 
@@ -212,6 +213,8 @@ struct State {
     std::vector<BodyPair> entwined;            // put into each other and not yet apart, sorted
     std::vector<std::uint32_t> knocked;        // sleepers that something ran into, dense indices
     Sensing sensing;
+    ContactCore core;
+    bool structureChanged = true;  // since links between bodies were listed
     Events events;
     Events told;  // by earlier steps of a divided tick; scratch
     Statistics statistics;

@@ -10,6 +10,8 @@
 #include "trees/tree_solver.hpp"
 #include "world/impl.hpp"
 
+#include <cstdlib>
+
 namespace sulfur {
 
 namespace detail {
@@ -91,6 +93,7 @@ World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     impl_->state.settings = settings;
     impl_->state.h = 1 / static_cast<Real>(settings.tickRate);
     impl_->state.lastSteps.fill(static_cast<double>(impl_->state.h));
+    if (const char* core = std::getenv("SULFUR_CORE")) impl_->state.core.on = core[0] == 'n';
 }
 
 World::~World() = default;

@@ -1,0 +1,115 @@
+// What touches: movers, shapes, the pairs of chunks that are near each other, and their rows.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <utility>
+#include <vector>
+
+#include "broad_phase/box_grid.hpp"
+#include "rows/row_graph.hpp"
+#include "shape/movers.hpp"
+#include "shape/shapes.hpp"
+
+namespace sulfur::detail {
+
+/// Two chunks whose boxes meet. It lives until the boxes part.
+struct Pair {
+    std::uint32_t a = none, b = none;  // chunks; none where the slot is free
+    std::uint32_t isManifold = 0;      // both are convex, and nothing forbids corners
+    /// Neighbours in the lists of pairs of a and b: the pair's number twice, plus 1 for its b.
+    std::array<std::uint32_t, 2> next{none, none}, previous{none, none};
+    std::uint32_t watch = none;        // its place among the watches, or none while all sleeps
+    RowPlace row;                      // of a manifold that is near
+    /// Of its points: the particles (slots) of corner and side, or none.
+    std::array<std::array<std::uint32_t, 3>, 2> features{
+        {{none, none, none}, {none, none, none}}};
+    Real restitution = 0;
+    std::uint32_t firstTouch = none;   // of others
+    std::uint32_t encounter = none;
+};
+
+/// A corner that is near a side.
+struct Touch {
+    std::uint32_t pair = none;    // none where the slot is free
+    std::uint32_t corner = none, side = none;
+    std::uint32_t end = 0;        // 0: the side between its ends, 1: its end a, 2: its end b
+    std::uint32_t next = none;    // of the pair
+    std::int32_t outward = 0;     // which way the side pushes
+    RowPlace row;
+    std::uint32_t seen = 0;       // by the last look
+};
+
+/// Two bodies some of whose chunks are near each other.
+struct Encounter {
+    std::uint32_t a = none, b = none;   // body slots, a < b; none where the slot is free
+    std::uint32_t pairs = 0;            // of chunks
+    std::uint32_t pressing = 0;         // of rows, since they were last counted
+    std::uint32_t touching = 0;         // in the last tick
+};
+
+/// When a pair has to be looked at: when the odometers of both frames together reach a limit.
+struct Watch2 {
+    std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
+    std::uint32_t unused = 0;
+    double limit = 0;  // m
+};
+
+/// Impulses of a row that went, for whoever comes to stand for the same particles.
+struct Heir {
+    std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
+    Real pressing = 0, rubbing = 0;                            // kg m
+};
+
+struct ContactCore {
+    Movers movers;
+    Shapes shapes;
+    BoxGrid grid;
+    RowGraph rows;
+    std::vector<Pair> pairs;
+    std::vector<std::uint32_t> freePairs;
+    std::vector<Touch> touches;
+    std::vector<std::uint32_t> freeTouches;
+    std::vector<Watch2> watches;  // of pairs of which something is awake
+    double lastStep = 0;  // s, of the step for which the rows have impulses
+
+    // Derived when bodies change or fall asleep.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;      // (particle, body), slots
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> linkedBodies;  // slots, both ways
+    std::vector<std::uint32_t> staleShapes;   // bodies by slot
+    std::vector<std::uint32_t> tiedCapsules;  // joints between bodies that collide, dense indices
+    std::vector<std::uint32_t> awakeMovers, awakeDense;  // and what they are, dense index
+    std::vector<std::uint8_t> awakeIsCluster;
+    std::vector<std::uint32_t> awakeChunks, awakeStrips;
+    std::vector<std::uint32_t> newChunks;  // in no grid yet
+
+    // Scratch of a tick.
+    std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
+    std::vector<std::uint32_t> again;
+    std::vector<Heir> heirs;
+    bool on = false;
+    bool listsStale = true;
+    bool keepsHeirs = false;
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(on);
+        if (!on) return;
+        a(movers);
+        a(shapes);
+        a(grid);
+        a(rows);
+        a(pairs);
+        a(freePairs);
+        a(touches);
+        a(freeTouches);
+        a(watches);
+        a(linked);
+        a(linkedBodies);
+        a(staleShapes);
+        a(lastStep);
+    }
+};
+
+}  // namespace sulfur::detail

@@ -1,0 +1,188 @@
+// Stage: shapes, pairs and lists follow bodies that were made, changed, fell asleep or woke.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contacts/contact_core.hpp"
+#include "contacts/pair_table.hpp"
+#include "contacts/stages.hpp"
+#include "rigid/clusters.hpp"
+#include "shape/make_shapes.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+using Links = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+void sortOnce(Links& links) {
+    std::sort(links.begin(), links.end());
+    links.erase(std::unique(links.begin(), links.end()), links.end());
+}
+
+/// Particles that are tied to another body never collide with that body.
+void findLinks(State& state) {
+    ContactCore& core = state.core;
+    Links linked, bodies;
+    core.tiedCapsules.clear();
+    const auto slotOfParticle = [&](std::uint32_t i) { return state.particles.id[i].index - 1; };
+    const auto slotOfBody = [&](std::uint32_t i) {
+        return state.bodies[state.particles.body[i]].id.index - 1;
+    };
+    const auto link = [&](std::uint32_t p, std::uint32_t q) {
+        linked.emplace_back(slotOfParticle(p), slotOfBody(q));
+        linked.emplace_back(slotOfParticle(q), slotOfBody(p));
+        bodies.emplace_back(slotOfBody(p), slotOfBody(q));
+        bodies.emplace_back(slotOfBody(q), slotOfBody(p));
+    };
+    const Joints& joints = state.joints;
+    for (std::uint32_t j = 0; j < joints.size(); ++j) {
+        if (joints.body[j] != none) continue;
+        link(joints.a[j], joints.b[j]);
+        if (joints.radius[j] > 0) core.tiedCapsules.push_back(j);
+    }
+    for (const Attachment& held : state.attachments)
+        for (std::uint32_t k = 0; k < held.count; ++k) link(held.particle, held.support[k]);
+    sortOnce(linked);
+    sortOnce(bodies);
+    if (linked == core.linked) return;
+    // Who was let go of, or tied, may touch others than before.
+    Links changed;
+    std::set_symmetric_difference(linked.begin(), linked.end(), core.linked.begin(),
+                                  core.linked.end(), std::back_inserter(changed));
+    for (const auto& [particle, body] : changed) {
+        shapeIsStale(state, body);
+        if (const auto i = state.particleSlots.denseOf(particle); i != none)
+            shapeIsStale(state, slotOfBody(i));
+    }
+    core.linked = std::move(linked);
+    core.linkedBodies = std::move(bodies);
+}
+
+/// Shapes that share a capsule between two bodies change together.
+void spreadStaleness(State& state) {
+    auto& stale = state.core.staleShapes;
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (const auto j : state.core.tiedCapsules) {
+            const auto bodyOf = [&](std::uint32_t i) {
+                return state.bodies[state.particles.body[i]].id.index - 1;
+            };
+            const auto a = bodyOf(state.joints.a[j]), b = bodyOf(state.joints.b[j]);
+            const bool hasA = std::find(stale.begin(), stale.end(), a) != stale.end();
+            const bool hasB = std::find(stale.begin(), stale.end(), b) != stale.end();
+            if (hasA == hasB) continue;
+            stale.push_back(hasA ? b : a);
+            grew = true;
+        }
+    }
+}
+
+void listAwake(State& state) {
+    ContactCore& core = state.core;
+    Movers& movers = core.movers;
+    core.awakeMovers.clear();
+    core.awakeDense.clear();
+    core.awakeIsCluster.clear();
+    core.awakeChunks.clear();
+    core.awakeStrips.clear();
+    std::vector<std::uint8_t> listed(movers.size(), 0);
+    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
+        const bool awake = state.awake(b);
+        const auto slot = state.bodies[b].id.index - 1;
+        if (slot >= core.shapes.firstChunk.size()) continue;
+        for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody) {
+            const Chunk& chunk = core.shapes.chunks[c];
+            if (awake) core.awakeChunks.push_back(c);
+            if (awake && chunk.uses > 1) core.awakeStrips.push_back(c);
+            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
+                const auto m = core.shapes.uses[u].mover;
+                if (listed[m]) continue;
+                const auto leader = movers.particle[m];
+                if (leader == none) continue;
+                const auto i = state.particleSlots.denseOf(leader);
+                if (!state.awake(state.particles.body[i])) continue;
+                listed[m] = 1;
+                const auto cluster = state.particles.cluster[i];
+                core.awakeMovers.push_back(m);
+                core.awakeIsCluster.push_back(cluster != none);
+                core.awakeDense.push_back(cluster != none ? cluster : i);
+            }
+        }
+    }
+}
+
+bool isAwake(const State& state, std::uint32_t bodySlot) {
+    return state.awake(state.bodySlots.denseOf(bodySlot));
+}
+
+/// Pairs of sleepers and of what never moves have no rows and are not watched.
+void watchAwake(State& state) {
+    ContactCore& core = state.core;
+    for (std::uint32_t k = 0; k < core.pairs.size(); ++k) {
+        const Pair& pair = core.pairs[k];
+        if (pair.a == none) continue;
+        const auto a = core.shapes.chunks[pair.a].body, b = core.shapes.chunks[pair.b].body;
+        const bool dynamic =
+            (isAwake(state, a) &&
+             state.bodies[state.bodySlots.denseOf(a)].kind == BodyKind::dynamic) ||
+            (isAwake(state, b) &&
+             state.bodies[state.bodySlots.denseOf(b)].kind == BodyKind::dynamic);
+        if (dynamic && pair.watch == none) {
+            watchPair(state, k, -1);
+        } else if (!dynamic && pair.watch != none) {
+            dropRows(state, k);
+            unwatchPair(state, k);
+        }
+    }
+}
+
+}  // namespace
+
+void shapeIsStale(State& state, std::uint32_t bodySlot) {
+    auto& stale = state.core.staleShapes;
+    if (stale.empty() || stale.back() != bodySlot) stale.push_back(bodySlot);
+}
+
+void removeShape(State& state, std::uint32_t slot) {
+    ContactCore& core = state.core;
+    if (slot >= core.shapes.firstChunk.size()) return;
+    for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody) {
+        endPairs(state, c);
+        core.grid.remove(core.shapes.chunks, c);
+    }
+    dropShape(state, slot);
+    core.listsStale = true;
+}
+
+void updateShapes(State& state) {
+    ContactCore& core = state.core;
+    if (state.structureChanged) findLinks(state);
+    state.structureChanged = false;
+    if (!core.staleShapes.empty()) {
+        spreadStaleness(state);
+        auto& stale = core.staleShapes;
+        std::sort(stale.begin(), stale.end());
+        stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+        core.keepsHeirs = true;
+        for (const auto slot : stale) removeShape(state, slot);
+        core.keepsHeirs = false;
+        for (const auto slot : stale) {
+            const auto body = state.bodySlots.denseOf(slot);
+            if (body == none) continue;
+            makeShape(state, body);
+            for (auto c = core.shapes.firstChunk.size() > slot ? core.shapes.firstChunk[slot] : none;
+                 c != none; c = core.shapes.chunks[c].nextOfBody)
+                core.newChunks.push_back(c);
+        }
+        stale.clear();
+        core.listsStale = true;
+    }
+    if (!core.listsStale) return;
+    listAwake(state);
+    watchAwake(state);
+    core.listsStale = false;
+}
+
+}  // namespace sulfur::detail

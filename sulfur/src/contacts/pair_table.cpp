@@ -1,0 +1,166 @@
+#include "contacts/pair_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "contacts/contact_core.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+std::uint32_t& headOf(ContactCore& core, std::uint32_t chunk) {
+    return core.shapes.chunks[chunk].firstPair;
+}
+
+/// Enters a pair with its chunk a (side 0) or b (side 1).
+void link(ContactCore& core, std::uint32_t pair, std::uint32_t side) {
+    Pair& p = core.pairs[pair];
+    const auto chunk = side == 0 ? p.a : p.b;
+    auto& head = headOf(core, chunk);
+    p.previous[side] = none;
+    p.next[side] = head;
+    if (head != none) core.pairs[head / 2].previous[head % 2] = 2 * pair + side;
+    head = 2 * pair + side;
+    ++core.shapes.chunks[chunk].pairs;
+}
+void unlink(ContactCore& core, std::uint32_t pair, std::uint32_t side) {
+    const Pair p = core.pairs[pair];
+    const auto chunk = side == 0 ? p.a : p.b;
+    const auto next = p.next[side], previous = p.previous[side];
+    if (previous != none)
+        core.pairs[previous / 2].next[previous % 2] = next;
+    else
+        headOf(core, chunk) = next;
+    if (next != none) core.pairs[next / 2].previous[next % 2] = previous;
+    --core.shapes.chunks[chunk].pairs;
+}
+
+std::uint32_t findPair(const ContactCore& core, std::uint32_t a, std::uint32_t b) {
+    const auto& chunks = core.shapes.chunks;
+    const auto [few, other] = chunks[a].pairs < chunks[b].pairs ? std::pair(a, b) : std::pair(b, a);
+    for (auto at = chunks[few].firstPair; at != none;) {
+        const Pair& p = core.pairs[at / 2];
+        if ((at % 2 == 0 ? p.b : p.a) == other) return at / 2;
+        at = p.next[at % 2];
+    }
+    return none;
+}
+
+bool isVetoed(const State& state, BodyId a, BodyId b) {
+    return !state.vetoes.empty() &&
+           std::binary_search(state.vetoes.begin(), state.vetoes.end(), BodyPair::of(a, b));
+}
+
+bool mayTouch(const State& state, const Chunk& a, const Chunk& b) {
+    const BodyRecord& first = state.bodies[state.bodySlots.denseOf(a.body)];
+    const BodyRecord& second = state.bodies[state.bodySlots.denseOf(b.body)];
+    if (first.kind != BodyKind::dynamic && second.kind != BodyKind::dynamic) return false;
+    if (first.sensor || second.sensor) return false;
+    if (a.body == b.body) return first.selfCollision && a.frame != b.frame;
+    return mayCollide(first.filter, second.filter) && !isVetoed(state, first.id, second.id);
+}
+
+bool areLinked(const ContactCore& core, std::uint32_t a, std::uint32_t b) {
+    return !core.linkedBodies.empty() &&
+           std::binary_search(core.linkedBodies.begin(), core.linkedBodies.end(), std::pair(a, b));
+}
+
+void makePair(State& state, std::uint32_t first, std::uint32_t second) {
+    ContactCore& core = state.core;
+    const auto& chunks = core.shapes.chunks;
+    // What reaches less far from its centre is b, so that turns count little where looks are judged.
+    const Real reach1 = core.movers.reach[chunks[first].frame];
+    const Real reach2 = core.movers.reach[chunks[second].frame];
+    if (reach1 < reach2 || (reach1 == reach2 && second < first)) std::swap(first, second);
+    std::uint32_t slot;
+    if (core.freePairs.empty()) {
+        slot = static_cast<std::uint32_t>(core.pairs.size());
+        core.pairs.emplace_back();
+    } else {
+        slot = core.freePairs.back();
+        core.freePairs.pop_back();
+        core.pairs[slot] = {};
+    }
+    Pair& pair = core.pairs[slot];
+    pair.a = first;
+    pair.b = second;
+    const Chunk &a = chunks[first], &b = chunks[second];
+    pair.isManifold = a.kind == ChunkKind::convex && b.kind == ChunkKind::convex &&
+                              a.body != b.body && !areLinked(core, a.body, b.body)
+                          ? 1
+                          : 0;
+    link(core, slot, 0);
+    if (first != second) link(core, slot, 1);
+    watchPair(state, slot, -1);  // it is looked at in this step
+}
+
+bool meet(const Chunk& a, const Chunk& b) {
+    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
+           b.low[1] <= a.high[1];
+}
+
+}  // namespace
+
+void watchPair(State& state, std::uint32_t pair, double limit) {
+    ContactCore& core = state.core;
+    Pair& p = core.pairs[pair];
+    if (p.watch == none) {
+        p.watch = static_cast<std::uint32_t>(core.watches.size());
+        core.watches.push_back(
+            {pair, core.shapes.chunks[p.a].frame, core.shapes.chunks[p.b].frame, 0, limit});
+    }
+    core.watches[p.watch].limit = limit;
+}
+
+void unwatchPair(State& state, std::uint32_t pair) {
+    ContactCore& core = state.core;
+    const auto place = std::exchange(core.pairs[pair].watch, none);
+    if (place == none) return;
+    core.watches[place] = core.watches.back();
+    core.watches.pop_back();
+    if (place < core.watches.size()) core.pairs[core.watches[place].pair].watch = place;
+}
+
+void endPair(State& state, std::uint32_t pair) {
+    ContactCore& core = state.core;
+    dropRows(state, pair);
+    unwatchPair(state, pair);
+    const bool itself = core.pairs[pair].a == core.pairs[pair].b;
+    unlink(core, pair, 0);
+    if (!itself) unlink(core, pair, 1);
+    core.pairs[pair] = {};
+    core.freePairs.push_back(pair);
+}
+
+void endPairs(State& state, std::uint32_t chunk) {
+    ContactCore& core = state.core;
+    while (core.shapes.chunks[chunk].firstPair != none)
+        endPair(state, core.shapes.chunks[chunk].firstPair / 2);
+}
+
+void updatePairs(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    const auto& chunks = core.shapes.chunks;
+    for (auto at = chunks[index].firstPair; at != none;) {
+        const Pair& p = core.pairs[at / 2];
+        const auto next = p.next[at % 2];
+        if (!meet(chunks[p.a], chunks[p.b])) endPair(state, at / 2);
+        at = next;
+    }
+    const Chunk& own = chunks[index];
+    core.grid.forEachIn(chunks, own.low, own.high, [&](std::uint32_t other) {
+        const Chunk& c = chunks[other];
+        if (other == index) {
+            // The parts of one chunk may touch each other, where they can move.
+            const BodyRecord& body = state.bodies[state.bodySlots.denseOf(own.body)];
+            if (!body.selfCollision || own.uses < 2 || body.kind != BodyKind::dynamic) return;
+        } else if (!mayTouch(state, own, c)) {
+            return;
+        }
+        if (findPair(core, index, other) == none) makePair(state, index, other);
+    });
+}
+
+}  // namespace sulfur::detail

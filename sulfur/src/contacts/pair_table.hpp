@@ -1,0 +1,26 @@
+// Making and ending pairs of chunks.
+#pragma once
+
+#include <cstdint>
+
+namespace sulfur::detail {
+
+struct State;
+
+/// Makes pairs with all whose boxes have come to meet that of a chunk, and ends those that have
+/// parted.
+void updatePairs(State& state, std::uint32_t chunk);
+/// Ends a pair with its rows, which leave impulses to heirs.
+void endPair(State& state, std::uint32_t pair);
+/// Ends all pairs of a chunk.
+void endPairs(State& state, std::uint32_t chunk);
+/// A pair is watched from now on, or no longer.
+void watchPair(State& state, std::uint32_t pair, double limit);
+void unwatchPair(State& state, std::uint32_t pair);
+
+/// Looks at a pair: its rows and its limit become what they are now.
+void lookAtPair(State& state, std::uint32_t pair);
+/// Takes the rows of a pair away; see endPair().
+void dropRows(State& state, std::uint32_t pair);
+
+}  // namespace sulfur::detail

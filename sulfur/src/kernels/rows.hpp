@@ -1,0 +1,149 @@
+// Contact rows in blocks of eight lanes: what the solver sweeps and what refreshes their geometry.
+//
+// A block holds eight rows of one colour: no two of them share a body that can be pushed. The same
+// source, rows.ipp, is compiled for every x86-64 and for AVX2 and gives the same bits: lanes do not
+// meet, roots and divisions are exact, no product is fused with a sum. As in joint_sweep.hpp nothing
+// here may include a header with functions.
+//
+// Velocities are displacements of a step (m, rad), impulses are momenta times the step (kg m).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/joint_sweep.hpp"
+
+namespace sulfur::detail {
+
+inline constexpr std::size_t rowLanes = 8;
+
+/// What rows push: a rigid component, or a particle that moves by itself (then it never turns).
+/// Its pose is counted from a reference that is renewed when it has gone far or turned by much.
+struct alignas(8 * sizeof(SweepReal)) SolverBody {
+    SweepReal vx = 0, vy = 0, spin = 0;               // m and rad, in this step
+    SweepReal x = 0, y = 0, turn = 0;                 // m and rad, since the reference
+    SweepReal inverseMass = 0, inverseInertia = 0;    // 1/kg and 1/(kg m^2)
+};
+
+/// Heading of a body at its reference.
+struct Heading {
+    SweepReal cosine = 1, sine = 0;
+};
+
+using Lane = SweepReal[rowLanes];
+using Places = std::uint32_t[rowLanes];
+
+/// One point of a contact between two bodies. Everything along the normal from a to b, and along
+/// the tangent, which is the normal turned counter-clockwise by a right angle.
+struct ManifoldPoint {
+    Lane normalX, normalY;
+    Lane normalArmA, normalArmB;    // m, lever of the normal about each body's centre
+    Lane tangentArmA, tangentArmB;  // m, the same of the tangent
+    Lane gap;                       // m, where both bodies are at their references
+    Lane normalMass, tangentMass;   // kg, effective; 0: there is no such point
+    Lane slip;                      // m, by which the surfaces run along the tangent in this step
+    Lane pressing, rubbing;         // kg m, accumulated impulses
+    Lane anchor;                    // m, where it sticks, along the tangent, at the references
+};
+
+/// Two bodies that touch in up to two points.
+struct alignas(64) ManifoldBlock {
+    Places a, b;  // bodies
+    Lane staticFriction, kineticFriction;
+    ManifoldPoint points[2];
+};
+
+/// What a point is made from: a corner of one body and a side of the other, in their own frames.
+struct ManifoldFeature {
+    Lane cornerX, cornerY;  // m
+    Lane outX, outY;        // unit, outward from the side
+    Lane offset;            // m, of the side from its body's centre along that
+    Lane middle, half;      // m, of the side along its tangent
+    Lane owner;             // +1: the corner is b's, -1: it is a's, 0: no point
+    Lane share;             // of the thickness that the corner has
+};
+
+/// The part of a block that only refreshes read.
+struct alignas(64) ManifoldShape {
+    Places pair;                    // whose row it is, or none
+    Lane thickness;                 // m, radii of both sides together
+    Lane lookX, lookY;              // m, where b was in the frame of a when the pair was looked at
+    Lane lookCosine, lookSine;      // and how it was turned
+    Lane reach;                     // m, of b from its centre
+    Lane margin;                    // m, of relative motion, before the pair is looked at again
+    ManifoldFeature features[2];
+};
+
+/// A corner of one body held off a side whose ends may be two bodies more. Along the normal the
+/// side moves with the weights of its ends; along the tangent it also turns like a rod, so that
+/// both sides act at one point and no angular momentum is made.
+struct alignas(64) TouchBlock {
+    Places p, a, b;                       // bodies; b is the world where a has both ends
+    Lane staticFriction, kineticFriction;
+    Lane normalX, normalY;                // from the side towards the corner
+    Lane weightA, weightB;                // of the side's ends, adding up to 1
+    Lane rod;                             // how the side's turn moves the point along the tangent
+    Lane sideX, sideY;                    // unit normal of the side: its turn is that of this
+    Lane normalArmP, normalArmA, normalArmB;
+    Lane tangentArmP, tangentArmA, tangentArmB;
+    Lane gap;
+    Lane normalMass, tangentMass;
+    Lane slip;
+    Lane pressing, rubbing;
+    Lane anchor;
+};
+
+struct alignas(64) TouchShape {
+    Places touch;                         // whose row it is, or none
+    Lane thickness;                       // m
+    Lane cornerX, cornerY;                // m, in the frame of p
+    Lane aX, aY, bX, bY;                  // m, the side's ends in the frames of their bodies
+    Lane sameBody;                        // 1: a moves both ends
+    Lane free;                            // 1: the corner is a particle, which cannot turn
+    Lane share;                           // of the thickness that the corner has
+    Lane outward;                         // +1, -1: which way the side pushes, from a to b; 0: by
+                                          // the way from the side to the corner
+    Lane low, high;                       // where along the side (0 to 1) it stays this touch
+};
+
+/// What a refresh reads beside the bodies.
+struct PoseView {
+    const double* reference;  // m, x and y in turn
+    const Heading* heading;
+};
+
+/// How a sweep moves what overlaps.
+struct PushSettings {
+    SweepReal share;  // of an overlap
+    SweepReal most;   // m
+    SweepReal hold;   // share of what has crept from its anchor
+};
+
+struct RowKernels {
+    /// Friction, then normals, of one block after the other. `push`: places too.
+    void (*sweepManifolds)(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count);
+    void (*pushManifolds)(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
+                          const PushSettings& push);
+    void (*sweepTouches)(SolverBody* bodies, TouchBlock* blocks, std::size_t count);
+    void (*pushTouches)(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
+                        const PushSettings& push);
+    /// Geometry of one block from the poses of its bodies; impulses turn along, and what that
+    /// changes goes to the bodies. Returns a bit for each lane that must be looked at again.
+    std::uint32_t (*refreshManifolds)(SolverBody* bodies, const PoseView& poses,
+                                      ManifoldBlock& block, const ManifoldShape& shape);
+    std::uint32_t (*refreshTouches)(SolverBody* bodies, const PoseView& poses, TouchBlock& block,
+                                    const TouchShape& shape);
+    /// A bit for each lane that presses.
+    std::uint32_t (*pressingManifolds)(const ManifoldBlock& block);
+    std::uint32_t (*pressingTouches)(const TouchBlock& block);
+};
+
+extern const RowKernels baselineRows;
+#ifdef SULFUR_AVX2_KERNELS
+extern const RowKernels avx2Rows;
+#endif
+
+/// The widest that this processor can run, or that useKernelsUpTo() allows.
+const RowKernels& rowKernels();
+
+}  // namespace sulfur::detail

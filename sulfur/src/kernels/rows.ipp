@@ -1,0 +1,510 @@
+// The kernels of rows.hpp. A vector has eight lanes whatever the processor: the compiler splits it
+// where its registers are narrower.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"  // nothing of it is called from outside
+#endif
+
+#if defined(__AVX__)
+#include <immintrin.h>  // its functions are always inlined
+#endif
+
+namespace sulfur::detail {
+
+namespace {
+
+using Vec [[gnu::vector_size(8 * sizeof(SweepReal))]] = SweepReal;
+using Mask = decltype(Vec{} < Vec{});
+
+inline Vec load(const SweepReal* from) {
+    return *reinterpret_cast<const Vec*>(from);
+}
+inline void store(SweepReal* to, Vec value) {
+    *reinterpret_cast<Vec*>(to) = value;
+}
+inline Vec larger(Vec a, Vec b) {
+    return a > b ? a : b;
+}
+inline Vec smaller(Vec a, Vec b) {
+    return a < b ? a : b;
+}
+inline Vec clamped(Vec v, Vec low, Vec high) {
+    return smaller(larger(v, low), high);
+}
+inline Vec magnitude(Vec v) {
+    return v < 0 ? -v : v;
+}
+#if defined(__AVX__) && !defined(SULFUR_REAL_DOUBLE)
+inline Vec root(Vec v) {
+    return _mm256_sqrt_ps(v);
+}
+inline std::uint32_t bits(Mask m) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<Vec>(m)));
+}
+#else
+inline Vec root(Vec v) {
+    for (int i = 0; i < 8; ++i)
+        v[i] = static_cast<SweepReal>(__builtin_sqrt(static_cast<double>(v[i])));
+    return v;
+}
+inline std::uint32_t bits(Mask m) {
+    std::uint32_t set = 0;
+    for (int i = 0; i < 8; ++i) set |= (m[i] != 0 ? 1u : 0u) << i;
+    return set;
+}
+#endif
+
+inline void interleave4(Vec& a, Vec& b, Vec& c, Vec& d) {
+    const Vec p = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Vec q = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Vec r = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Vec s = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    a = __builtin_shufflevector(p, r, 0, 1, 8, 9, 4, 5, 12, 13);
+    b = __builtin_shufflevector(p, r, 2, 3, 10, 11, 6, 7, 14, 15);
+    c = __builtin_shufflevector(q, s, 0, 1, 8, 9, 4, 5, 12, 13);
+    d = __builtin_shufflevector(q, s, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+inline void exchangeHalves(Vec& a, Vec& b) {
+    const Vec low = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+    b = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    a = low;
+}
+/// Rows to columns, and back.
+inline void transpose(Vec (&rows)[8]) {
+    interleave4(rows[0], rows[1], rows[2], rows[3]);
+    interleave4(rows[4], rows[5], rows[6], rows[7]);
+    for (int i = 0; i < 4; ++i) exchangeHalves(rows[i], rows[i + 4]);
+}
+
+/// Eight bodies, lane by lane.
+struct Bodies {
+    Vec of[8];
+
+    Vec& vx() { return of[0]; }
+    Vec& vy() { return of[1]; }
+    Vec& spin() { return of[2]; }
+    Vec& x() { return of[3]; }
+    Vec& y() { return of[4]; }
+    Vec& turn() { return of[5]; }
+    Vec mass() const { return of[6]; }
+    Vec inertia() const { return of[7]; }
+};
+
+inline Bodies gather(const SolverBody* bodies, const std::uint32_t* at) {
+    Bodies g;
+    for (int i = 0; i < 8; ++i) g.of[i] = load(&bodies[at[i]].vx);
+    transpose(g.of);
+    return g;
+}
+/// What cannot be pushed may be in several lanes: all write what they read.
+inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
+    transpose(g.of);
+    for (int i = 0; i < 8; ++i) store(&bodies[at[i]].vx, g.of[i]);
+}
+
+/// Coulomb's law: what static friction can stop sticks, anything else slides.
+inline Vec friction(Vec wanted, Vec pressing, Vec staticCoefficient, Vec kineticCoefficient) {
+    const Vec most = kineticCoefficient * pressing;
+    return magnitude(wanted) <= staticCoefficient * pressing ? wanted
+                                                             : clamped(wanted, -most, most);
+}
+
+// --- two bodies -------------------------------------------------------------------------------
+
+/// The relative motion of the bodies of a block while its points are solved one after the other.
+struct Relative {
+    Vec x, y, spinA, spinB;  // of b against a
+    Vec sumX{}, sumY{};      // impulses on b
+};
+
+inline Vec along(const Relative& r, Vec nx, Vec ny, Vec armA, Vec armB) {
+    return nx * r.x + ny * r.y + armB * r.spinB - armA * r.spinA;
+}
+inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, Vec mass,
+                 const Bodies& a, const Bodies& b) {
+    const Vec px = nx * impulse, py = ny * impulse;
+    r.sumX += px;
+    r.sumY += py;
+    r.x += px * mass;
+    r.y += py * mass;
+    r.spinA -= a.inertia() * armA * impulse;
+    r.spinB += b.inertia() * armB * impulse;
+}
+
+template <bool places>
+inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const PushSettings& settings) {
+    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
+    const Vec mass = a.mass() + b.mass(), zero{};
+    Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
+    Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
+    const Vec muStatic = load(block.staticFriction), muKinetic = load(block.kineticFriction);
+    for (ManifoldPoint& p : block.points) {
+        const Vec tx = -load(p.normalY), ty = load(p.normalX);
+        const Vec armA = load(p.tangentArmA), armB = load(p.tangentArmB);
+        const Vec before = load(p.rubbing), pressing = load(p.pressing);
+        const Vec effective = load(p.tangentMass);
+        const Vec speed = along(v, tx, ty, armA, armB) - load(p.slip);
+        const Vec after = friction(before - effective * speed, pressing, muStatic, muKinetic);
+        store(p.rubbing, after);
+        push(v, after - before, tx, ty, armA, armB, mass, a, b);
+        if constexpr (places) {
+            // What has crept from where it sticks goes back; what slides takes its anchor along.
+            const Vec crept = load(p.anchor) + along(x, tx, ty, armA, armB);
+            const Vec holds = muKinetic * pressing;
+            const auto sticks = magnitude(after) < holds;
+            const Vec most = zero + settings.most;
+            const Vec back = effective * clamped(-crept * settings.hold, -most, most);
+            store(p.anchor, sticks ? load(p.anchor) : load(p.anchor) - crept);
+            push(x, sticks ? back : zero, tx, ty, armA, armB, mass, a, b);
+        }
+    }
+    for (ManifoldPoint& p : block.points) {
+        const Vec nx = load(p.normalX), ny = load(p.normalY);
+        const Vec armA = load(p.normalArmA), armB = load(p.normalArmB);
+        const Vec effective = load(p.normalMass), before = load(p.pressing);
+        const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
+        const Vec closing = along(v, nx, ny, armA, armB) + larger(gap, zero);
+        const Vec after = larger(before - effective * closing, zero);
+        store(p.pressing, after);
+        push(v, after - before, nx, ny, armA, armB, mass, a, b);
+        if constexpr (places) {
+            const Vec most = zero + settings.most;
+            const Vec part = effective * clamped(-gap * settings.share, zero, most);
+            push(x, part, nx, ny, armA, armB, mass, a, b);
+        }
+    }
+    a.vx() -= v.sumX * a.mass();
+    a.vy() -= v.sumY * a.mass();
+    a.spin() = v.spinA;
+    b.vx() += v.sumX * b.mass();
+    b.vy() += v.sumY * b.mass();
+    b.spin() = v.spinB;
+    if constexpr (places) {
+        a.x() -= x.sumX * a.mass();
+        a.y() -= x.sumY * a.mass();
+        a.turn() = x.spinA;
+        b.x() += x.sumX * b.mass();
+        b.y() += x.sumY * b.mass();
+        b.turn() = x.spinB;
+    }
+    scatter(bodies, block.a, a);
+    scatter(bodies, block.b, b);
+}
+
+void sweepManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) sweepManifold<false>(bodies, blocks[i], {});
+}
+void pushManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
+                   const PushSettings& settings) {
+    for (std::size_t i = 0; i < count; ++i) sweepManifold<true>(bodies, blocks[i], settings);
+}
+
+/// A direction, or a rotation.
+struct Unit {
+    Vec x, y;
+};
+inline Unit rotated(const Unit& r, Vec x, Vec y) {
+    return {r.x * x - r.y * y, r.y * x + r.x * y};
+}
+inline Unit rotatedBack(const Unit& r, Vec x, Vec y) {
+    return {r.x * x + r.y * y, r.x * y - r.y * x};
+}
+inline Unit choose(Mask m, const Unit& a, const Unit& b) {
+    return {m ? a.x : b.x, m ? a.y : b.y};
+}
+inline Vec cross(Vec ax, Vec ay, Vec bx, Vec by) {
+    return ax * by - ay * bx;
+}
+
+/// How the bodies are turned now: the heading at the reference and the turn since, which is small.
+inline Unit headingOf(const Heading* headings, const std::uint32_t* at, Vec turn) {
+    Unit h;
+    for (int i = 0; i < 8; ++i) {
+        h.x[i] = headings[at[i]].cosine;
+        h.y[i] = headings[at[i]].sine;
+    }
+    const Vec square = turn * turn, one = Vec{} + SweepReal(1);
+    const Vec c = one - square * (SweepReal(1.0 / 2) -
+                                  square * (SweepReal(1.0 / 24) - square * SweepReal(1.0 / 720)));
+    const Vec s = turn * (one - square * (SweepReal(1.0 / 6) - square * SweepReal(1.0 / 120)));
+    return rotated(h, c, s);
+}
+/// From the reference of one body to that of the other, in double until both are subtracted.
+inline Unit between(const double* reference, const std::uint32_t* from, const std::uint32_t* to) {
+    Unit d;
+    for (int i = 0; i < 8; ++i) {
+        d.x[i] = static_cast<SweepReal>(reference[2 * to[i]] - reference[2 * from[i]]);
+        d.y[i] = static_cast<SweepReal>(reference[2 * to[i] + 1] - reference[2 * from[i] + 1]);
+    }
+    return d;
+}
+
+std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, ManifoldBlock& block,
+                              const ManifoldShape& shape) {
+    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
+    const Unit headA = headingOf(poses.heading, block.a, a.turn());
+    const Unit headB = headingOf(poses.heading, block.b, b.turn());
+    const Vec x = b.x() - a.x(), y = b.y() - a.y(), zero{}, one = zero + SweepReal(1);
+    Unit apart = between(poses.reference, block.a, block.b);
+    apart.x += x;
+    apart.y += y;
+    const Unit inA = rotatedBack(headA, apart.x, apart.y);
+    const Unit turned = rotatedBack(headA, headB.x, headB.y);
+    const Vec moved = magnitude(inA.x - load(shape.lookX)) + magnitude(inA.y - load(shape.lookY)) +
+                      load(shape.reach) * (magnitude(turned.x - load(shape.lookCosine)) +
+                                           magnitude(turned.y - load(shape.lookSine)));
+    const Vec thickness = load(shape.thickness), mass = a.mass() + b.mass();
+    Vec pushX{}, pushY{}, twistA{}, twistB{};  // what turned impulses change
+    for (int k = 0; k < 2; ++k) {
+        ManifoldPoint& p = block.points[k];
+        const ManifoldFeature& f = shape.features[k];
+        const Vec owner = load(f.owner), exists = magnitude(owner);
+        const auto ofB = owner > 0;
+        const Unit own = choose(ofB, headB, headA), other = choose(ofB, headA, headB);
+        // The corner from its own body's centre, and from that of the side.
+        const Unit corner = rotated(own, load(f.cornerX), load(f.cornerY));
+        const Vec fromX = owner * apart.x + corner.x, fromY = owner * apart.y + corner.y;
+        const Unit in = rotatedBack(other, fromX, fromY);
+        const Vec ox = load(f.outX), oy = load(f.outY);
+        const Vec height = ox * in.x + oy * in.y - load(f.offset);
+        const Vec place = ox * in.y - oy * in.x - load(f.middle), half = load(f.half);
+        const Vec beyond = place - clamped(place, -half, half);
+        const auto round = (beyond != zero) & (height > zero);
+        const Vec far = root(beyond * beyond + height * height);
+        const Vec safe = larger(far, zero + SweepReal(1e-30));
+        const Vec distance = round ? far : height;
+        const Vec up = round ? height / safe : one, aside = round ? beyond / safe : zero;
+        const Unit outward = rotated(other, up * ox - aside * oy, up * oy + aside * ox);
+        const Vec nx = outward.x * owner, ny = outward.y * owner;  // from a to b
+        // Both sides act where the surfaces meet.
+        const Vec back = distance * load(f.share) * owner;
+        const Vec ownX = corner.x - nx * back, ownY = corner.y - ny * back;
+        const Vec otherX = fromX - nx * back, otherY = fromY - ny * back;
+        const Vec ax = ofB ? otherX : ownX, ay = ofB ? otherY : ownY;
+        const Vec bx = ofB ? ownX : otherX, by = ofB ? ownY : otherY;
+        const Vec normalA = exists * cross(ax, ay, nx, ny), normalB = exists * cross(bx, by, nx, ny);
+        const Vec tangentA = exists * (ax * nx + ay * ny), tangentB = exists * (bx * nx + by * ny);
+        const Vec normalK = mass + normalA * normalA * a.inertia() + normalB * normalB * b.inertia();
+        const Vec tangentK =
+            mass + tangentA * tangentA * a.inertia() + tangentB * tangentB * b.inertia();
+        store(p.normalMass, normalK > zero ? exists / normalK : zero);
+        store(p.tangentMass, tangentK > zero ? exists / tangentK : zero);
+        const Vec since = nx * x + ny * y + normalB * b.turn() - normalA * a.turn();
+        const Vec farAway = zero + SweepReal(1e18);
+        store(p.gap, exists > zero ? distance - thickness - since : farAway);
+        // Impulses stay what they are and act along the new directions.
+        const Vec n = load(p.pressing), t = load(p.rubbing);
+        const Vec oldX = load(p.normalX), oldY = load(p.normalY);
+        pushX += (nx - oldX) * n - (ny - oldY) * t;
+        pushY += (ny - oldY) * n + (nx - oldX) * t;
+        twistA += (normalA - load(p.normalArmA)) * n + (tangentA - load(p.tangentArmA)) * t;
+        twistB += (normalB - load(p.normalArmB)) * n + (tangentB - load(p.tangentArmB)) * t;
+        const Vec crept = load(p.anchor) + oldX * y - oldY * x +
+                          load(p.tangentArmB) * b.turn() - load(p.tangentArmA) * a.turn();
+        store(p.anchor,
+              crept - (nx * y - ny * x + tangentB * b.turn() - tangentA * a.turn()));
+        store(p.normalX, nx);
+        store(p.normalY, ny);
+        store(p.normalArmA, normalA);
+        store(p.normalArmB, normalB);
+        store(p.tangentArmA, tangentA);
+        store(p.tangentArmB, tangentB);
+    }
+    a.vx() -= pushX * a.mass();
+    a.vy() -= pushY * a.mass();
+    a.spin() -= twistA * a.inertia();
+    b.vx() += pushX * b.mass();
+    b.vy() += pushY * b.mass();
+    b.spin() += twistB * b.inertia();
+    scatter(bodies, block.a, a);
+    scatter(bodies, block.b, b);
+    return bits(moved > load(shape.margin));
+}
+
+std::uint32_t pressingManifold(const ManifoldBlock& block) {
+    return bits((load(block.points[0].pressing) > Vec{}) |
+                (load(block.points[1].pressing) > Vec{}));
+}
+
+// --- a corner and a side ------------------------------------------------------------------------
+
+/// What one direction of a touch has to do with the motions of its bodies.
+struct Jacobian {
+    Vec px, py, pTurn, ax, ay, aTurn, bx, by, bTurn;
+};
+inline Vec along(const Jacobian& j, Bodies& p, Bodies& a, Bodies& b) {
+    return j.px * p.vx() + j.py * p.vy() + j.pTurn * p.spin() -
+           (j.ax * a.vx() + j.ay * a.vy() + j.aTurn * a.spin()) -
+           (j.bx * b.vx() + j.by * b.vy() + j.bTurn * b.spin());
+}
+inline Vec placeAlong(const Jacobian& j, Bodies& p, Bodies& a, Bodies& b) {
+    return j.px * p.x() + j.py * p.y() + j.pTurn * p.turn() -
+           (j.ax * a.x() + j.ay * a.y() + j.aTurn * a.turn()) -
+           (j.bx * b.x() + j.by * b.y() + j.bTurn * b.turn());
+}
+inline void push(const Jacobian& j, Vec impulse, Bodies& p, Bodies& a, Bodies& b) {
+    p.vx() += j.px * impulse * p.mass();
+    p.vy() += j.py * impulse * p.mass();
+    p.spin() += j.pTurn * impulse * p.inertia();
+    a.vx() -= j.ax * impulse * a.mass();
+    a.vy() -= j.ay * impulse * a.mass();
+    a.spin() -= j.aTurn * impulse * a.inertia();
+    b.vx() -= j.bx * impulse * b.mass();
+    b.vy() -= j.by * impulse * b.mass();
+    b.spin() -= j.bTurn * impulse * b.inertia();
+}
+inline void pushPlace(const Jacobian& j, Vec impulse, Bodies& p, Bodies& a, Bodies& b) {
+    p.x() += j.px * impulse * p.mass();
+    p.y() += j.py * impulse * p.mass();
+    p.turn() += j.pTurn * impulse * p.inertia();
+    a.x() -= j.ax * impulse * a.mass();
+    a.y() -= j.ay * impulse * a.mass();
+    a.turn() -= j.aTurn * impulse * a.inertia();
+    b.x() -= j.bx * impulse * b.mass();
+    b.y() -= j.by * impulse * b.mass();
+    b.turn() -= j.bTurn * impulse * b.inertia();
+}
+inline Vec mobility(const Jacobian& j, const Bodies& p, const Bodies& a, const Bodies& b) {
+    return (j.px * j.px + j.py * j.py) * p.mass() + j.pTurn * j.pTurn * p.inertia() +
+           (j.ax * j.ax + j.ay * j.ay) * a.mass() + j.aTurn * j.aTurn * a.inertia() +
+           (j.bx * j.bx + j.by * j.by) * b.mass() + j.bTurn * j.bTurn * b.inertia();
+}
+inline Jacobian normalOf(const TouchBlock& t) {
+    const Vec nx = load(t.normalX), ny = load(t.normalY), wa = load(t.weightA),
+              wb = load(t.weightB);
+    return {nx,      ny,      load(t.normalArmP), wa * nx,           wa * ny, load(t.normalArmA),
+            wb * nx, wb * ny, load(t.normalArmB)};
+}
+inline Jacobian tangentOf(const TouchBlock& t) {
+    const Vec tx = -load(t.normalY), ty = load(t.normalX), wa = load(t.weightA),
+              wb = load(t.weightB);
+    const Vec rx = load(t.rod) * load(t.sideX), ry = load(t.rod) * load(t.sideY);
+    return {tx,           ty,           load(t.tangentArmP), wa * tx - rx,      wa * ty - ry,
+            load(t.tangentArmA), wb * tx + rx, wb * ty + ry,  load(t.tangentArmB)};
+}
+
+template <bool places>
+inline void sweepTouch(SolverBody* bodies, TouchBlock& t, const PushSettings& settings) {
+    Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
+    const Vec zero{}, most = zero + settings.most;
+    const Jacobian tangent = tangentOf(t), normal = normalOf(t);
+    const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
+    const Vec kinetic = load(t.kineticFriction);
+    const Vec speed = along(tangent, p, a, b) - load(t.slip);
+    const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, pressed,
+                                 load(t.staticFriction), kinetic);
+    store(t.rubbing, rubbing);
+    push(tangent, rubbing - rubbed, p, a, b);
+    if constexpr (places) {
+        const Vec crept = load(t.anchor) + placeAlong(tangent, p, a, b);
+        const auto sticks = magnitude(rubbing) < kinetic * pressed;
+        const Vec back = load(t.tangentMass) * clamped(-crept * settings.hold, -most, most);
+        store(t.anchor, sticks ? load(t.anchor) : load(t.anchor) - crept);
+        pushPlace(tangent, sticks ? back : zero, p, a, b);
+    }
+    const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
+    const Vec closing = along(normal, p, a, b) + larger(gap, zero);
+    const Vec pressing = larger(pressed - load(t.normalMass) * closing, zero);
+    store(t.pressing, pressing);
+    push(normal, pressing - pressed, p, a, b);
+    if constexpr (places)
+        pushPlace(normal, load(t.normalMass) * clamped(-gap * settings.share, zero, most), p, a,
+                  b);
+    scatter(bodies, t.p, p);
+    scatter(bodies, t.a, a);
+    scatter(bodies, t.b, b);
+}
+
+void sweepTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) sweepTouch<false>(bodies, blocks[i], {});
+}
+void pushTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
+                 const PushSettings& settings) {
+    for (std::size_t i = 0; i < count; ++i) sweepTouch<true>(bodies, blocks[i], settings);
+}
+
+std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock& t,
+                           const TouchShape& shape) {
+    Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
+    const Vec zero{}, one = zero + SweepReal(1), tiny = zero + SweepReal(1e-30);
+    const auto same = load(shape.sameBody) > zero, free = load(shape.free) > zero;
+    const Unit headP = headingOf(poses.heading, t.p, p.turn());
+    const Unit headA = headingOf(poses.heading, t.a, a.turn());
+    const Unit headB = choose(same, headA, headingOf(poses.heading, t.b, b.turn()));
+    // From the reference of p: centres, then arms.
+    Unit centreA = between(poses.reference, t.p, t.a), centreB = between(poses.reference, t.p, t.b);
+    centreA.x += a.x();
+    centreA.y += a.y();
+    centreB.x += b.x();
+    centreB.y += b.y();
+    centreB = choose(same, centreA, centreB);
+    const Unit armP = rotated(headP, load(shape.cornerX), load(shape.cornerY));
+    const Unit armA = rotated(headA, load(shape.aX), load(shape.aY));
+    const Unit armB = rotated(headB, load(shape.bX), load(shape.bY));
+    const Vec cornerX = p.x() + armP.x, cornerY = p.y() + armP.y;
+    const Vec startX = centreA.x + armA.x, startY = centreA.y + armA.y;
+    const Vec wayX = centreB.x + armB.x - startX, wayY = centreB.y + armB.y - startY;
+    const Vec length = root(wayX * wayX + wayY * wayY);
+    const auto disc = length <= tiny;
+    const Vec perLength = disc ? zero : one / larger(length, tiny);
+    const Vec ux = wayX * perLength, uy = wayY * perLength;
+    const Vec fromX = cornerX - startX, fromY = cornerY - startY;
+    const Vec place = (fromX * ux + fromY * uy) * perLength;
+    const Vec share = clamped(place, zero, one);
+    const Vec dx = fromX - share * wayX, dy = fromY - share * wayY;
+    const Vec outward = load(shape.outward);
+    const Vec ox = outward * uy, oy = -outward * ux;
+    const Vec height = dx * ox + dy * oy, far = root(dx * dx + dy * dy);
+    const auto inside = (place > zero) & (place < one) & !disc;
+    const Vec safe = larger(far, tiny);
+    const Vec distance = inside ? height : far;
+    const Vec nx = inside ? ox : dx / safe, ny = inside ? oy : dy / safe;
+    const Vec tx = -ny, ty = nx;
+    // Both sides act at one point: where the surfaces meet, or at a particle, which cannot turn.
+    const Vec back = free ? zero : distance * load(shape.share), rest = distance - back;
+    const Vec weightB = same ? zero : share, weightA = one - weightB;
+    const Vec rod = same ? zero : rest * perLength;
+    const Vec sideX = -uy, sideY = ux;
+    const Vec atX = armP.x - nx * back, atY = armP.y - ny * back;
+    const Vec atAX = same ? p.x() + atX - centreA.x : armA.x;
+    const Vec atAY = same ? p.y() + atY - centreA.y : armA.y;
+    const Vec atBX = same ? zero : armB.x, atBY = same ? zero : armB.y;
+    // Impulses stay what they are and act along the new directions.
+    const Jacobian oldNormal = normalOf(t), oldTangent = tangentOf(t);
+    const Vec crept = load(t.anchor) + placeAlong(oldTangent, p, a, b);
+    const Vec pressing = load(t.pressing), rubbing = load(t.rubbing);
+    store(t.normalX, nx);
+    store(t.normalY, ny);
+    store(t.weightA, weightA);
+    store(t.weightB, weightB);
+    store(t.rod, rod);
+    store(t.sideX, sideX);
+    store(t.sideY, sideY);
+    store(t.normalArmP, cross(atX, atY, nx, ny));
+    store(t.tangentArmP, cross(atX, atY, tx, ty));
+    store(t.normalArmA, weightA * cross(atAX, atAY, nx, ny));
+    store(t.normalArmB, weightB * cross(atBX, atBY, nx, ny));
+    store(t.tangentArmA, cross(atAX, atAY, weightA * tx - rod * sideX, weightA * ty - rod * sideY));
+    store(t.tangentArmB, cross(atBX, atBY, weightB * tx + rod * sideX, weightB * ty + rod * sideY));
+    const Jacobian normal = normalOf(t), tangent = tangentOf(t);
+    push(oldNormal, -pressing, p, a, b);
+    push(oldTangent, -rubbing, p, a, b);
+    push(normal, pressing, p, a, b);
+    push(tangent, rubbing, p, a, b);
+    const Vec normalK = mobility(normal, p, a, b), tangentK = mobility(tangent, p, a, b);
+    store(t.normalMass, normalK > zero ? one / normalK : zero);
+    store(t.tangentMass, tangentK > zero ? one / tangentK : zero);
+    store(t.gap, distance - load(shape.thickness) - placeAlong(normal, p, a, b));
+    store(t.anchor, crept - placeAlong(tangent, p, a, b));
+    scatter(bodies, t.p, p);
+    scatter(bodies, t.a, a);
+    scatter(bodies, t.b, b);
+    return bits((place < load(shape.low)) | (place > load(shape.high)));
+}
+
+std::uint32_t pressingTouch(const TouchBlock& block) {
+    return bits(load(block.pressing) > Vec{});
+}
+
+}  // namespace
+
+}  // namespace sulfur::detail

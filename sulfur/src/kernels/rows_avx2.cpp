@@ -1,0 +1,12 @@
+// For processors with AVX2; compiled for nothing less.
+#include "kernels/rows.hpp"
+
+#include "kernels/rows.ipp"
+
+namespace sulfur::detail {
+
+const RowKernels avx2Rows = {sweepManifolds,   pushManifolds,    sweepTouches,
+                             pushTouches,      refreshManifold,  refreshTouch,
+                             pressingManifold, pressingTouch};
+
+}  // namespace sulfur::detail

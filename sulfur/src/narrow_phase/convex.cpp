@@ -1,0 +1,232 @@
+// The separating axis with the largest gap decides which side is the reference; the side of the
+// other outline that faces it most is clipped to it (Gregorius 2013). Corners are round: a point is a
+// corner before a side, and its gap that of the round shapes, also round the ends of the side.
+#include "narrow_phase/convex.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr std::size_t most = 32;
+
+struct Xy {
+    Real x = 0, y = 0;
+};
+Xy operator-(Xy a, Xy b) {
+    return {a.x - b.x, a.y - b.y};
+}
+Real dot(Xy a, Xy b) {
+    return a.x * b.x + a.y * b.y;
+}
+Xy turned(const Heading& h, Xy v) {
+    return {h.cosine * v.x - h.sine * v.y, h.sine * v.x + h.cosine * v.y};
+}
+
+/// Corners and sides of an outline in the frame of the reference.
+struct Outline {
+    std::uint32_t corners = 0, sides = 0;
+    std::array<Xy, most> at, out;
+
+    Outline(const Shapes& shapes, const Chunk& chunk, const Heading& heading, Xy centre)
+        : corners(chunk.corners), sides(chunk.corners > 1 ? chunk.sides : 0) {
+        for (std::uint32_t k = 0; k < corners; ++k) {
+            const Corner& c = shapes.corners[chunk.firstCorner + k];
+            const Xy way = turned(heading, {c.x, c.y});
+            at[k] = {centre.x + way.x, centre.y + way.y};
+        }
+        for (std::uint32_t k = 0; k < sides; ++k) {
+            const Side& s = shapes.sides[chunk.firstSide + k];
+            out[k] = turned(heading, {s.outX, s.outY});
+        }
+    }
+    std::uint32_t after(std::uint32_t side) const { return side + 1 < corners ? side + 1 : 0; }
+};
+
+/// The side with the largest gap to all of the other outline, and the second largest gap.
+struct Best {
+    std::uint32_t side = 0;
+    Real gap = Real(-1e30), second = Real(-1e30);
+};
+Best widestGap(const Outline& own, const Outline& other) {
+    Best best;
+    for (std::uint32_t i = 0; i < own.sides; ++i) {
+        Real least = Real(1e30);
+        for (std::uint32_t j = 0; j < other.corners; ++j)
+            least = std::min(least, dot(own.out[i], other.at[j] - own.at[i]));
+        if (least > best.gap) {
+            best.second = best.gap;
+            best.gap = least;
+            best.side = i;
+        } else {
+            best.second = std::max(best.second, least);
+        }
+    }
+    return best;
+}
+
+/// Distance from a point to a side's segment: negative behind a side whose ends are beside it.
+Real distanceTo(const Outline& o, std::uint32_t side, Xy p) {
+    const Xy from = o.at[side], to = o.at[o.after(side)], way = to - from, v = p - from;
+    const Real height = dot(o.out[side], v);
+    const Real length2 = dot(way, way), along = dot(way, v);
+    if (along >= 0 && along <= length2) return height;
+    const Xy d = p - (along < 0 ? from : to);
+    const Real far = std::sqrt(dot(d, d));
+    return height < 0 ? height : far;
+}
+
+class Finder {
+public:
+    Finder(const Chunk& a, const Chunk& b, const Outline& outA,
+           const Outline& outB, Real near, Real reach, Manifold& result)
+        : a_(a),
+          b_(b),
+          outA_(outA),
+          outB_(outB),
+          near_(near),
+          reach_(reach),
+          result_(result) {
+        thickness_ = a.radius + b.radius;
+    }
+
+    void run() {
+        if (outA_.sides == 0 || outB_.sides == 0) return pointAgainst();
+        const Best bestA = widestGap(outA_, outB_), bestB = widestGap(outB_, outA_);
+        const bool ofA = bestA.gap >= bestB.gap - Real(0.025) * thickness_;
+        const Best& best = ofA ? bestA : bestB;
+        const Real second = std::max({bestA.second, bestB.second, ofA ? bestB.gap : bestA.gap});
+        result_.gap = best.gap - thickness_;
+        if (result_.gap > near_) return;
+        clip(ofA, best.side, (best.gap - second) / 2);
+    }
+
+private:
+    /// A disc before the nearest of what the other has.
+    void pointAgainst() {
+        const bool discIsB = outB_.sides == 0;
+        const Outline &disc = discIsB ? outB_ : outA_, &other = discIsB ? outA_ : outB_;
+        const Chunk &discChunk = discIsB ? b_ : a_, &otherChunk = discIsB ? a_ : b_;
+        std::uint32_t side = 0;
+        Real distance = 0;
+        if (other.sides == 0) {
+            const Xy d = disc.at[0] - other.at[0];
+            distance = std::sqrt(dot(d, d));
+        } else {
+            Real height = Real(-1e30);
+            for (std::uint32_t i = 0; i < other.sides; ++i) {
+                const Real h = dot(other.out[i], disc.at[0] - other.at[i]);
+                if (h > height) {
+                    height = h;
+                    side = i;
+                }
+            }
+            distance = distanceTo(other, side, disc.at[0]);
+        }
+        result_.gap = distance - thickness_;
+        result_.margin = thickness_ / 4;
+        if (result_.gap > near_) return;
+        add({discChunk.firstCorner, otherChunk.firstSide + side, discIsB, result_.gap});
+    }
+
+    void clip(bool ofA, std::uint32_t side, Real axisSlack) {
+        const Outline &own = ofA ? outA_ : outB_, &other = ofA ? outB_ : outA_;
+        const Chunk &ownChunk = ofA ? a_ : b_, &otherChunk = ofA ? b_ : a_;
+        const Xy out = own.out[side], tangent{-out.y, out.x};
+        std::uint32_t facing = 0;
+        Real deepest = 2, next = 2;
+        for (std::uint32_t i = 0; i < other.sides; ++i) {
+            const Real d = dot(out, other.out[i]);
+            if (d < deepest) {
+                next = deepest;
+                deepest = d;
+                facing = i;
+            } else {
+                next = std::min(next, d);
+            }
+        }
+        // Along the tangent the reference goes from `end` to `start`, the facing side the other way.
+        const std::uint32_t r0 = side, r1 = own.after(side), f0 = facing, f1 = other.after(facing);
+        const Real start = dot(tangent, own.at[r0]), end = dot(tangent, own.at[r1]);
+        const Real low = std::min(start, end), high = std::max(start, end);
+        std::uint32_t lowCorner = f0, highCorner = f1;
+        if (dot(tangent, other.at[f0]) > dot(tangent, other.at[f1])) std::swap(lowCorner, highCorner);
+        const Real lowAt = dot(tangent, other.at[lowCorner]);
+        const Real highAt = dot(tangent, other.at[highCorner]);
+        const std::uint32_t lowEnd = start < end ? r0 : r1, highEnd = start < end ? r1 : r0;
+        const auto corner = [&](std::uint32_t c) {
+            addNear({otherChunk.firstCorner + c, ownChunk.firstSide + side, ofA,
+                     distanceTo(own, side, other.at[c]) - thickness_});
+        };
+        const auto ownEnd = [&](std::uint32_t c) {
+            addNear({ownChunk.firstCorner + c, otherChunk.firstSide + facing, !ofA,
+                     distanceTo(other, facing, own.at[c]) - thickness_});
+        };
+        slack_ = std::min(axisSlack, (next - deepest) / 2 * reach_);
+        least_ = Real(1e30);
+        if (lowAt > high) {
+            corner(lowCorner);
+            slack_ = 0;
+        } else if (highAt < low) {
+            corner(highCorner);
+            slack_ = 0;
+        } else {
+            lowAt >= low ? corner(lowCorner) : ownEnd(lowEnd);
+            highAt <= high ? corner(highCorner) : ownEnd(highEnd);
+            slack_ = std::min({slack_, std::abs(lowAt - low), std::abs(highAt - high),
+                               high - lowAt, highAt - low});
+        }
+        result_.gap = least_;
+        const Real room = std::min(far_ - Real(0.3) * thickness_, slack_ + thickness_ / 5);
+        result_.margin = std::max({thickness_ / 5, std::min(room, Real(1.5) * thickness_),
+                                   std::min(least_ - thickness_ / 4, near_ - Real(0.3) * thickness_)});
+    }
+
+    void addNear(const Feature& feature) {
+        least_ = std::min(least_, feature.gap);
+        if (feature.gap < near_)
+            add(feature);
+        else
+            far_ = std::min(far_, feature.gap);
+    }
+    void add(const Feature& feature) {
+        result_.features[static_cast<std::size_t>(result_.count++)] = feature;
+    }
+
+    const Chunk &a_, &b_;
+    const Outline &outA_, &outB_;
+    Real near_, reach_, thickness_ = 0;
+    Manifold& result_;
+    Real slack_ = 0, least_ = 0, far_ = Real(1e30);
+};
+
+}  // namespace
+
+Heading headingNow(const Movers& movers, std::uint32_t m) {
+    const Heading& h = movers.heading[m];
+    const Real t = movers.bodies[m].turn, square = t * t;
+    const Real c = 1 - square * (Real(1.0 / 2) - square * (Real(1.0 / 24) - square * Real(1.0 / 720)));
+    const Real s = t * (1 - square * (Real(1.0 / 6) - square * Real(1.0 / 120)));
+    return {h.cosine * c - h.sine * s, h.sine * c + h.cosine * s};
+}
+
+Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
+                      Real near) {
+    const Heading ha = headingNow(movers, a.frame), hb = headingNow(movers, b.frame);
+    const Point apart = movers.reference[b.frame] - movers.reference[a.frame];
+    const SolverBody &bodyA = movers.bodies[a.frame], &bodyB = movers.bodies[b.frame];
+    const Real dx = static_cast<Real>(apart[0]) + (bodyB.x - bodyA.x);
+    const Real dy = static_cast<Real>(apart[1]) + (bodyB.y - bodyA.y);
+    Manifold m;
+    m.x = ha.cosine * dx + ha.sine * dy;
+    m.y = ha.cosine * dy - ha.sine * dx;
+    m.cosine = ha.cosine * hb.cosine + ha.sine * hb.sine;
+    m.sine = ha.cosine * hb.sine - ha.sine * hb.cosine;
+    const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, {m.cosine, m.sine}, {m.x, m.y});
+    Finder(a, b, outA, outB, near, movers.reach[b.frame], m).run();
+    return m;
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,455 @@
+// From bodies to what collides of them.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/trigonometry.hpp"
+#include "rigid/clusters.hpp"
+#include "shape/make_shapes.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr std::size_t mostConvexCorners = 32;
+
+template <class Id>
+std::uint32_t slotOf(Id id) {
+    return id.index - 1;
+}
+
+/// Makes the chunks of one body.
+class ShapeMaker {
+public:
+    ShapeMaker(State& state, std::uint32_t body)
+        : state_(state), shapes_(state.core.shapes), movers_(state.core.movers), body_(body) {}
+
+    void run() {
+        collectCapsules();
+        giveMovers();
+        std::vector<std::uint32_t> left = capsules_;
+        for (const auto& loop : findOutlines(state_, body_, ownCapsules())) {
+            for (const RimEdge& edge : loop)
+                outward_[edge.joint] = state_.joints.a[edge.joint] == edge.from ? 1 : -1;
+            if (isConvex(loop)) {
+                addConvex(loop);
+                dropInside(loop, left);
+            }
+        }
+        addLoose(left);
+        addDiscs();
+        giveSpokes();
+    }
+
+private:
+    const BodyRecord& record() const { return state_.bodies[body_]; }
+
+    /// A joint between bodies counts as part of its first particle's body, or of the second's when
+    /// the first cannot move.
+    bool isOurs(std::uint32_t j) const {
+        const Joints& joints = state_.joints;
+        if (joints.body[j] != none) return joints.body[j] == body_;
+        const auto first = state_.particles.body[joints.a[j]];
+        const auto second = state_.particles.body[joints.b[j]];
+        return (state_.bodies[first].kind == BodyKind::fixed ? second : first) == body_;
+    }
+
+    void collectCapsules() {
+        for (const JointId id : record().joints) {
+            const auto j = state_.jointSlots.dense(id);
+            if (state_.joints.radius[j] > 0) capsules_.push_back(j);
+        }
+        own_ = capsules_.size();
+        for (const auto j : state_.core.tiedCapsules)
+            if (isOurs(j)) capsules_.push_back(j);
+    }
+    std::vector<std::uint32_t> ownCapsules() const {
+        return {capsules_.begin(), capsules_.begin() + static_cast<std::ptrdiff_t>(own_)};
+    }
+
+    // --- movers -----------------------------------------------------------------------------
+
+    std::uint32_t newMover(std::uint32_t body, const Point& at, const Point& heading) {
+        const auto slot = movers_.add();
+        movers_.reference[slot] = at;
+        movers_.referenceHeading[slot] = heading;
+        movers_.heading[slot] = {static_cast<Real>(heading[0]), static_cast<Real>(heading[1])};
+        movers_.body[slot] = slotOf(state_.bodies[body].id);
+        return slot;
+    }
+
+    /// The mover of a particle of any body, made when it is first asked for.
+    std::uint32_t moverOf(std::uint32_t i) {
+        const Particles& p = state_.particles;
+        const auto owner = p.body[i];
+        if (state_.bodies[owner].kind == BodyKind::fixed) return frameOf(owner);
+        const auto c = p.cluster[i];
+        const auto leader = c == none ? i : state_.clusters.members[state_.clusters.list[c].first];
+        auto& known = shapes_.moverOfParticle;
+        const auto slot = slotOf(p.id[leader]);
+        if (known.size() <= slot) known.resize(slot + 1, none);
+        if (known[slot] != none) return known[slot];
+        const auto mover = c == none ? newMover(owner, p.position[i], Point(1, 0))
+                                     : newMover(owner, state_.clusters.list[c].centre,
+                                                state_.clusters.list[c].heading);
+        movers_.particle[mover] = slot;
+        return known[slot] = mover;
+    }
+    /// All of a fixed body stands on one mover.
+    std::uint32_t frameOf(std::uint32_t body) {
+        auto& frame = state_.bodies[body].frame;
+        if (frame == none)
+            frame = newMover(body, state_.particles.position[state_.bodies[body].firstParticle],
+                             Point(1, 0));
+        return frame;
+    }
+
+    void giveMovers() {
+        for (const auto j : capsules_)
+            for (const auto i : {state_.joints.a[j], state_.joints.b[j]}) moverOf(i);
+    }
+
+    // --- corners and sides -------------------------------------------------------------------
+
+    Corner cornerAt(std::uint32_t i) {
+        const Particles& p = state_.particles;
+        Corner corner;
+        corner.particle = slotOf(p.id[i]);
+        corner.mover = moverOf(i);
+        corner.radius = p.reach[i];
+        const auto surface = state_.broad.surface[i];
+        corner.surface = surface == none ? none : slotOf(state_.joints.id[surface]);
+        if (const auto c = p.cluster[i]; c != none) {
+            const Clusters& clusters = state_.clusters;
+            const auto from = clusters.members.begin() + clusters.list[c].first;
+            const auto to = clusters.members.begin() + clusters.list[c].last;
+            const auto k = std::lower_bound(from, to, i) - clusters.members.begin();
+            const Point& place = clusters.places[static_cast<std::size_t>(k)];
+            corner.x = static_cast<Real>(place[0]);
+            corner.y = static_cast<Real>(place[1]);
+        } else if (state_.bodies[p.body[i]].kind == BodyKind::fixed) {
+            const Point place = p.position[i] - movers_.reference[corner.mover];
+            corner.x = static_cast<Real>(place[0]);
+            corner.y = static_cast<Real>(place[1]);
+        }
+        return corner;
+    }
+
+    std::uint32_t addCorner(std::uint32_t i) {
+        const auto [at, isNew] = corners_.try_emplace(i, none);
+        if (isNew) {
+            at->second = firstCorner_ + static_cast<std::uint32_t>(newCorners_.size());
+            newCorners_.push_back(cornerAt(i));
+            movers_.reach[newCorners_.back().mover] = std::max(
+                movers_.reach[newCorners_.back().mover],
+                std::hypot(newCorners_.back().x, newCorners_.back().y) + newCorners_.back().radius);
+            auto& fineness = movers_.fineness[newCorners_.back().mover];
+            const Real radius = newCorners_.back().radius;
+            fineness = fineness > 0 ? std::min(fineness, radius) : radius;
+        }
+        return at->second;
+    }
+
+    Side sideOf(std::uint32_t j) {
+        Side side;
+        side.a = addCorner(state_.joints.a[j]);
+        side.b = addCorner(state_.joints.b[j]);
+        side.joint = slotOf(state_.joints.id[j]);
+        side.radius = state_.joints.radius[j];
+        const auto found = outward_.find(j);
+        side.outward = found == outward_.end() ? 0 : found->second;
+        return side;
+    }
+
+    /// The line on which a side lies, with the outside to the right of the way from a to b.
+    static void placeSide(Side& side, const Corner& a, const Corner& b) {
+        const double ax = static_cast<double>(a.x), ay = static_cast<double>(a.y);
+        const double wx = static_cast<double>(b.x) - ax, wy = static_cast<double>(b.y) - ay;
+        const double length = std::hypot(wx, wy);
+        const double ox = length > 0 ? wy / length : 1, oy = length > 0 ? -wx / length : 0;
+        const double tx = -oy, ty = ox;
+        side.outX = static_cast<Real>(ox);
+        side.outY = static_cast<Real>(oy);
+        side.offset = static_cast<Real>(ox * ax + oy * ay);
+        side.middle = static_cast<Real>(tx * (ax + wx / 2) + ty * (ay + wy / 2));
+        side.half = static_cast<Real>(length / 2);
+    }
+
+    // --- chunks ------------------------------------------------------------------------------
+
+    void begin() {
+        firstCorner_ = static_cast<std::uint32_t>(0);
+        newCorners_.clear();
+        corners_.clear();
+        newSides_.clear();
+    }
+
+    /// Moves what was collected into the pools.
+    Chunk& finish(ChunkKind kind) {
+        const auto slot = takeChunk();
+        Chunk& chunk = shapes_.chunks[slot];
+        chunk = {};
+        chunk.body = slotOf(record().id);
+        chunk.kind = kind;
+        chunk.corners = static_cast<std::uint32_t>(newCorners_.size());
+        chunk.sides = static_cast<std::uint32_t>(newSides_.size());
+        chunk.firstCorner = shapes_.cornerPool.allocate(chunk.corners);
+        chunk.firstSide = shapes_.sidePool.allocate(chunk.sides);
+        shapes_.corners.resize(shapes_.cornerPool.size());
+        shapes_.sides.resize(shapes_.sidePool.size());
+        std::copy(newCorners_.begin(), newCorners_.end(),
+                  shapes_.corners.begin() + chunk.firstCorner);
+        for (std::uint32_t k = 0; k < chunk.sides; ++k) {
+            Side side = newSides_[k];
+            placeSide(side, newCorners_[side.a], newCorners_[side.b]);
+            side.a += chunk.firstCorner;
+            side.b += chunk.firstCorner;
+            shapes_.sides[chunk.firstSide + k] = side;
+            chunk.radius = std::max(chunk.radius, side.radius);
+            chunk.fineness = k == 0 ? side.radius : std::min(chunk.fineness, side.radius);
+        }
+        giveUses(slot);
+        auto& first = shapes_.firstChunk[chunk.body];
+        shapes_.chunks[slot].nextOfBody = first;
+        first = slot;
+        return shapes_.chunks[slot];
+    }
+
+    std::uint32_t takeChunk() {
+        if (shapes_.firstChunk.size() <= slotOf(record().id))
+            shapes_.firstChunk.resize(slotOf(record().id) + 1, none);
+        if (shapes_.freeChunks.empty()) {
+            shapes_.chunks.emplace_back();
+            return static_cast<std::uint32_t>(shapes_.chunks.size() - 1);
+        }
+        const auto slot = shapes_.freeChunks.back();
+        shapes_.freeChunks.pop_back();
+        return slot;
+    }
+
+    /// Enters the chunk with all movers that carry it.
+    void giveUses(std::uint32_t slot) {
+        Chunk& chunk = shapes_.chunks[slot];
+        std::vector<std::uint32_t> movers;
+        for (const Corner& corner : newCorners_) movers.push_back(corner.mover);
+        std::sort(movers.begin(), movers.end());
+        movers.erase(std::unique(movers.begin(), movers.end()), movers.end());
+        chunk.uses = static_cast<std::uint32_t>(movers.size());
+        chunk.firstUse = shapes_.usePool.allocate(chunk.uses);
+        shapes_.uses.resize(shapes_.usePool.size());
+        for (std::uint32_t k = 0; k < chunk.uses; ++k) {
+            shapes_.uses[chunk.firstUse + k] = {slot, movers[k], movers_.firstUse[movers[k]]};
+            movers_.firstUse[movers[k]] = chunk.firstUse + k;
+        }
+        // A chunk of several movers has an odometer of its own.
+        chunk.frame = movers.size() == 1
+                          ? movers.front()
+                          : newMover(body_, Point(0, 0), Point(1, 0));
+    }
+
+    bool hasOneMover(const std::vector<RimEdge>& loop) {
+        const auto mover = moverOf(loop.front().from);
+        return (state_.particles.cluster[loop.front().from] != none ||
+                record().kind == BodyKind::fixed) &&
+               std::all_of(loop.begin(), loop.end(),
+                           [&](const RimEdge& e) { return moverOf(e.from) == mover; });
+    }
+
+    /// Closed, of one mover and one thickness, and nowhere bent inwards.
+    bool isConvex(const std::vector<RimEdge>& loop) {
+        if (loop.size() < 3 || loop.size() > mostConvexCorners || !hasOneMover(loop)) return false;
+        const auto& rest = state_.particles.rest;
+        double turns = 0;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const RimEdge &edge = loop[k], &next = loop[(k + 1) % loop.size()];
+            if (edge.to != next.from) return false;
+            if (state_.joints.radius[edge.joint] != state_.joints.radius[loop[0].joint])
+                return false;
+            const Point u = (rest[edge.to] - rest[edge.from]).cast<double>();
+            const Point v = (rest[next.to] - rest[next.from]).cast<double>();
+            const double turn = cross(u, v) / (u.norm() * v.norm());
+            if (!(turn > -1e-6) || u.dot(v) < -0.999999 * u.norm() * v.norm()) return false;
+            turns += std::atan2(cross(u, v), u.dot(v));
+        }
+        return turns < 1.5 * fullTurn;  // once round, not twice
+    }
+
+    void addConvex(const std::vector<RimEdge>& loop) {
+        begin();
+        for (const RimEdge& edge : loop) addCorner(edge.from);
+        for (const RimEdge& edge : loop) {
+            Side side = sideOf(edge.joint);
+            side.a = corners_.at(edge.from);
+            side.b = corners_.at(edge.to);
+            side.outward = 1;
+            newSides_.push_back(side);
+        }
+        finish(ChunkKind::convex);
+    }
+
+    /// What is inside of a convex outline is never touched.
+    void dropInside(const std::vector<RimEdge>& loop, std::vector<std::uint32_t>& left) {
+        const auto& rest = state_.particles.rest;
+        const auto inside = [&](std::uint32_t i) {
+            return std::all_of(loop.begin(), loop.end(), [&](const RimEdge& e) {
+                const Point u = (rest[e.to] - rest[e.from]).cast<double>();
+                const Point v = (rest[i] - rest[e.from]).cast<double>();
+                return cross(u, v) >= -1e-6 * u.norm() * u.norm();
+            });
+        };
+        std::erase_if(left, [&](std::uint32_t j) {
+            return inside(state_.joints.a[j]) && inside(state_.joints.b[j]) &&
+                   moverOf(state_.joints.a[j]) == moverOf(state_.joints.b[j]);
+        });
+    }
+
+    bool isLone(std::uint32_t j) {
+        if (record().kind != BodyKind::fixed) return false;
+        const auto a = state_.joints.a[j], b = state_.joints.b[j];
+        return std::none_of(capsules_.begin(), capsules_.end(), [&](std::uint32_t k) {
+            return k != j && (state_.joints.a[k] == a || state_.joints.b[k] == a ||
+                              state_.joints.a[k] == b || state_.joints.b[k] == b);
+        });
+    }
+
+    /// Capsules that hang together by their ends, a few to a chunk, one after the other.
+    void addLoose(std::vector<std::uint32_t> left) {
+        const std::size_t most = record().kind == BodyKind::fixed ? 2 : 6;
+        while (!left.empty()) {
+            begin();
+            std::uint32_t j = left.front();
+            const bool lone = isLone(j);
+            while (j != none) {
+                left.erase(std::find(left.begin(), left.end(), j));
+                newSides_.push_back(sideOf(j));
+                j = newSides_.size() < most ? nextAfter(left) : none;
+            }
+            if (lone) {
+                Side back = newSides_.front();
+                std::swap(back.a, back.b);
+                newSides_.push_back(back);
+            }
+            finish(lone ? ChunkKind::convex : ChunkKind::loose);
+        }
+    }
+    /// One that shares a particle with what was collected.
+    std::uint32_t nextAfter(const std::vector<std::uint32_t>& left) const {
+        for (const auto j : left)
+            if (corners_.contains(state_.joints.a[j]) || corners_.contains(state_.joints.b[j]))
+                return j;
+        return none;
+    }
+
+    void addDiscs() {
+        for (std::size_t k = 0; k < record().particles.size(); ++k) {
+            const auto i = record().firstParticle + static_cast<std::uint32_t>(k);
+            if (!(state_.particles.radius[i] > 0)) continue;
+            begin();
+            Side side;
+            side.a = side.b = addCorner(i);
+            side.radius = state_.particles.radius[i];
+            newCorners_.front().radius = side.radius;
+            newSides_.push_back(side);
+            const bool single = state_.particles.cluster[i] != none ||
+                                record().kind == BodyKind::fixed;
+            finish(single ? ChunkKind::convex : ChunkKind::loose);
+        }
+    }
+
+    /// Which corners the capsules of each corner lead to. Where a particle is a corner of several
+    /// chunks, the first of them has the spokes, and it alone is held off others as a corner.
+    void giveSpokes() {
+        std::map<std::uint32_t, std::vector<std::uint32_t>> ends;  // by particle slot: corners
+        std::map<std::uint32_t, std::uint32_t> owner;
+        const auto forEachOwnChunk = [&](auto&& f) {
+            std::vector<std::uint32_t> list;
+            for (auto c = shapes_.firstChunk[slotOf(record().id)]; c != none;
+                 c = shapes_.chunks[c].nextOfBody)
+                list.push_back(c);
+            for (auto at = list.rbegin(); at != list.rend(); ++at) f(shapes_.chunks[*at]);
+        };
+        if (shapes_.firstChunk.size() <= slotOf(record().id)) return;
+        forEachOwnChunk([&](const Chunk& chunk) {
+            for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
+                const Side& side = shapes_.sides[s];
+                if (side.a == side.b) continue;
+                ends[shapes_.corners[side.a].particle].push_back(side.b);
+                ends[shapes_.corners[side.b].particle].push_back(side.a);
+            }
+        });
+        forEachOwnChunk([&](const Chunk& chunk) {
+            for (auto c = chunk.firstCorner; c < chunk.firstCorner + chunk.corners; ++c) {
+                Corner& corner = shapes_.corners[c];
+                const auto& spokes = ends[corner.particle];
+                corner.spokes = static_cast<std::uint32_t>(spokes.size());
+                corner.firstSpoke = shapes_.spokePool.allocate(corner.spokes);
+                shapes_.spokes.resize(shapes_.spokePool.size());
+                std::copy(spokes.begin(), spokes.end(),
+                          shapes_.spokes.begin() + corner.firstSpoke);
+                corner.owned = owner.try_emplace(corner.particle, c).first->second == c ? 1 : 0;
+            }
+        });
+    }
+
+    State& state_;
+    Shapes& shapes_;
+    Movers& movers_;
+    std::uint32_t body_;
+    std::vector<std::uint32_t> capsules_;  // joints
+    std::size_t own_ = 0;                  // of these, the first are no joints between bodies
+    std::map<std::uint32_t, std::int32_t> outward_;     // by joint
+    std::map<std::uint32_t, std::uint32_t> corners_;    // by particle, of the present chunk
+    std::uint32_t firstCorner_ = 0;
+    std::vector<Corner> newCorners_;
+    std::vector<Side> newSides_;
+};
+
+}  // namespace
+
+void makeShape(State& state, std::uint32_t body) {
+    ShapeMaker(state, body).run();
+}
+
+namespace {
+
+/// Takes a chunk off the list of a mover; one that carries nothing more goes.
+void endUse(State& state, std::uint32_t use, std::uint32_t mover) {
+    Shapes& shapes = state.core.shapes;
+    Movers& movers = state.core.movers;
+    auto* link = &movers.firstUse[mover];
+    while (*link != use) link = &shapes.uses[*link].next;
+    *link = shapes.uses[use].next;
+    shapes.uses[use] = {};
+    if (movers.firstUse[mover] != none) return;
+    if (const auto particle = movers.particle[mover]; particle != none)
+        shapes.moverOfParticle[particle] = none;
+    if (const auto body = state.bodySlots.denseOf(movers.body[mover]);
+        body != none && state.bodies[body].frame == mover)
+        state.bodies[body].frame = none;
+    movers.remove(mover);
+}
+
+}  // namespace
+
+void dropShape(State& state, std::uint32_t bodySlot) {
+    Shapes& shapes = state.core.shapes;
+    if (bodySlot >= shapes.firstChunk.size()) return;
+    for (auto c = shapes.firstChunk[bodySlot]; c != none;) {
+        const Chunk chunk = shapes.chunks[c];
+        for (auto k = chunk.firstCorner; k < chunk.firstCorner + chunk.corners; ++k)
+            shapes.spokePool.release(shapes.corners[k].firstSpoke, shapes.corners[k].spokes);
+        if (chunk.uses > 1) state.core.movers.remove(chunk.frame);
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+            endUse(state, u, shapes.uses[u].mover);
+        shapes.cornerPool.release(chunk.firstCorner, chunk.corners);
+        shapes.sidePool.release(chunk.firstSide, chunk.sides);
+        shapes.usePool.release(chunk.firstUse, chunk.uses);
+        shapes.chunks[c] = {};
+        shapes.freeChunks.push_back(c);
+        c = chunk.nextOfBody;
+    }
+    shapes.firstChunk[bodySlot] = none;
+}
+
+}  // namespace sulfur::detail

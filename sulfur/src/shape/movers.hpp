@@ -1,0 +1,99 @@
+// What contacts push: rigid components and particles that move by themselves, in slots that stay.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <vector>
+
+#include "core/range_pool.hpp"
+#include "core/slots.hpp"
+#include "kernels/rows.hpp"
+
+namespace sulfur::detail {
+
+/// A velocity of a solver body, as a displacement in a step.
+struct Motion3 {
+    Real x = 0, y = 0, turn = 0;
+};
+
+/// Solver bodies and what belongs to them, by slot. Slot 0 is the world, which never moves.
+///
+/// An odometer adds up how far any point of its body can have gone; at its deadline the body is
+/// looked at: whether it leaves a box of the broad phase, or its rows have to be refreshed.
+struct Movers {
+    std::vector<SolverBody> bodies;
+    std::vector<Point> reference;          // m, where poses are counted from
+    std::vector<Point> referenceHeading;   // (cos, sin)
+    std::vector<Heading> heading;          // the same for the kernels
+    std::vector<Motion3> predicted;        // velocity without rows, of this step
+    std::vector<Motion3> warm;             // what the rows gave in the last step
+    std::vector<double> odometer;          // m
+    std::vector<double> deadline;          // m, on the odometer
+    std::vector<double> refreshAt;         // m, on the odometer
+    std::vector<Real> reach;               // m, from the centre to the farthest surface
+    std::vector<Real> fineness;            // m, the least thickness of what it carries
+    std::vector<std::uint64_t> colours;    // that its rows have
+    /// Slot of the particle that it is, or of the first member of its rigid component; none for
+    /// the ground of a fixed body and for what only has an odometer.
+    std::vector<std::uint32_t> particle;
+    std::vector<std::uint32_t> body;       // slot, or none where it is free
+    std::vector<std::uint32_t> firstUse;   // the chunks that it carries, in Shapes::uses
+    std::vector<std::uint32_t> free;
+
+    Movers() { add(); }
+
+    std::size_t size() const { return bodies.size(); }
+
+    /// A slot without a mass that stands at the origin.
+    std::uint32_t add() {
+        if (!free.empty()) {
+            const auto slot = free.back();
+            free.pop_back();
+            forEachArray([&](auto& list) { list[slot] = {}; });
+            reset(slot);
+            return slot;
+        }
+        forEachArray([&](auto& list) { list.emplace_back(); });
+        const auto slot = static_cast<std::uint32_t>(size() - 1);
+        reset(slot);
+        return slot;
+    }
+    void remove(std::uint32_t slot) {
+        body[slot] = none;
+        bodies[slot] = {};
+        free.push_back(slot);
+    }
+
+    template <class Function>
+    void forEachArray(Function&& f) {
+        f(bodies);
+        f(reference);
+        f(referenceHeading);
+        f(heading);
+        f(predicted);
+        f(warm);
+        f(odometer);
+        f(deadline);
+        f(refreshAt);
+        f(reach);
+        f(fineness);
+        f(colours);
+        f(particle);
+        f(body);
+        f(firstUse);
+    }
+    template <class Archive>
+    void archive(Archive& a) {
+        forEachArray(a);
+        a(free);
+    }
+
+private:
+    void reset(std::uint32_t slot) {
+        reference[slot] = Point(0, 0);
+        referenceHeading[slot] = Point(1, 0);
+        particle[slot] = body[slot] = firstUse[slot] = none;
+    }
+};
+
+}  // namespace sulfur::detail

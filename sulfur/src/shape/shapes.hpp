@@ -1,0 +1,106 @@
+// What collides: corners and sides of bodies, in chunks that the broad phase keeps apart.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <vector>
+
+#include "core/range_pool.hpp"
+#include "shape/movers.hpp"
+
+namespace sulfur::detail {
+
+struct State;
+
+/// A particle at which colliders end.
+struct Corner {
+    std::uint32_t particle = none;
+    std::uint32_t mover = 0;
+    Real x = 0, y = 0;                // m, in the frame of the mover
+    Real radius = 0;                  // m, of the thickest collider that ends there
+    std::uint32_t surface = none;     // the joint whose surface it shows, or none: its body's
+    std::uint32_t firstSpoke = 0, spokes = 0;  // corners at the other ends of its capsules
+    std::uint32_t owned = 0;  // 1: of all corners of its particle this one is held off others
+};
+
+/// A capsule between two corners; a disc where both are the same.
+struct Side {
+    std::uint32_t a = 0, b = 0;
+    std::uint32_t joint = none;   // or none for a disc
+    std::int32_t outward = 0;     // +1: outside is to the right of the way from a to b, -1: to the
+                                  // left, 0: on both sides
+    Real radius = 0;              // m
+    // Where it has one mover, in its frame: the line that it is on, and what part of that.
+    Real outX = 0, outY = 0, offset = 0, middle = 0, half = 0;
+};
+
+/// What one mover carries of a chunk; those of one mover are a list.
+struct ChunkUse {
+    std::uint32_t chunk = none, mover = none, next = none;
+};
+
+enum class ChunkKind : std::uint32_t {
+    convex,  // a convex outline of one mover, or a lone capsule or disc of one: corners in order
+    loose,   // up to a few sides, whose corners may move by themselves
+};
+
+/// Colliders of one body that the broad phase holds in one box.
+struct Chunk {
+    std::uint32_t body = none;         // dense index, or none where the slot is free
+    ChunkKind kind = ChunkKind::loose;
+    std::uint32_t frame = 0;           // mover whose odometer counts
+    std::uint32_t firstCorner = 0, corners = 0;  // its own; those of its sides may be others'
+    std::uint32_t firstSide = 0, sides = 0;
+    std::uint32_t firstUse = 0, uses = 0;
+    std::uint32_t nextOfBody = none;
+    Real radius = 0;                   // m, the largest
+    Real fineness = 0;                 // m, the least radius
+    std::uint32_t firstPair = none, pairs = 0;   // in the pair table
+    // In the broad phase.
+    std::array<double, 2> low{0, 0}, high{0, 0};  // m, the box that it stays in
+    std::uint32_t cell = none, nextInCell = none, previousInCell = none;
+    std::uint32_t level = 0;
+    double leaveAt = 0;  // m, of its frame's odometer, when it may leave the box
+};
+
+/// All colliders of a world. What is derived of one body comes and goes with it.
+struct Shapes {
+    std::vector<Corner> corners;
+    std::vector<Side> sides;
+    std::vector<ChunkUse> uses;
+    std::vector<std::uint32_t> spokes;
+    std::vector<Chunk> chunks;
+    std::vector<std::uint32_t> freeChunks;
+    RangePool cornerPool, sidePool, usePool, spokePool;
+    std::vector<std::uint32_t> firstChunk;   // by body slot, or none
+    std::vector<std::uint32_t> moverOfParticle;  // by particle, dense index; or none
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(corners);
+        a(sides);
+        a(uses);
+        a(spokes);
+        a(chunks);
+        a(freeChunks);
+        a(cornerPool);
+        a(sidePool);
+        a(usePool);
+        a(spokePool);
+        a(firstChunk);
+        a(moverOfParticle);
+    }
+};
+
+/// An edge of a body's outer face: whoever walks along it has the body to the left.
+struct RimEdge {
+    std::uint32_t from = 0, to = 0;  // particles
+    std::uint32_t joint = 0;
+};
+/// Loops that bound a body, those that are solid inside, by its capsules and where its particles
+/// are in the blueprint (see outline.cpp).
+std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t body,
+                                               const std::vector<std::uint32_t>& capsules);
+
+}  // namespace sulfur::detail
