@@ -25,6 +25,7 @@ struct Pair {
     /// Of its points: the particles (slots) of corner and side, or none.
     std::array<std::array<std::uint32_t, 3>, 2> features{
         {{none, none, none}, {none, none, none}}};
+    std::array<Real, 4> kept{};  // kg m, impulses of its points while its row sleeps
     Real restitution = 0;
     std::uint32_t firstTouch = none;   // of others
     std::uint32_t encounter = none;
@@ -37,8 +38,9 @@ struct Touch {
     std::uint32_t end = 0;        // 0: the side between its ends, 1: its end a, 2: its end b
     std::uint32_t next = none;    // of the pair
     std::int32_t outward = 0;     // which way the side pushes
-    RowPlace row;
+    RowPlace row;                 // none while it sleeps
     std::uint32_t seen = 0;       // by the last look
+    Real pressing = 0, rubbing = 0;  // kg m, while it sleeps
 };
 
 /// Two bodies some of whose chunks are near each other.
@@ -88,6 +90,8 @@ struct ContactCore {
     std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
+    std::vector<Motion3> taken;  // m and rad, the motion with which the rows began a sweep, by mover
+    std::vector<std::uint32_t> toWake;  // bodies by slot
     bool on = false;
     bool listsStale = true;
     bool keepsHeirs = false;

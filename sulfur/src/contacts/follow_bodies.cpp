@@ -132,7 +132,7 @@ void watchAwake(State& state) {
         if (dynamic && pair.watch == none) {
             watchPair(state, k, -1);
         } else if (!dynamic && pair.watch != none) {
-            dropRows(state, k);
+            keepRows(state, k);
             unwatchPair(state, k);
         }
     }

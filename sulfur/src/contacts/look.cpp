@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "collision/materials.hpp"
 #include "contacts/contact_core.hpp"
@@ -120,6 +121,10 @@ private:
         ManifoldBlock& block = core_.rows.manifold(pair_.row);
         const auto lane = RowGraph::laneOf(pair_.row);
         std::array<OldPoint, 2> old;
+        if (isNew)
+            for (std::size_t k = 0; k < 2; ++k)
+                old[k] = {pair_.features[k], pair_.kept[2 * k], pair_.kept[2 * k + 1], 0, false};
+        pair_.kept = {};
         for (int k = 0; k < m.count; ++k)
             wanted_[static_cast<std::size_t>(k)] = keyOf(m.features[static_cast<std::size_t>(k)]);
         if (!isNew) {
@@ -267,6 +272,7 @@ private:
             Touch& touch = core_.touches[t];
             if (touch.corner != n.corner || touch.side != n.side || touch.end != n.end) continue;
             touch.seen = 1;
+            if (!touch.row) enter(touch, t);
             core_.rows.markTouch(touch.row);
             return;
         }
@@ -282,16 +288,25 @@ private:
             slot = core_.freeTouches.back();
             core_.freeTouches.pop_back();
         }
-        const Side& side = core_.shapes.sides[n.side];
-        const Corner &corner = core_.shapes.corners[n.corner], &a = core_.shapes.corners[side.a],
-                     &b = core_.shapes.corners[side.b];
-        const bool same = a.mover == b.mover;
         Touch& touch = core_.touches[slot];
-        touch = {index_, n.corner, n.side, n.end, pair_.firstTouch, n.outward, {}, 1};
-        touch.row = core_.rows.addTouch(core_.movers, slot, corner.mover, a.mover,
-                                        same ? 0 : b.mover);
+        touch = {index_, n.corner, n.side, n.end, pair_.firstTouch, n.outward, {}, 1, 0, 0};
+        if (const Heir* heir = findHeir(core_, particlesOf(core_.shapes, n.corner, n.side))) {
+            touch.pressing = heir->pressing;
+            touch.rubbing = heir->rubbing;
+        }
         pair_.firstTouch = slot;
         fresh_.push_back(slot);
+        enter(touch, slot);
+    }
+
+    /// Gives a touch its row, with the impulses that it has.
+    void enter(Touch& touch, std::uint32_t slot) {
+        const Side& side = core_.shapes.sides[touch.side];
+        const Corner &corner = core_.shapes.corners[touch.corner],
+                     &a = core_.shapes.corners[side.a], &b = core_.shapes.corners[side.b];
+        const bool same = a.mover == b.mover;
+        touch.row = core_.rows.addTouch(core_.movers, slot, corner.mover, a.mover,
+                                        same ? 0 : b.mover);
         setRow(touch, corner, a, b, side, same);
     }
 
@@ -322,10 +337,8 @@ private:
         block.slip[lane] = -surface.speed * state_.h;
         core_.rows.markTouch(touch.row);
         pair_.restitution = surface.restitution;
-        if (const Heir* heir = findHeir(core_, particlesOf(core_.shapes, touch.corner, touch.side))) {
-            block.pressing[lane] = heir->pressing;
-            block.rubbing[lane] = heir->rubbing;
-        }
+        block.pressing[lane] = touch.pressing;
+        block.rubbing[lane] = touch.rubbing;
     }
 
     /// A touch that went leaves its impulses to one that came for the same corner, or the same side.
@@ -354,6 +367,7 @@ private:
     }
 
     void give(const Touch& from, const Touch& to) {
+        if (!from.row) return;
         const TouchBlock& old = core_.rows.touch(from.row);
         TouchBlock& block = core_.rows.touch(to.row);
         const auto f = RowGraph::laneOf(from.row), t = RowGraph::laneOf(to.row);
@@ -364,12 +378,17 @@ private:
 
 public:
     static void dropTouch(ContactCore& core, std::uint32_t t) {
-        const TouchBlock& block = core.rows.touch(core.touches[t].row);
-        const auto lane = RowGraph::laneOf(core.touches[t].row);
-        leave(core, particlesOf(core.shapes, core.touches[t].corner, core.touches[t].side),
-              block.pressing[lane], block.rubbing[lane]);
-        const auto moved = core.rows.removeTouch(core.movers, core.touches[t].row);
-        if (moved != none) core.touches[moved].row = core.touches[t].row;
+        const Touch touch = core.touches[t];
+        const auto particles = particlesOf(core.shapes, touch.corner, touch.side);
+        if (touch.row) {
+            const TouchBlock& block = core.rows.touch(touch.row);
+            const auto lane = RowGraph::laneOf(touch.row);
+            leave(core, particles, block.pressing[lane], block.rubbing[lane]);
+            const auto moved = core.rows.removeTouch(core.movers, touch.row);
+            if (moved != none) core.touches[moved].row = touch.row;
+        } else {
+            leave(core, particles, touch.pressing, touch.rubbing);
+        }
         core.touches[t] = {};
         core.freeTouches.push_back(t);
     }
@@ -385,12 +404,78 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// The body of a chunk, if it sleeps.
+std::uint32_t sleeperOf(const State& state, std::uint32_t chunk) {
+    const auto slot = state.core.shapes.chunks[chunk].body;
+    return state.bodies[state.bodySlots.denseOf(slot)].asleep ? slot : none;
+}
+
+/// What somebody comes near to wakes before it is touched: it never stands in for a wall.
+void wakeIfNear(State& state, std::uint32_t index, std::uint32_t sleeper) {
+    ContactCore& core = state.core;
+    const Pair& pair = core.pairs[index];
+    const Chunk &a = core.shapes.chunks[pair.a], &b = core.shapes.chunks[pair.b];
+    const double odometers = core.movers.odometer[a.frame] + core.movers.odometer[b.frame];
+    const auto moving = core.ahead[a.frame] + core.ahead[b.frame] - odometers;
+    const Real thickness = a.radius + b.radius;
+    Real slack = 0;
+    bool near = false;
+    if (pair.isManifold) {
+        const Real reach = thickness / 2 + 2 * static_cast<Real>(moving);
+        const Manifold m = findManifold(core.movers, core.shapes, a, b, reach);
+        near = m.count > 0;
+        slack = std::max(m.gap - thickness / 4, thickness / 4);
+    } else {
+        static thread_local LooseLook look;
+        lookLoosely(state, a, b, look);
+        near = !look.near.empty();
+        slack = look.slack;
+    }
+    if (near) core.toWake.push_back(sleeper);
+    watchPair(state, index, odometers + static_cast<double>(slack));
+}
+
+}  // namespace
+
 void lookAtPair(State& state, std::uint32_t pair) {
+    const Pair& p = state.core.pairs[pair];
+    for (const auto chunk : {p.a, p.b})
+        if (const auto sleeper = sleeperOf(state, chunk); sleeper != none)
+            return wakeIfNear(state, pair, sleeper);
     ++state.statistics.plannedContacts;
     if (state.core.pairs[pair].isManifold)
         ManifoldLook(state, pair).run();
     else
         TouchLook(state, pair).run();
+}
+
+void keepRows(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    Pair& pair = core.pairs[index];
+    if (pair.row) {
+        const ManifoldBlock& block = core.rows.manifold(pair.row);
+        const auto lane = RowGraph::laneOf(pair.row);
+        for (std::size_t k = 0; k < 2; ++k) {
+            pair.kept[2 * k] = block.points[k].pressing[lane];
+            pair.kept[2 * k + 1] = block.points[k].rubbing[lane];
+        }
+        const auto place = std::exchange(pair.row, {});
+        const auto moved = core.rows.removeManifold(core.movers, place);
+        if (moved != none) core.pairs[moved].row = place;
+    }
+    for (auto t = pair.firstTouch; t != none; t = core.touches[t].next) {
+        Touch& touch = core.touches[t];
+        if (!touch.row) continue;
+        const TouchBlock& block = core.rows.touch(touch.row);
+        const auto lane = RowGraph::laneOf(touch.row);
+        touch.pressing = block.pressing[lane];
+        touch.rubbing = block.rubbing[lane];
+        const auto place = std::exchange(touch.row, {});
+        const auto moved = core.rows.removeTouch(core.movers, place);
+        if (moved != none) core.touches[moved].row = place;
+    }
 }
 
 void dropRows(State& state, std::uint32_t index) {
@@ -404,10 +489,14 @@ void dropRows(State& state, std::uint32_t index) {
             leave(core, pair.features[k], block.points[k].pressing[lane],
                   block.points[k].rubbing[lane]);
         pair.row = {};
-        for (auto& f : pair.features) f = {none, none, none};
         const auto moved = core.rows.removeManifold(core.movers, place);
         if (moved != none) core.pairs[moved].row = place;
+    } else {
+        for (std::size_t k = 0; k < 2; ++k)
+            leave(core, pair.features[k], pair.kept[2 * k], pair.kept[2 * k + 1]);
     }
+    for (auto& f : pair.features) f = {none, none, none};
+    pair.kept = {};
     while (pair.firstTouch != none) {
         const auto t = pair.firstTouch;
         pair.firstTouch = core.touches[t].next;

@@ -77,12 +77,13 @@ void takeMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     core.ahead.resize(movers.size());
+    core.taken.resize(movers.size());
     std::copy(movers.odometer.begin(), movers.odometer.end(), core.ahead.begin());
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         SolverBody& body = movers.bodies[m];
-        Motion3& predicted = movers.predicted[m];
+        Motion3& predicted = core.taken[m];
         if (core.awakeIsCluster[k]) {
             const Cluster& c = state.clusters.list[i];
             takePose(movers, m, c.centre, c.heading);
@@ -96,7 +97,8 @@ void takeMotion(State& state) {
             body.inverseMass = p.inverseMass[i];
             body.inverseInertia = 0;
         }
-        const Motion3& warm = movers.warm[m];
+        // All that rows give from here on, warm starts too, is what they have in the next step.
+        const Motion3 warm = std::exchange(movers.warm[m], {});
         body.vx = predicted.x + warm.x;
         body.vy = predicted.y + warm.y;
         body.spin = predicted.turn + warm.turn;
@@ -221,6 +223,19 @@ void sweepRows(State& state, bool last) {
     }
 }
 
+namespace {
+
+Motion3 motionOf(const State& state, bool isCluster, std::uint32_t i) {
+    if (!isCluster) {
+        const Vec2& d = state.particles.displacement[i];
+        return {d[0], d[1], 0};
+    }
+    const Cluster& c = state.clusters.list[i];
+    return {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
+}
+
+}  // namespace
+
 void giveMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
@@ -228,9 +243,42 @@ void giveMotion(State& state) {
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         const SolverBody& body = movers.bodies[m];
-        const Motion3& predicted = movers.predicted[m];
+        const Motion3& taken = core.taken[m];
+        const Motion3 given{body.vx - taken.x, body.vy - taken.y, body.spin - taken.turn};
         Motion3& warm = movers.warm[m];
-        warm = {body.vx - predicted.x, body.vy - predicted.y, body.spin - predicted.turn};
+        warm = {warm.x + given.x, warm.y + given.y, warm.turn + given.turn};
+        if (core.awakeIsCluster[k]) {
+            Cluster& c = state.clusters.list[i];
+            c.displacement += Vec2(given.x, given.y);
+            if (given.turn == 0) continue;
+            c.angle += static_cast<double>(given.turn);
+            updateTurn(c);
+        } else if (body.inverseMass > 0) {
+            state.particles.displacement[i] += Vec2(given.x, given.y);
+        }
+    }
+}
+
+void takeMotionAgain(State& state) {
+    ContactCore& core = state.core;
+    for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
+        const auto m = core.awakeMovers[k];
+        SolverBody& body = core.movers.bodies[m];
+        const Motion3 now = core.taken[m] =
+            motionOf(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
+        body.vx = now.x;
+        body.vy = now.y;
+        body.spin = now.turn;
+    }
+}
+
+void endMotion(State& state) {
+    ContactCore& core = state.core;
+    Movers& movers = core.movers;
+    for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
+        const auto m = core.awakeMovers[k];
+        const auto i = core.awakeDense[k];
+        const SolverBody& body = movers.bodies[m];
         if (core.awakeIsCluster[k]) {
             Cluster& c = state.clusters.list[i];
             const Point way = c.centre - movers.reference[m];
@@ -238,16 +286,11 @@ void giveMotion(State& state) {
             const double s = reference[0] * c.heading[1] - reference[1] * c.heading[0];
             c.shift += Vec2(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
             c.twist += static_cast<double>(body.turn - static_cast<Real>(smallAngle(s)));
-            c.displacement += Vec2(warm.x, warm.y);
-            if (warm.turn != 0) {
-                c.angle += static_cast<double>(warm.turn);
-                updateTurn(c);
-            }
         } else if (body.inverseMass > 0) {
             Particles& p = state.particles;
             const Point way = p.position[i] - movers.reference[m];
-            p.shift[i] += Vec2(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
-            p.displacement[i] += Vec2(warm.x, warm.y);
+            p.shift[i] +=
+                Vec2(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
         }
         movers.odometer[m] += static_cast<double>(stepOf(movers, m));
     }

@@ -22,5 +22,7 @@ void unwatchPair(State& state, std::uint32_t pair);
 void lookAtPair(State& state, std::uint32_t pair);
 /// Takes the rows of a pair away; see endPair().
 void dropRows(State& state, std::uint32_t pair);
+/// Takes them away while what they hold sleeps: they begin with the same impulses when it wakes.
+void keepRows(State& state, std::uint32_t pair);
 
 }  // namespace sulfur::detail

@@ -19,8 +19,19 @@ void lookAtPairs(State& state);
 void refreshRows(State& state);
 /// All rows are swept, `last`: places too.
 void sweepRows(State& state, bool last);
-/// Bodies take up what the rows have given.
+/// Particles and rigid components take up what the rows have given since they took it.
 void giveMotion(State& state);
+/// And the other way, when somebody else has changed it.
+void takeMotionAgain(State& state);
+/// Places take up what the rows have pushed.
+void endMotion(State& state);
+
+/// What the stages together do to displacements: contacts and all that is swept beside them.
+void solveWithRows(State& state);
+/// Points that push, into State::contacts.
+void exportContacts(State& state);
+/// Bodies that something comes near wake; those at rest fall asleep.
+void updateSleepByRows(State& state);
 
 /// Takes away pairs, rows and chunks of a body, by its slot; impulses are kept for heirs.
 void removeShape(State& state, std::uint32_t bodySlot);

@@ -25,7 +25,6 @@ struct Movers {
     std::vector<Point> reference;          // m, where poses are counted from
     std::vector<Point> referenceHeading;   // (cos, sin)
     std::vector<Heading> heading;          // the same for the kernels
-    std::vector<Motion3> predicted;        // velocity without rows, of this step
     std::vector<Motion3> warm;             // what the rows gave in the last step
     std::vector<double> odometer;          // m
     std::vector<double> deadline;          // m, on the odometer
@@ -70,7 +69,6 @@ struct Movers {
         f(reference);
         f(referenceHeading);
         f(heading);
-        f(predicted);
         f(warm);
         f(odometer);
         f(deadline);

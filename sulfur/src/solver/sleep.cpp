@@ -194,8 +194,9 @@ void wakeTied(State& state) {
         for (std::uint32_t k = 0; k < held.count; ++k) wake(held.particle, held.support[k]);
 }
 
-/// Joins the rings of two sleepers, so that they wake together.
-void joinRings(State& state, std::uint32_t a, std::uint32_t b) {
+}  // namespace
+
+void joinSleepers(State& state, std::uint32_t a, std::uint32_t b) {
     BodyRecord& first = state.bodies[a];
     BodyRecord& second = state.bodies[b];
     if (a == b || !first.asleep || !second.asleep) return;
@@ -205,8 +206,6 @@ void joinRings(State& state, std::uint32_t a, std::uint32_t b) {
         if (id == second.id) return;
     std::swap(first.nextAsleep, second.nextAsleep);
 }
-
-}  // namespace
 
 void wakeBody(State& state, std::uint32_t index) {
     BodyRecord* body = &state.bodies[index];
@@ -288,7 +287,7 @@ void updateSleep(State& state) {
         sleepBody(state, i);
     }
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
-        if (isDynamic(state, i) && state.bodies[i].asleep) joinRings(state, islands.find(i), i);
+        if (isDynamic(state, i) && state.bodies[i].asleep) joinSleepers(state, islands.find(i), i);
 }
 
 }  // namespace sulfur::detail

@@ -42,6 +42,8 @@ void wakeTouching(State& state, std::uint32_t body);
 /// own. Linear in the particles of the sleepers.
 void wakeNear(State& state, std::uint32_t body);
 void sleepBody(State& state, std::uint32_t body);
+/// Joins the rings of two sleepers, so that they wake together.
+void joinSleepers(State& state, std::uint32_t a, std::uint32_t b);
 
 /// Makes the grid valid for the present positions (lookAhead 0) or for those that the predicted
 /// displacements lead to (1). Never changes how the simulation goes on: contacts depend on

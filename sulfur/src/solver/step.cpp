@@ -80,6 +80,7 @@ void runStages(State& state) {
     timed(state, Stage::predict, predict);
     if (state.core.on) {
         timed(state, Stage::broadPhase, [](State& s) {
+            s.contacts.clear();
             updateShapes(s);
             takeMotion(s);
             updateBoxes(s);
@@ -88,10 +89,7 @@ void runStages(State& state) {
             lookAtPairs(s);
             refreshRows(s);
         });
-        timed(state, Stage::constraints, [](State& s) {
-            for (int k = 0; k < 2; ++k) sweepRows(s, k == 1);
-            giveMotion(s);
-        });
+        timed(state, Stage::constraints, solveWithRows);
     } else {
     timed(state, Stage::broadPhase, updateBroadPhase);
     timed(state, Stage::narrowPhase, findContacts);
@@ -102,8 +100,9 @@ void runStages(State& state) {
     timed(state, Stage::breakage, breakJoints);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     collectEvents(state);
-    if (!state.core.on) timed(state, Stage::sleep, updateSleep);
-    state.idle = state.contacts.empty() && state.entwined.empty() && allRest(state);
+    timed(state, Stage::sleep, state.core.on ? updateSleepByRows : updateSleep);
+    state.idle = (state.core.on || (state.contacts.empty() && state.entwined.empty())) &&
+                 state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);
 }
 
 void runStep(State& state) {

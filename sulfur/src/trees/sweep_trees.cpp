@@ -370,12 +370,22 @@ void touchTrees(State& state) {
     trees.touched.assign(trees.list.size(), 0);
     const bool anyGrabs = !state.influences.grabs.empty();
     const auto& tied = state.work.tiedTrees;
-    if (state.contacts.empty() && !anyGrabs && tied.empty() && state.work.lines.empty()) return;
+    const bool anyRows = state.core.on;
+    if (state.contacts.empty() && !anyRows && !anyGrabs && tied.empty() &&
+        state.work.lines.empty())
+        return;
     trees.met.assign(trees.nodes.size(), {0, 0});
     trees.lambda.assign(trees.nodes.size(), {0, 0});
     giveContacts(state);
     for (const Contact& c : state.contacts)
         for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) touch(state, grip);
+    if (anyRows)
+        for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) {
+            if (state.core.movers.colours[state.core.awakeMovers[k]] == 0) continue;
+            const auto i = state.core.awakeDense[k];
+            const auto tree = state.core.awakeIsCluster[k] ? trees.ofCluster[i] : trees.ofParticle[i];
+            if (tree != none) trees.touched[tree] = 1;
+        }
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             touch(state, gripOf(state, state.particleSlots.dense(grab.support[k])));

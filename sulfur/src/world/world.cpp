@@ -315,6 +315,11 @@ std::vector<ContactInfo> World::contacts() const {
     const State& state = impl_->state;
     const auto& p = state.particles;
     std::vector<ContactInfo> found;
+    if (state.core.on)
+        for (const auto& c : state.contacts)
+            found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
+                             p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(),
+                             c.normal, c.normalLambda / state.h, c.tangentLambda / state.h});
     for (const auto& c : state.contactMemory) {
         if (c.normalLambda <= 0) continue;
         const Point point =

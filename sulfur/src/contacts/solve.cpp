@@ -1,0 +1,80 @@
+// Stage: displacements change until contacts, attachments and stiff joints hold.
+//
+// Rows of contacts are swept between what else is swept: joints come after contacts, so that what a
+// contact disturbs in a body is mended in the same sweep; trees, which are solved as a whole, last.
+#include <algorithm>
+
+#include "contacts/contact_core.hpp"
+#include "contacts/stages.hpp"
+#include "rigid/loads.hpp"
+#include "solver/areas.hpp"
+#include "solver/constraint_kinds.hpp"
+#include "solver/grabs.hpp"
+#include "solver/stages.hpp"
+#include "trees/tree_solver.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Sweeps over contacts alone, and more over trees that a contact pulls on.
+constexpr int sweepsAlone = 2, mostForStrain = 48;
+
+bool sweepsOthers(const State& state) {
+    const WorkLists& work = state.work;
+    const auto isTouched = [&](std::uint32_t tree) { return state.trees.touched[tree] != 0; };
+    return !work.implicitJoints.empty() || !work.rigidJoints.empty() || !work.attachments.empty() ||
+           !work.hinges.empty() || state.triangles.awake.count > 0 || !work.lines.empty() ||
+           !state.influences.grabs.empty() ||
+           std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
+}
+
+void sweepRigid(State& state) {
+    solveAttachments(state);
+    solveGrabs(state);
+    solveRigidJoints(state);
+    sweepTrees(state);
+}
+
+void sweepContacts(State& state, bool last) {
+    takeMotionAgain(state);
+    sweepRows(state, last);
+    giveMotion(state);
+}
+
+void sweepAll(State& state) {
+    giveMotion(state);
+    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
+        solveImplicitJoints(state);
+        solveAreas(state);
+        sweepContacts(state, sweep + 1 == state.settings.sweeps);
+        sweepRigid(state);
+    }
+    for (int i = 0; i < mostForStrain && treesAreStrained(state); ++i) {
+        sweepContacts(state, false);
+        sweepRigid(state);
+    }
+}
+
+}  // namespace
+
+void solveWithRows(State& state) {
+    clearMultipliers(state);
+    startGrabs(state);
+    touchTrees(state);
+    startAreas(state);
+    if (sweepsOthers(state)) {
+        sweepAll(state);
+    } else {
+        for (int sweep = 1; sweep <= sweepsAlone; ++sweep) sweepRows(state, sweep == sweepsAlone);
+        giveMotion(state);
+    }
+    endMotion(state);
+    exportContacts(state);
+    recoverAreas(state);
+    recordTreeForces(state);
+    recordForces(state);
+    recoverLoads(state);
+}
+
+}  // namespace sulfur::detail
