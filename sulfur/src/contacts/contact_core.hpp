@@ -25,7 +25,7 @@ struct Pair {
     /// Of its points: the particles (slots) of corner and side, or none.
     std::array<std::array<std::uint32_t, 3>, 2> features{
         {{none, none, none}, {none, none, none}}};
-    std::array<Real, 4> kept{};  // kg m, impulses of its points while its row sleeps
+    std::array<Real, 3> kept{};  // kg m, impulses of its points and its friction while it sleeps
     Real restitution = 0;
     std::uint32_t firstTouch = none;   // of others
     std::uint32_t encounter = none;

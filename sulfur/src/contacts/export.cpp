@@ -35,7 +35,7 @@ private:
             Contact c;
             c.normal = owner * Vec2(p.normalX[lane], p.normalY[lane]);
             c.normalLambda = p.pressing[lane];
-            c.tangentLambda = p.rubbing[lane];
+            c.tangentLambda = k == 0 ? block.rubbing[lane] : Real(0);
             c.staticFriction = block.staticFriction[lane];
             add(c, core_.pairs[shape.pair[lane]].features[k]);
         }

@@ -56,7 +56,7 @@ std::array<std::uint32_t, 3> particlesOf(const Shapes& shapes, std::uint32_t cor
 
 struct OldPoint {
     std::array<std::uint32_t, 3> particles{none, none, none};
-    Real pressing = 0, rubbing = 0, place = 0;  // kg m, kg m, m along the tangent
+    Real pressing = 0;  // kg m
     bool taken = false;
 };
 
@@ -121,27 +121,20 @@ private:
         ManifoldBlock& block = core_.rows.manifold(pair_.row);
         const auto lane = RowGraph::laneOf(pair_.row);
         std::array<OldPoint, 2> old;
-        if (isNew)
-            for (std::size_t k = 0; k < 2; ++k)
-                old[k] = {pair_.features[k], pair_.kept[2 * k], pair_.kept[2 * k + 1], 0, false};
-        pair_.kept = {};
+        Real rubbing = isNew ? pair_.kept[2] : block.rubbing[lane];
+        for (std::size_t k = 0; k < 2; ++k)
+            old[k] = {pair_.features[k],
+                      isNew ? pair_.kept[k] : block.points[k].pressing[lane], false};
         for (int k = 0; k < m.count; ++k)
             wanted_[static_cast<std::size_t>(k)] = keyOf(m.features[static_cast<std::size_t>(k)]);
-        if (!isNew) {
-            for (std::size_t k = 0; k < 2; ++k) {
-                ManifoldPoint& p = block.points[k];
-                old[k] = {pair_.features[k], p.pressing[lane], p.rubbing[lane],
-                          -p.normalArmA[lane], false};
-            }
-            bool same = true;
-            for (std::size_t k = 0; k < 2; ++k)
-                same &= pair_.features[k] == wanted_[k];
-            if (same) return;
+        if (!isNew && pair_.features == wanted_) return;
+        if (isNew)
+            block.rubbing[lane] = rubbing;
+        else
             for (int k = 0; k < 2; ++k)
                 RowGraph::pressManifold(core_.movers, block, lane, k,
-                                        -block.points[k].pressing[lane],
-                                        -block.points[k].rubbing[lane]);
-        }
+                                        -block.points[k].pressing[lane]);
+        pair_.kept = {};
         for (int k = 0; k < 2; ++k) setPoint(m, k, old, block, lane);
     }
 
@@ -155,10 +148,12 @@ private:
         ManifoldPoint& p = block.points[k];
         ManifoldFeature& f = core_.rows.manifoldShape(pair_.row).features[k];
         const auto index = static_cast<std::size_t>(k);
-        p.pressing[lane] = p.rubbing[lane] = p.anchor[lane] = p.slip[lane] = 0;
+        // The refresh turns what a point has from no direction at all to the right one.
+        p.pressing[lane] = p.normalX[lane] = p.normalY[lane] = 0;
+        p.normalArmA[lane] = p.normalArmB[lane] = 0;
+        pair_.features[index] = wanted_[index];
         if (k >= m.count) {
             f.owner[lane] = 0;
-            pair_.features[index] = noFeature;
             return;
         }
         const Feature& feature = m.features[index];
@@ -177,47 +172,30 @@ private:
         const Surface surface = surfaceOf(state_, feature.corner, own.body, feature.side, other.body);
         block.staticFriction[lane] = surface.staticFriction;
         block.kineticFriction[lane] = surface.kineticFriction;
-        p.slip[lane] = -surface.speed * state_.h;
+        block.slip[lane] = -surface.speed * state_.h;
         pair_.restitution = surface.restitution;
-        pair_.features[index] = keyOf(feature);
-        inherit(feature, k, old, block, lane);
+        p.pressing[lane] = inherited(wanted_[index], old, block, lane);
     }
 
-    /// Impulses of the same feature, or of one that was at the same place.
-    void inherit(const Feature& feature, int k, std::array<OldPoint, 2>& old, ManifoldBlock& block,
-                 std::uint32_t lane) {
-        const auto key = keyOf(feature);
-        for (OldPoint& o : old) {
-            if (o.taken || o.particles != key) continue;
-            o.taken = true;
-            pending_[static_cast<std::size_t>(k)] = {o.pressing, o.rubbing};
-            give(k, block, lane);
-            return;
-        }
+    /// The impulse of the same feature, or of one that is no more.
+    Real inherited(const std::array<std::uint32_t, 3>& key, std::array<OldPoint, 2>& old,
+                   ManifoldBlock& block, std::uint32_t lane) {
+        for (OldPoint& o : old)
+            if (!o.taken && o.particles == key) {
+                o.taken = true;
+                return o.pressing;
+            }
         if (const Heir* heir = findHeir(core_, key)) {
-            pending_[static_cast<std::size_t>(k)] = {heir->pressing, heir->rubbing};
-            give(k, block, lane);
-            return;
+            block.rubbing[lane] += heir->rubbing;
+            return heir->pressing;
         }
-        for (OldPoint& o : old) {
-            if (o.taken || o.particles == noFeature || isWanted(o.particles)) continue;
-            o.taken = true;
-            pending_[static_cast<std::size_t>(k)] = {o.pressing, o.rubbing};
-            give(k, block, lane);
-            return;
-        }
-    }
-    bool isWanted(const std::array<std::uint32_t, 3>& key) const {
-        return key == wanted_[0] || key == wanted_[1];
-    }
-    /// The refresh turns what the row has from no direction at all to the right one.
-    void give(int k, ManifoldBlock& block, std::uint32_t lane) {
-        ManifoldPoint& p = block.points[k];
-        const auto& given = pending_[static_cast<std::size_t>(k)];
-        p.pressing[lane] = given.first;
-        p.rubbing[lane] = given.second;
-        p.normalX[lane] = p.normalY[lane] = 0;
-        p.normalArmA[lane] = p.normalArmB[lane] = p.tangentArmA[lane] = p.tangentArmB[lane] = 0;
+        for (OldPoint& o : old)
+            if (!o.taken && o.particles != noFeature && o.particles != wanted_[0] &&
+                o.particles != wanted_[1]) {
+                o.taken = true;
+                return o.pressing;
+            }
+        return 0;
     }
 
     void setShape(const Manifold& m) {
@@ -237,7 +215,6 @@ private:
     std::uint32_t index_;
     Pair& pair_;
     const Chunk &a_, &b_;
-    std::array<std::pair<Real, Real>, 2> pending_{};
     std::array<std::array<std::uint32_t, 3>, 2> wanted_{noFeature, noFeature};
 };
 
@@ -457,10 +434,8 @@ void keepRows(State& state, std::uint32_t index) {
     if (pair.row) {
         const ManifoldBlock& block = core.rows.manifold(pair.row);
         const auto lane = RowGraph::laneOf(pair.row);
-        for (std::size_t k = 0; k < 2; ++k) {
-            pair.kept[2 * k] = block.points[k].pressing[lane];
-            pair.kept[2 * k + 1] = block.points[k].rubbing[lane];
-        }
+        for (std::size_t k = 0; k < 2; ++k) pair.kept[k] = block.points[k].pressing[lane];
+        pair.kept[2] = block.rubbing[lane];
         const auto place = std::exchange(pair.row, {});
         const auto moved = core.rows.removeManifold(core.movers, place);
         if (moved != none) core.pairs[moved].row = place;
@@ -487,13 +462,13 @@ void dropRows(State& state, std::uint32_t index) {
         const auto lane = RowGraph::laneOf(place);
         for (std::size_t k = 0; k < 2; ++k)
             leave(core, pair.features[k], block.points[k].pressing[lane],
-                  block.points[k].rubbing[lane]);
+                  k == 0 ? block.rubbing[lane] : Real(0));
         pair.row = {};
         const auto moved = core.rows.removeManifold(core.movers, place);
         if (moved != none) core.pairs[moved].row = place;
     } else {
         for (std::size_t k = 0; k < 2; ++k)
-            leave(core, pair.features[k], pair.kept[2 * k], pair.kept[2 * k + 1]);
+            leave(core, pair.features[k], pair.kept[k], k == 0 ? pair.kept[2] : Real(0));
     }
     for (auto& f : pair.features) f = {none, none, none};
     pair.kept = {};

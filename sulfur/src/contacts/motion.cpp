@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "contacts/contact_core.hpp"
@@ -19,7 +20,7 @@ namespace {
 constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
 
 /// How far a body may go before its rows are refreshed, in its least thickness.
-constexpr Real refreshWithin = Real(0.25);
+const Real refreshWithin = std::getenv("SULFUR_EPS") ? std::atof(std::getenv("SULFUR_EPS")) : 0.25;
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     movers.reference[m] = at;
@@ -209,7 +210,10 @@ void sweepRows(State& state, bool last) {
     SolverBody* bodies = core.movers.bodies.data();
     // At 500 Hz a fifth of an overlap goes in a step, and what rubs keeps its place.
     const Real rate = 100 * state.h, fastest = 2 * state.h;
-    const PushSettings push{std::min(rate, Real(0.2)), fastest, std::min(rate, Real(0.2))};
+    static const Real holdShare = std::getenv("SULFUR_HOLD") ? std::atof(std::getenv("SULFUR_HOLD")) : 0.2;
+    static const Real pushShare = std::getenv("SULFUR_PUSH") ? std::atof(std::getenv("SULFUR_PUSH")) : 0.2;
+    const Real creep = state.settings.gravity.norm() * state.h * state.h / 4;
+    const SweepSettings push{creep, std::min(rate, pushShare), fastest, std::min(rate, holdShare)};
     for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
         ManifoldList& manifolds = core.rows.manifolds[c];
         TouchList& touches = core.rows.touches[c];
@@ -217,8 +221,8 @@ void sweepRows(State& state, bool last) {
             kernels.pushManifolds(bodies, manifolds.blocks.data(), manifolds.blocks.size(), push);
             kernels.pushTouches(bodies, touches.blocks.data(), touches.blocks.size(), push);
         } else {
-            kernels.sweepManifolds(bodies, manifolds.blocks.data(), manifolds.blocks.size());
-            kernels.sweepTouches(bodies, touches.blocks.data(), touches.blocks.size());
+            kernels.sweepManifolds(bodies, manifolds.blocks.data(), manifolds.blocks.size(), push);
+            kernels.sweepTouches(bodies, touches.blocks.data(), touches.blocks.size(), push);
         }
     }
 }

@@ -3,6 +3,7 @@
 // Rows of contacts are swept between what else is swept: joints come after contacts, so that what a
 // contact disturbs in a body is mended in the same sweep; trees, which are solved as a whole, last.
 #include <algorithm>
+#include <cstdlib>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
@@ -18,7 +19,8 @@ namespace sulfur::detail {
 namespace {
 
 /// Sweeps over contacts alone, and more over trees that a contact pulls on.
-constexpr int sweepsAlone = 2, mostForStrain = 48;
+const int sweepsAlone = std::getenv("SULFUR_SWEEPS") ? std::atoi(std::getenv("SULFUR_SWEEPS")) : 2;
+constexpr int mostForStrain = 48;
 
 bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;

@@ -33,23 +33,27 @@ struct Heading {
 using Lane = SweepReal[rowLanes];
 using Places = std::uint32_t[rowLanes];
 
-/// One point of a contact between two bodies. Everything along the normal from a to b, and along
-/// the tangent, which is the normal turned counter-clockwise by a right angle.
+/// One point of a contact between two bodies, along its normal from a to b.
 struct ManifoldPoint {
     Lane normalX, normalY;
-    Lane normalArmA, normalArmB;    // m, lever of the normal about each body's centre
-    Lane tangentArmA, tangentArmB;  // m, the same of the tangent
-    Lane gap;                       // m, where both bodies are at their references
-    Lane normalMass, tangentMass;   // kg, effective; 0: there is no such point
-    Lane slip;                      // m, by which the surfaces run along the tangent in this step
-    Lane pressing, rubbing;         // kg m, accumulated impulses
-    Lane anchor;                    // m, where it sticks, along the tangent, at the references
+    Lane normalArmA, normalArmB;  // m, lever of the normal about each body's centre
+    Lane gap;                     // m, where both bodies are at their references
+    Lane normalMass;              // kg, effective; 0: there is no such point
+    Lane pressing;                // kg m, accumulated impulse
 };
 
-/// Two bodies that touch in up to two points.
+/// Two bodies that touch in up to two points. They rub as one, in the middle between the points: a
+/// face that lies on another has the same tangent in both, and what the two can hold together is
+/// Coulomb's limit of their sum. The tangent is the normal turned counter-clockwise by a right angle.
 struct alignas(64) ManifoldBlock {
     Places a, b;  // bodies
     Lane staticFriction, kineticFriction;
+    Lane tangentX, tangentY;
+    Lane tangentArmA, tangentArmB;  // m, lever of the tangent
+    Lane tangentMass;               // kg, effective
+    Lane slip;                      // m, by which the surfaces run along the tangent in this step
+    Lane rubbing;                   // kg m, accumulated impulse
+    Lane anchor;                    // m, where it sticks, along the tangent, at the references
     ManifoldPoint points[2];
 };
 
@@ -112,21 +116,22 @@ struct PoseView {
     const Heading* heading;
 };
 
-/// How a sweep moves what overlaps.
-struct PushSettings {
-    SweepReal share;  // of an overlap
-    SweepReal most;   // m
-    SweepReal hold;   // share of what has crept from its anchor
+/// What sweeps have in common.
+struct SweepSettings {
+    SweepReal creep;  // m, slower slips are held by static friction
+    SweepReal share;  // of an overlap that goes in this step
+    SweepReal most;   // m, that goes in this step
+    SweepReal hold;   // share of what has crept from its anchor that goes back
 };
 
 struct RowKernels {
-    /// Friction, then normals, of one block after the other. `push`: places too.
-    void (*sweepManifolds)(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count);
-    void (*pushManifolds)(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
-                          const PushSettings& push);
-    void (*sweepTouches)(SolverBody* bodies, TouchBlock* blocks, std::size_t count);
-    void (*pushTouches)(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
-                        const PushSettings& push);
+    using Sweep = void (*)(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
+                           const SweepSettings& settings);
+    using SweepTouch = void (*)(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
+                                const SweepSettings& settings);
+    /// Friction, then normals, of one block after the other; `push`: places too.
+    Sweep sweepManifolds, pushManifolds;
+    SweepTouch sweepTouches, pushTouches;
     /// Geometry of one block from the poses of its bodies; impulses turn along, and what that
     /// changes goes to the bodies. Returns a bit for each lane that must be looked at again.
     std::uint32_t (*refreshManifolds)(SolverBody* bodies, const PoseView& poses,

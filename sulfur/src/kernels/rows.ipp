@@ -101,11 +101,14 @@ inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
     for (int i = 0; i < 8; ++i) store(&bodies[at[i]].vx, g.of[i]);
 }
 
-/// Coulomb's law: what static friction can stop sticks, anything else slides.
-inline Vec friction(Vec wanted, Vec pressing, Vec staticCoefficient, Vec kineticCoefficient) {
-    const Vec most = kineticCoefficient * pressing;
-    return magnitude(wanted) <= staticCoefficient * pressing ? wanted
-                                                             : clamped(wanted, -most, most);
+/// Coulomb's law: what static friction can stop in this step sticks, and so does what hardly slips,
+/// up to what static friction gives; anything else is braked by the kinetic one.
+inline Vec friction(Vec wanted, Vec slip, Vec pressing, Vec staticCoefficient,
+                    Vec kineticCoefficient, SweepReal creep) {
+    const Vec hold = staticCoefficient * pressing, brake = kineticCoefficient * pressing;
+    const auto sticks = (magnitude(wanted) <= hold) | (magnitude(slip) <= creep);
+    const Vec most = sticks ? hold : brake;
+    return clamped(wanted, -most, most);
 }
 
 // --- two bodies -------------------------------------------------------------------------------
@@ -131,29 +134,28 @@ inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, V
 }
 
 template <bool places>
-inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const PushSettings& settings) {
+inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const SweepSettings& settings) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    const Vec mass = a.mass() + b.mass(), zero{};
+    const Vec mass = a.mass() + b.mass(), zero{}, most = zero + settings.most;
     Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
     Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
-    const Vec muStatic = load(block.staticFriction), muKinetic = load(block.kineticFriction);
-    for (ManifoldPoint& p : block.points) {
-        const Vec tx = -load(p.normalY), ty = load(p.normalX);
-        const Vec armA = load(p.tangentArmA), armB = load(p.tangentArmB);
-        const Vec before = load(p.rubbing), pressing = load(p.pressing);
-        const Vec effective = load(p.tangentMass);
-        const Vec speed = along(v, tx, ty, armA, armB) - load(p.slip);
-        const Vec after = friction(before - effective * speed, pressing, muStatic, muKinetic);
-        store(p.rubbing, after);
+    {
+        const Vec tx = load(block.tangentX), ty = load(block.tangentY);
+        const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
+        const Vec pressing = load(block.points[0].pressing) + load(block.points[1].pressing);
+        const Vec before = load(block.rubbing), effective = load(block.tangentMass);
+        const Vec kinetic = load(block.kineticFriction);
+        const Vec speed = along(v, tx, ty, armA, armB) - load(block.slip);
+        const Vec after = friction(before - effective * speed, speed, pressing,
+                                   load(block.staticFriction), kinetic, settings.creep);
+        store(block.rubbing, after);
         push(v, after - before, tx, ty, armA, armB, mass, a, b);
         if constexpr (places) {
             // What has crept from where it sticks goes back; what slides takes its anchor along.
-            const Vec crept = load(p.anchor) + along(x, tx, ty, armA, armB);
-            const Vec holds = muKinetic * pressing;
-            const auto sticks = magnitude(after) < holds;
-            const Vec most = zero + settings.most;
+            const Vec crept = load(block.anchor) + along(x, tx, ty, armA, armB);
+            const auto sticks = magnitude(after) < kinetic * pressing;
             const Vec back = effective * clamped(-crept * settings.hold, -most, most);
-            store(p.anchor, sticks ? load(p.anchor) : load(p.anchor) - crept);
+            store(block.anchor, sticks ? load(block.anchor) : load(block.anchor) - crept);
             push(x, sticks ? back : zero, tx, ty, armA, armB, mass, a, b);
         }
     }
@@ -167,7 +169,6 @@ inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const PushSe
         store(p.pressing, after);
         push(v, after - before, nx, ny, armA, armB, mass, a, b);
         if constexpr (places) {
-            const Vec most = zero + settings.most;
             const Vec part = effective * clamped(-gap * settings.share, zero, most);
             push(x, part, nx, ny, armA, armB, mass, a, b);
         }
@@ -190,11 +191,12 @@ inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const PushSe
     scatter(bodies, block.b, b);
 }
 
-void sweepManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) sweepManifold<false>(bodies, blocks[i], {});
+void sweepManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
+                    const SweepSettings& settings) {
+    for (std::size_t i = 0; i < count; ++i) sweepManifold<false>(bodies, blocks[i], settings);
 }
 void pushManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
-                   const PushSettings& settings) {
+                   const SweepSettings& settings) {
     for (std::size_t i = 0; i < count; ++i) sweepManifold<true>(bodies, blocks[i], settings);
 }
 
@@ -254,6 +256,8 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
                                            magnitude(turned.y - load(shape.lookSine)));
     const Vec thickness = load(shape.thickness), mass = a.mass() + b.mass();
     Vec pushX{}, pushY{}, twistA{}, twistB{};  // what turned impulses change
+    // The place where both rub: the mean of the points that exist, and their normal.
+    Vec midAX{}, midAY{}, midBX{}, midBY{}, sumX{}, sumY{}, count{};
     for (int k = 0; k < 2; ++k) {
         ManifoldPoint& p = block.points[k];
         const ManifoldFeature& f = shape.features[k];
@@ -281,34 +285,49 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec otherX = fromX - nx * back, otherY = fromY - ny * back;
         const Vec ax = ofB ? otherX : ownX, ay = ofB ? otherY : ownY;
         const Vec bx = ofB ? ownX : otherX, by = ofB ? ownY : otherY;
-        const Vec normalA = exists * cross(ax, ay, nx, ny), normalB = exists * cross(bx, by, nx, ny);
-        const Vec tangentA = exists * (ax * nx + ay * ny), tangentB = exists * (bx * nx + by * ny);
-        const Vec normalK = mass + normalA * normalA * a.inertia() + normalB * normalB * b.inertia();
-        const Vec tangentK =
-            mass + tangentA * tangentA * a.inertia() + tangentB * tangentB * b.inertia();
-        store(p.normalMass, normalK > zero ? exists / normalK : zero);
-        store(p.tangentMass, tangentK > zero ? exists / tangentK : zero);
-        const Vec since = nx * x + ny * y + normalB * b.turn() - normalA * a.turn();
+        const Vec armA = exists * cross(ax, ay, nx, ny), armB = exists * cross(bx, by, nx, ny);
+        const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
+        store(p.normalMass, mobility > zero ? exists / mobility : zero);
+        const Vec since = nx * x + ny * y + armB * b.turn() - armA * a.turn();
         const Vec farAway = zero + SweepReal(1e18);
         store(p.gap, exists > zero ? distance - thickness - since : farAway);
         // Impulses stay what they are and act along the new directions.
-        const Vec n = load(p.pressing), t = load(p.rubbing);
-        const Vec oldX = load(p.normalX), oldY = load(p.normalY);
-        pushX += (nx - oldX) * n - (ny - oldY) * t;
-        pushY += (ny - oldY) * n + (nx - oldX) * t;
-        twistA += (normalA - load(p.normalArmA)) * n + (tangentA - load(p.tangentArmA)) * t;
-        twistB += (normalB - load(p.normalArmB)) * n + (tangentB - load(p.tangentArmB)) * t;
-        const Vec crept = load(p.anchor) + oldX * y - oldY * x +
-                          load(p.tangentArmB) * b.turn() - load(p.tangentArmA) * a.turn();
-        store(p.anchor,
-              crept - (nx * y - ny * x + tangentB * b.turn() - tangentA * a.turn()));
+        const Vec n = load(p.pressing);
+        pushX += (nx - load(p.normalX)) * n;
+        pushY += (ny - load(p.normalY)) * n;
+        twistA += (armA - load(p.normalArmA)) * n;
+        twistB += (armB - load(p.normalArmB)) * n;
         store(p.normalX, nx);
         store(p.normalY, ny);
-        store(p.normalArmA, normalA);
-        store(p.normalArmB, normalB);
-        store(p.tangentArmA, tangentA);
-        store(p.tangentArmB, tangentB);
+        store(p.normalArmA, armA);
+        store(p.normalArmB, armB);
+        midAX += exists * ax;
+        midAY += exists * ay;
+        midBX += exists * bx;
+        midBY += exists * by;
+        sumX += nx;
+        sumY += ny;
+        count += exists;
     }
+    const Vec share = count > zero ? one / larger(count, one) : zero;
+    const Vec length = root(sumX * sumX + sumY * sumY);
+    const Vec perLength = length > zero ? one / larger(length, zero + SweepReal(1e-30)) : zero;
+    const Vec tx = -sumY * perLength, ty = sumX * perLength;
+    const Vec armA = share * cross(midAX, midAY, tx, ty), armB = share * cross(midBX, midBY, tx, ty);
+    const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
+    store(block.tangentMass, (mobility > zero) & (count > zero) ? one / mobility : zero);
+    const Vec t = load(block.rubbing), oldX = load(block.tangentX), oldY = load(block.tangentY);
+    pushX += (tx - oldX) * t;
+    pushY += (ty - oldY) * t;
+    twistA += (armA - load(block.tangentArmA)) * t;
+    twistB += (armB - load(block.tangentArmB)) * t;
+    const Vec crept = load(block.anchor) + oldX * x + oldY * y +
+                      load(block.tangentArmB) * b.turn() - load(block.tangentArmA) * a.turn();
+    store(block.anchor, crept - (tx * x + ty * y + armB * b.turn() - armA * a.turn()));
+    store(block.tangentX, tx);
+    store(block.tangentY, ty);
+    store(block.tangentArmA, armA);
+    store(block.tangentArmB, armB);
     a.vx() -= pushX * a.mass();
     a.vy() -= pushY * a.mass();
     a.spin() -= twistA * a.inertia();
@@ -383,15 +402,15 @@ inline Jacobian tangentOf(const TouchBlock& t) {
 }
 
 template <bool places>
-inline void sweepTouch(SolverBody* bodies, TouchBlock& t, const PushSettings& settings) {
+inline void sweepTouch(SolverBody* bodies, TouchBlock& t, const SweepSettings& settings) {
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
     const Vec zero{}, most = zero + settings.most;
     const Jacobian tangent = tangentOf(t), normal = normalOf(t);
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
     const Vec kinetic = load(t.kineticFriction);
     const Vec speed = along(tangent, p, a, b) - load(t.slip);
-    const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, pressed,
-                                 load(t.staticFriction), kinetic);
+    const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, speed, pressed,
+                                 load(t.staticFriction), kinetic, settings.creep);
     store(t.rubbing, rubbing);
     push(tangent, rubbing - rubbed, p, a, b);
     if constexpr (places) {
@@ -414,11 +433,12 @@ inline void sweepTouch(SolverBody* bodies, TouchBlock& t, const PushSettings& se
     scatter(bodies, t.b, b);
 }
 
-void sweepTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) sweepTouch<false>(bodies, blocks[i], {});
+void sweepTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
+                  const SweepSettings& settings) {
+    for (std::size_t i = 0; i < count; ++i) sweepTouch<false>(bodies, blocks[i], settings);
 }
 void pushTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
-                 const PushSettings& settings) {
+                 const SweepSettings& settings) {
     for (std::size_t i = 0; i < count; ++i) sweepTouch<true>(bodies, blocks[i], settings);
 }
 

@@ -125,8 +125,8 @@ std::uint32_t RowGraph::removeManifold(Movers& movers, RowPlace place) {
     ManifoldBlock& block = manifold(place);
     const auto lane = laneOf(place);
     for (int k = 0; k < 2; ++k)
-        pressManifold(movers, block, lane, k, -block.points[k].pressing[lane],
-                      -block.points[k].rubbing[lane]);
+        pressManifold(movers, block, lane, k, -block.points[k].pressing[lane]);
+    rubManifold(movers, block, lane, -block.rubbing[lane]);
     giveColourBack<2>(movers, {block.a[lane], block.b[lane]}, place.colour);
     const auto moved = list.rows - 1;
     closeGap(list, place, manifoldPlaces);
@@ -144,21 +144,36 @@ std::uint32_t RowGraph::removeTouch(Movers& movers, RowPlace place) {
     return moved == place.index ? none : touchShape(place).touch[lane];
 }
 
-void RowGraph::pressManifold(Movers& movers, ManifoldBlock& block, std::uint32_t l, int point,
-                             Real normal, Real tangent) {
-    if (normal == 0 && tangent == 0) return;
-    ManifoldPoint& p = block.points[point];
+namespace {
+
+/// Pushes two bodies apart along (x, y).
+void pushApart(Movers& movers, const ManifoldBlock& block, std::uint32_t l, Real x, Real y,
+               Real armA, Real armB) {
     SolverBody &a = movers.bodies[block.a[l]], &b = movers.bodies[block.b[l]];
-    const Real px = p.normalX[l] * normal - p.normalY[l] * tangent;
-    const Real py = p.normalY[l] * normal + p.normalX[l] * tangent;
-    a.vx -= px * a.inverseMass;
-    a.vy -= py * a.inverseMass;
-    a.spin -= (p.normalArmA[l] * normal + p.tangentArmA[l] * tangent) * a.inverseInertia;
-    b.vx += px * b.inverseMass;
-    b.vy += py * b.inverseMass;
-    b.spin += (p.normalArmB[l] * normal + p.tangentArmB[l] * tangent) * b.inverseInertia;
+    a.vx -= x * a.inverseMass;
+    a.vy -= y * a.inverseMass;
+    a.spin -= armA * a.inverseInertia;
+    b.vx += x * b.inverseMass;
+    b.vy += y * b.inverseMass;
+    b.spin += armB * b.inverseInertia;
+}
+
+}  // namespace
+
+void RowGraph::pressManifold(Movers& movers, ManifoldBlock& block, std::uint32_t l, int point,
+                             Real normal) {
+    if (normal == 0) return;
+    ManifoldPoint& p = block.points[point];
+    pushApart(movers, block, l, p.normalX[l] * normal, p.normalY[l] * normal,
+              p.normalArmA[l] * normal, p.normalArmB[l] * normal);
     p.pressing[l] += normal;
-    p.rubbing[l] += tangent;
+}
+
+void RowGraph::rubManifold(Movers& movers, ManifoldBlock& block, std::uint32_t l, Real tangent) {
+    if (tangent == 0) return;
+    pushApart(movers, block, l, block.tangentX[l] * tangent, block.tangentY[l] * tangent,
+              block.tangentArmA[l] * tangent, block.tangentArmB[l] * tangent);
+    block.rubbing[l] += tangent;
 }
 
 void RowGraph::pressTouch(Movers& movers, TouchBlock& t, std::uint32_t l, Real normal,

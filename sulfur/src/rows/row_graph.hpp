@@ -64,9 +64,11 @@ struct RowGraph {
     std::uint32_t removeManifold(Movers& movers, RowPlace place);
     std::uint32_t removeTouch(Movers& movers, RowPlace place);
 
-    /// Adds impulses of one point (kg m) to what it has, and what they push to its bodies.
+    /// Add impulses (kg m) to those of a point, of a manifold along its tangent, or of a touch, and
+    /// what they push to the bodies.
     static void pressManifold(Movers& movers, ManifoldBlock& block, std::uint32_t lane, int point,
-                              Real normal, Real tangent);
+                              Real normal);
+    static void rubManifold(Movers& movers, ManifoldBlock& block, std::uint32_t lane, Real tangent);
     static void pressTouch(Movers& movers, TouchBlock& block, std::uint32_t lane, Real normal,
                            Real tangent);
 
