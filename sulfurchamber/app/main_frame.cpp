@@ -188,7 +188,6 @@ void MainFrame::refreshStatus() {
                          sums.rigidJoints + sums.elasticJoints, s.contacts),
         wxString::Format("%.0f %% of real time",
                          view_.realTimeShare() * view_.speedPermille() / 10.0),
-        // Where the ticks of some bodies are divided, into how many steps.
         s.substeps > 1 ? wxString::Format("%d Hz, %u steps", world.settings().tickRate, s.substeps)
                        : wxString::Format("%d Hz", world.settings().tickRate)};
     for (std::size_t i = 0; i < texts.size(); ++i)

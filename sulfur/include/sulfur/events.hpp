@@ -75,8 +75,8 @@ struct SensorLeft {
 
 /// Events of one tick, overwritten by the next World::step. The order is fixed: joints oldest
 /// first, pairs of bodies by the smaller of their handles, then the larger, each pair at most once.
-/// Of a divided tick (Statistics::substeps), joints and sensors of its steps stand one after the
-/// other. Of sensors no contacts are told. World::restore() leaves no events.
+/// Of a tick of several steps (Statistics::substeps), joints and sensors of its steps stand one
+/// after the other. Of sensors no contacts are told. World::restore() leaves no events.
 struct Events {
     std::vector<ContactBegun> contactsBegun = {};          ///< bodies that began to touch
     std::vector<ContactPersisted> contactsPersisted = {};  ///< bodies that go on touching

@@ -50,8 +50,7 @@ struct Statistics {
     std::uint64_t broadPhases = 0;       ///< since the world was made
     std::uint64_t fixedRebuilds = 0;     ///< of fixed geometry in the grid, likewise
     std::uint32_t gridCells = 0;         ///< that moving colliders cover, each counting its own
-    std::uint32_t substeps = 0;          ///< into which the last tick was divided, 1 if it was not
-    std::uint32_t dividedBodies = 0;     ///< for which it was; the others went it as a whole
+    std::uint32_t substeps = 0;          ///< equal steps of a tick, 1 from 480 Hz on
     std::uint32_t dampedJoints = 0;      ///< of the explicit ones, those that brake
     std::uint32_t breakableJoints = 0;   ///< awake ones that have a strength
     std::uint32_t rubbingContacts = 0;   ///< of those that push, the ones that have friction

@@ -55,7 +55,7 @@ enum class Rasterisation : std::uint8_t {
 struct WorldSettings {
     Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
     Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
-    int tickRate = 500;    ///< Hz, 60 to 10000
+    int tickRate = 500;    ///< Hz, 60 to 10000; below 480 a tick takes several equal steps
     bool sleeping = true;  ///< whether islands at rest fall asleep
     Damper damper = Damper::axial;                          ///< of all elastic joints
     Friction friction = Friction::coulomb;                  ///< of all contacts
@@ -292,8 +292,8 @@ public:
     /// clock: between the last two ticks' positions, so drawing lags by at most one tick.
     Point interpolated(ParticleId particle, double alpha) const;
     /// Mean velocity over the last step (displacement divided by duration), which is the velocity
-    /// at the middle of that step; after setVelocity, what was set. A step is a tick, except for
-    /// ropes and what hangs on them, which take several steps in a tick when they need to.
+    /// at the middle of that step; after setVelocity, what was set. A step is a tick, below 480 Hz
+    /// an equal part of one; ropes and what hangs on them take more steps when they need to.
     Vec2 velocity(ParticleId particle) const;
     /// Contacts that push, in a fixed order: those of the last tick, and those of sleepers. Sensors
     /// have none.

@@ -196,25 +196,6 @@ Option selfCollision(int bodies) {
             }};
 }
 
-/// At a rate at which its ticks are divided.
-Option restlessBall(int bodies) {
-    return {"short steps for one body", "hanging ropes at 120 Hz, a ball that never rests",
-            [=](bool on) {
-                WorldSettings settings = awake();
-                settings.tickRate = 120;
-                auto world = std::make_unique<World>(settings);
-                const Blueprint plan = shapes::rope({.links = 40, .pinFirst = true});
-                for (int i = 0; i < bodies / 10; ++i) world->add(plan, {.position = Point(i, 0)});
-                if (!on) return world;
-                world->add(shapes::ground({.points = {{-2, 4}, {-2, 0}, {2, 0}, {2, 4}}}),
-                           {.position = Point(-100, 0)});
-                const Body ball = world->add(shapes::ball(), {.position = Point(-100, 2)});
-                world->setMaterial(ball, {.restitution = 1});
-                world->setVelocity(ball, Vec2(20, 0));
-                return world;
-            }};
-}
-
 void addFieldOptions(std::vector<Option>& all, int bodies) {
     all.push_back(onCrates("uniform field", bodies, [](World& world, const auto&) {
         world.add(UniformField{.acceleration = Vec2(0, -1)});
@@ -302,7 +283,6 @@ std::vector<Option> options(int bodies) {
                      world.add(zone, {.position = Point(0, 1)});
                  }),
         selfCollision(bodies),
-        restlessBall(bodies),
         onCrates("grabs of a tenth", bodies,
                  [](World& world, const std::vector<Body>& crates) {
                      for (std::size_t i = 0; i < crates.size(); i += 10)

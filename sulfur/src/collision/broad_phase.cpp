@@ -173,11 +173,6 @@ bool hasUsed(const State& state, std::uint32_t i, Real lookAhead, Real share) {
 template <class Function>
 void forEachAwake(const State& state, Function&& f) {
     for (const Range& range : state.work.awake) f(range);
-    // Between ticks, lists of one pace do not name those of the other; in steps those stand by.
-    const WorkLists& parked = state.steps.parkedWork;
-    const bool named = state.work.movers == ListedMovers::all || state.steps.mixed;
-    if (!named && parked.madeAfter == state.listChanges)
-        for (const Range& range : parked.awake) f(range);
 }
 
 /// Whether any awake surface has used a share of its leeway.

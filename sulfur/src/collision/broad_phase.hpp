@@ -184,16 +184,14 @@ struct BroadPhase {
 };
 
 /// Calls f(const WatchedPair&), in their order, for all pairs of colliders that can have come to
-/// cross each other, but for runs that are to be passed over.
-template <class PassOver, class Function>
-void forEachNearPair(const BroadPhase& broad, const Outings& outings, PassOver&& passOver,
-                     Function&& f) {
+/// cross each other.
+template <class Function>
+void forEachNearPair(const BroadPhase& broad, const Outings& outings, Function&& f) {
     const auto outingOf = [&](const Collider& c) {
         return std::max(outings.ofParticle[c.a], outings.ofParticle[c.b]);
     };
     for (const WatchRun& run : broad.pairRuns) {
         if (outings.ofBody[run.one] + outings.ofBody[run.other] < run.spare) continue;
-        if (passOver(run)) continue;
         for (auto k = run.first; k < run.last; ++k) {
             const WatchedPair& pair = broad.pairs[k];
             const Collider &a = broad.collider(pair.first), &b = broad.collider(pair.second);

@@ -14,17 +14,16 @@ bool byParticle(const ContactMemory& x, const ContactMemory& y) {
     return x.particle < y.particle;
 }
 
-/// A contact between bodies that sleep or stand by, or of one with what physics does not move.
+/// A contact between sleepers, or of a sleeper with what physics does not move.
 bool isFrozen(const State& state, const ContactMemory& m) {
     const auto& bodyOf = state.particles.body;
-    bool anyStill = false;
+    bool anyAsleep = false;
     for (const auto p : {m.particle, m.a, m.b}) {
         const BodyRecord& body = state.bodies[bodyOf[p]];
-        const bool still = body.asleep || body.standsBy;
-        if (body.kind == BodyKind::dynamic && !still) return false;
-        anyStill |= still;
+        if (body.kind == BodyKind::dynamic && !body.asleep) return false;
+        anyAsleep |= body.asleep;
     }
-    return anyStill;
+    return anyAsleep;
 }
 
 /// Where a contact does not even touch, there is nothing to remember but the side.
@@ -57,7 +56,7 @@ void indexMemory(State& state) {
 
 void rememberContacts(State& state) {
     auto& memory = state.contactMemory;
-    if (state.work.sleepers == 0 && !state.steps.mixed)
+    if (state.work.sleepers == 0)
         memory.clear();
     else
         std::erase_if(memory, [&](const ContactMemory& m) { return !isFrozen(state, m); });

@@ -27,7 +27,7 @@ inline const ContactMemory* recall(const State& state, std::uint32_t particle, s
     return neighbour;
 }
 
-/// Takes down the contacts of this tick, and keeps those of what sleeps or stands by.
+/// Takes down the contacts of this tick, and keeps those of sleepers.
 void rememberContacts(State& state);
 
 }  // namespace sulfur::detail

@@ -34,7 +34,7 @@ bool hasSurface(const State& state, std::uint32_t body) {
 /// 1/kg of the body as a whole; 0 if anything holds it.
 double inverseMassOf(const State& state, std::uint32_t body) {
     const BodyRecord& record = state.bodies[body];
-    if (record.kind != BodyKind::dynamic || !state.movable(body)) return 0;
+    if (record.kind != BodyKind::dynamic || !state.awake(body)) return 0;
     const Span span = particlesOf(state, body);
     double mass = 0;
     for (auto i = span.first; i < span.last; ++i) {

@@ -341,17 +341,10 @@ void considerEnd(const State& state, std::uint32_t particle, std::uint32_t colli
     if (m.distance < best.meeting.distance) best = {{particle, collider}, m};
 }
 
-/// Whether neither of two bodies takes part in the present steps, in ticks in which some do not.
-bool areStill(const State& state, std::uint32_t one, std::uint32_t other) {
-    const auto& still = state.steps.still;
-    return !still.empty() && still[one] != 0 && still[other] != 0;
-}
-
 void findCrossings(const State& state, std::vector<Crossing>& found) {
     const BroadPhase& broad = state.broad;
     const auto& x = state.particles.position;
-    const auto passOver = [&](const WatchRun& run) { return areStill(state, run.one, run.other); };
-    forEachNearPair(broad, broad.outings, passOver, [&](const WatchedPair& pair) {
+    forEachNearPair(broad, broad.outings, [&](const WatchedPair& pair) {
         const auto i = pair.first, j = pair.second;
         const Collider& a = broad.collider(i);
         const Collider& b = broad.collider(j);
@@ -406,24 +399,18 @@ std::size_t particleStart(const std::vector<std::uint32_t>& particle, std::size_
 }
 
 /// Calls f(numbers of candidates), in their order, for those in [first, last) whose sides can have
-/// come near enough to each other, but for those that stand by.
+/// come near enough to each other.
 template <class Function>
 void forEachNear(const State& state, std::size_t first, std::size_t last, Function&& f) {
     const BroadPhase& broad = state.broad;
     const Looks& looks = broad.looks;
     const CandidateView view{looks.particle.data(), looks.a.data(), looks.b.data(),
                              looks.spare.data()};
-    const auto standsBy = [&](std::uint32_t k) {
-        return areStill(state, state.particles.body[looks.particle[k]], broad.watches[k].body);
-    };
     std::array<std::uint32_t, nearBatch> near;
     for (; first < last; first += nearBatch) {
         const auto end = std::min(first + nearBatch, last);
-        auto count = outingKernels().findNear(view, broad.outings.ofParticle.data(), near.data(),
-                                              first, end);
-        if (!state.steps.still.empty())
-            count = static_cast<std::size_t>(
-                std::remove_if(near.begin(), near.begin() + count, standsBy) - near.begin());
+        const auto count = outingKernels().findNear(view, broad.outings.ofParticle.data(),
+                                                    near.data(), first, end);
         f(std::span<const std::uint32_t>(near.data(), count));
     }
 }

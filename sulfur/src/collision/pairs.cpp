@@ -377,13 +377,7 @@ void measureOutings(const State& state, const std::vector<Vec2>& displacements, 
     auto& ofParticle = outings.ofParticle;
     auto& ofBody = outings.ofBody;
     ofParticle.resize(p.size(), 0);
-    if (state.steps.mixed) {
-        // What stands by is as far out as its own steps have led it.
-        ofBody.resize(state.bodies.size(), 0);
-        for (const auto body : state.work.bodies) ofBody[body] = 0;
-    } else {
-        ofBody.assign(state.bodies.size(), 0);
-    }
+    ofBody.assign(state.bodies.size(), 0);
     // Pieces end where bodies do.
     const auto bodyStart = [&](std::size_t i) {
         while (i > 0 && i < p.size() && p.body[i] == p.body[i - 1]) ++i;

@@ -1,8 +1,6 @@
 // How each joint is solved, derived from stiffness, masses and the tick.
 #include <algorithm>
 
-#include "solver/substeps.hpp"
-#include "trees/tree_solver.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -70,20 +68,10 @@ std::vector<Real> weightsOf(const State& state, const Counts& before) {
     return weights;
 }
 
-/// s, the step of the body of a joint.
-Real stepOfJoint(const State& state, std::uint32_t j) {
-    const auto& body = state.particles.body;
-    const auto divided = [&](std::uint32_t p) { return state.bodies[body[p]].divided; };
-    return stepDuration(state, divided(state.joints.a[j]) || divided(state.joints.b[j])
-                                   ? Pace::divided
-                                   : Pace::whole);
-}
-
-/// Of each particle that was not there `before`, where joint j is solved in steps of stepOf(j)
-/// seconds.
-template <class StepOf>
-std::vector<Load> loadsOf(const State& state, const Counts& before, StepOf&& stepOf) {
+/// Of each particle that was not there `before`.
+std::vector<Load> loadsOf(const State& state, const Counts& before) {
     const Joints& joints = state.joints;
+    const Real h = state.h;
     std::vector<Real> w(state.particles.size());
     for (auto i = before.particles; i < w.size(); ++i) w[i] = mobility(state, i);
     std::vector<Load> load(state.particles.size());
@@ -91,7 +79,6 @@ std::vector<Load> loadsOf(const State& state, const Counts& before, StepOf&& ste
     for (auto j = before.joints; j < joints.size(); ++j) {
         if (isRigid(joints, j)) continue;
         const Real sum = w[joints.a[j]] + w[joints.b[j]];
-        const Real h = stepOf(j);
         for (const auto p : {joints.a[j], joints.b[j]}) {
             load[p].stiffness += weight[p] * h * h * joints.stiffness[j] * sum;
             load[p].damping += h * joints.damping[j] * sum;
@@ -100,44 +87,11 @@ std::vector<Load> loadsOf(const State& state, const Counts& before, StepOf&& ste
     return load;
 }
 
-/// Whether all of a spring is a force.
-bool isSoft(const Load& a, const Load& b) {
-    return std::max(a.stiffness, b.stiffness) <= softLimit &&
-           std::max(a.damping, b.damping) <= dampedLimit;
-}
-
-/// Where ticks may be divided: bodies whose springs are not forces alone in undivided ones, and of
-/// these the ones with springs that no tree solves as a whole, since they are in a part of what is
-/// stiff that has a cycle; an undivided tick is too long for those.
-void findWhatDependsOnStep(State& state) {
-    const Joints& joints = state.joints;
-    Structure& structure = state.structure;
-    structure.unresolved.assign(state.bodies.size(), 0);
-    structure.dependsOnStep.assign(state.bodies.size(), 0);
-    if (!mayDivideTicks(state)) return;
-    const Real tick = stepDuration(state, Pace::whole);
-    const std::vector<Load> load = loadsOf(state, {}, [&](std::uint32_t) { return tick; });
-    std::vector<std::uint8_t> stiff(joints.size());
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
-        stiff[j] = isRigid(joints, j) || !isSoft(load[joints.a[j]], load[joints.b[j]]);
-    const std::vector<std::uint8_t> inCycle = findInCycles(state, stiff);
-    const auto& body = state.particles.body;
-    for (std::uint32_t j = 0; j < joints.size(); ++j) {
-        if (isRigid(joints, j) || joints.inCluster[j] || !stiff[j]) continue;
-        for (const auto p : {joints.a[j], joints.b[j]}) {
-            structure.dependsOnStep[body[p]] = 1;
-            if (inCycle[j] != 0) structure.unresolved[body[p]] = 1;
-        }
-    }
-}
-
 }  // namespace
 
 void classifyJoints(State& state, const Counts& before) {
     Joints& joints = state.joints;
-    findWhatDependsOnStep(state);
-    const std::vector<Load> load =
-        loadsOf(state, before, [&](std::uint32_t j) { return stepOfJoint(state, j); });
+    const std::vector<Load> load = loadsOf(state, before);
     for (auto j = before.joints; j < joints.size(); ++j) {
         const Load &a = load[joints.a[j]], &b = load[joints.b[j]];
         const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);

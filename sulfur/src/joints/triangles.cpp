@@ -174,7 +174,7 @@ void listTriangles(State& state) {
         return state.particles.cluster[particle] != none;
     };
     for (const Triangle& t : triangles.all) {
-        if (!state.movable(state.particles.body[t.a])) continue;
+        if (!state.awake(state.particles.body[t.a])) continue;
         if (!moves(t.a) && !moves(t.b) && !moves(t.c)) continue;
         triangles.awake.add(t, isHeld(t.a) || isHeld(t.b) || isHeld(t.c));
     }

@@ -14,10 +14,12 @@ namespace sulfur::detail {
 /// The displacement of a tick and the velocity are numbers of their own and never recovered by
 /// subtracting positions: that would lose them to rounding far from the origin. Velocities and
 /// the sums of forces are double, so that a million ticks of forces that cancel leave no momentum.
+/// (After a tick of several steps the displacement is a difference of positions: only drawing asks
+/// for it then.)
 struct Particles {
     // Hot: touched by every tick.
     std::vector<Point> position;         // m, at the start of the tick until the tick's end
-    std::vector<Vec2> displacement;      // m, of this tick (after it: of the last one)
+    std::vector<Vec2> displacement;      // m, of this step (between ticks: of the last tick)
     std::vector<Point> velocity;         // m/s, mean over the last step
     std::vector<Point> force;            // N, gathered for the next prediction
     std::vector<Real> inverseMass;       // 1/kg, 0 for what physics does not move

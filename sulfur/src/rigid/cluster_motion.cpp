@@ -49,7 +49,7 @@ void forEachCluster(State& state, const std::vector<std::uint32_t>& list, Functi
 /// Air friction by the trapezoidal rule, as for particles.
 struct AirFriction {
     explicit AirFriction(const State& state) {
-        const double kick = (state.lastStep() + static_cast<double>(state.h)) / 2;
+        const double kick = (state.lastStep + static_cast<double>(state.h)) / 2;
         const double half = kick * static_cast<double>(state.settings.airFriction) / 2;
         keep = (1 - half) / (1 + half);
         push = kick / (1 + half);
@@ -156,12 +156,7 @@ ClusterWay wayOf(const Cluster& c) {
 }  // namespace
 
 ClusterLoad loadOf(const State& state, const Cluster& c) {
-    Real inverseMass = c.inverseMass, inverseInertia = c.inverseInertia;
-    if (inverseMass == 0 && inverseInertia == 0) {
-        if (!state.bodies[c.body].standsBy) return {};
-        inverseMass = static_cast<Real>(c.freeInverseMass);
-        inverseInertia = static_cast<Real>(c.freeInverseInertia);
-    }
+    if (c.inverseMass == 0 && c.inverseInertia == 0) return {};
     const Particles& p = state.particles;
     const Point weight = c.mass * state.settings.gravity.cast<double>();
     Point force = weight;
@@ -172,7 +167,8 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
         force += f;
         torque += cross(p.arm[i].cast<double>(), f);
     }
-    return {static_cast<double>(inverseMass) * force, static_cast<double>(inverseInertia) * torque};
+    return {static_cast<double>(c.inverseMass) * force,
+            static_cast<double>(c.inverseInertia) * torque};
 }
 
 void adoptStirredClusters(State& state) {

@@ -239,14 +239,14 @@ bool strainIsGone(const State& state, std::uint32_t body) {
 }
 
 void restoreClusterMasses(State& state, std::uint32_t body) {
-    const bool moves = state.bodies[body].kind == BodyKind::dynamic && state.movable(body);
+    const bool moves = state.bodies[body].kind == BodyKind::dynamic && state.awake(body);
     auto& list = state.clusters.list;
     auto at = std::lower_bound(list.begin(), list.end(), body,
                                [](const Cluster& c, std::uint32_t b) { return c.body < b; });
     for (; at != list.end() && at->body == body; ++at) {
         at->inverseMass = moves ? static_cast<Real>(at->freeInverseMass) : 0;
         at->inverseInertia = moves ? static_cast<Real>(at->freeInverseInertia) : 0;
-        if (moves || state.bodies[body].standsBy) continue;
+        if (moves) continue;
         at->velocity = Point(0, 0);
         at->spin = 0;
     }

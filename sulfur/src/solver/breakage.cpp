@@ -44,26 +44,25 @@ void breakBraces(State& state, std::uint32_t particle, std::vector<bool>& broken
 }  // namespace
 
 void breakJoints(State& state) {
-    state.events.jointsBroken.clear();
-    state.events.bodiesSplit.clear();
-    state.events.particlesLost.clear();
+    auto& told = state.events.jointsBroken;
+    const std::size_t first = told.size();  // those before broke in earlier steps of the tick
     const Joints& joints = state.joints;
     state.looked(Stage::breakage, state.work.breakableJoints.size());
     for (const auto j : state.work.breakableJoints)
-        if (std::abs(joints.force[j]) > joints.strength[j])
-            state.events.jointsBroken.push_back(describe(state, j));
-    if (state.events.jointsBroken.empty()) return;
+        if (std::abs(joints.force[j]) > joints.strength[j]) told.push_back(describe(state, j));
+    if (told.size() == first) return;
     Removal removal(state);
     std::vector<ParticleId> ends;
-    for (const JointBroken& broken : state.events.jointsBroken)
-        removal.joints[state.jointSlots.dense(broken.joint)] = true;
-    for (std::size_t i = 0, overloaded = state.events.jointsBroken.size(); i < overloaded; ++i) {
-        const auto j = state.jointSlots.dense(state.events.jointsBroken[i].joint);
+    const std::size_t overloaded = told.size();
+    for (std::size_t i = first; i < overloaded; ++i)
+        removal.joints[state.jointSlots.dense(told[i].joint)] = true;
+    for (std::size_t i = first; i < overloaded; ++i) {
+        const auto j = state.jointSlots.dense(told[i].joint);
         if (joints.body[j] == none || !(joints.radius[j] > 0)) continue;
         for (const auto end : {joints.a[j], joints.b[j]}) breakBraces(state, end, removal.joints);
     }
-    for (const JointBroken& broken : state.events.jointsBroken) {
-        const auto j = state.jointSlots.dense(broken.joint);
+    for (std::size_t i = first; i < told.size(); ++i) {
+        const auto j = state.jointSlots.dense(told[i].joint);
         if (joints.body[j] == none) continue;
         ends.push_back(state.particles.id[joints.a[j]]);
         ends.push_back(state.particles.id[joints.b[j]]);

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "rigid/find_clusters.hpp"
-#include "solver/paces.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -12,7 +11,7 @@ namespace {
 
 bool anyAwake(const State& state, std::uint32_t a, std::uint32_t b) {
     const auto& body = state.particles.body;
-    return state.movable(body[a]) || state.movable(body[b]);
+    return state.awake(body[a]) || state.awake(body[b]);
 }
 
 void append(std::vector<Range>& ranges, std::uint32_t i) {
@@ -28,7 +27,7 @@ void listClusters(State& state) {
     work.clusters.clear();
     work.watchedClusters.clear();
     for (std::uint32_t c = 0; c < state.clusters.list.size(); ++c) {
-        if (!state.movable(state.clusters.list[c].body)) continue;
+        if (!state.awake(state.clusters.list[c].body)) continue;
         work.awakeClusters.push_back(c);
         if (state.clusters.list[c].watched) work.watchedClusters.push_back(c);
         if (state.trees.ofCluster[c] == none) work.clusters.push_back(c);
@@ -36,7 +35,7 @@ void listClusters(State& state) {
 }
 
 bool isAwake(const State& state, const TreeNode& node) {
-    if (node.cluster != none) return state.movable(state.clusters.list[node.cluster].body);
+    if (node.cluster != none) return state.awake(state.clusters.list[node.cluster].body);
     return node.particle != none && state.particles.inverseMass[node.particle] > 0;
 }
 
@@ -95,7 +94,7 @@ void listAwakeParticles(State& state) {
     for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
         const BodyRecord& body = state.bodies[b];
         if (body.asleep) ++work.sleepers;
-        if (!state.movable(b)) continue;
+        if (!state.awake(b)) continue;
         work.bodies.push_back(b);
         if (body.kind == BodyKind::kinematic) work.kinematic.push_back(b);
         const auto size = static_cast<std::uint32_t>(body.particles.size());
@@ -118,7 +117,7 @@ void listAwakeParticles(State& state) {
 bool takesPart(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
     const auto moves = [&](std::uint32_t p) {
-        return state.movable(state.particles.body[p]) && inverseMassAwake(state, p) > 0;
+        return state.awake(state.particles.body[p]) && inverseMassAwake(state, p) > 0;
     };
     return !joints.inCluster[j] && (moves(joints.a[j]) || moves(joints.b[j]));
 }
@@ -185,7 +184,7 @@ void listAttachments(State& state) {
     }
     for (const auto i : state.structure.sweptHinges) {
         const Hinge& hinge = state.clusters.hinges[i];
-        if (state.movable(state.clusters.list[hinge.cluster].body)) work.hinges.push_back(i);
+        if (state.awake(state.clusters.list[hinge.cluster].body)) work.hinges.push_back(i);
     }
 }
 
@@ -228,20 +227,26 @@ void deriveStructure(State& state) {
     if (!onlyAdded) state.structureChanged = true;
     state.structure.stale = state.structure.onlyAdded = false;
     state.work.stale = true;
-    ++state.listChanges;
 }
 
 std::uint32_t sizeOf(const auto& list) {
     return static_cast<std::uint32_t>(list.size());
 }
 
-/// Adds what the lists name.
-void count(State& state, const WorkLists& work, const Triangles& triangles) {
+void count(State& state) {
     Statistics& statistics = state.statistics;
-    statistics.awakeParticles += work.awakeParticles;
-    statistics.clusters += sizeOf(work.awakeClusters);
-    statistics.trees += sizeOf(work.lonelyTrees);
-    statistics.breakableJoints += sizeOf(work.breakableJoints);
+    const WorkLists& work = state.work;
+    statistics.particles = sizeOf(state.particles);
+    statistics.joints = sizeOf(state.joints);
+    statistics.bodies = sizeOf(state.bodies);
+    statistics.awakeParticles = work.awakeParticles;
+    statistics.clusters = sizeOf(work.awakeClusters);
+    statistics.trees = sizeOf(work.lonelyTrees);
+    statistics.breakableJoints = sizeOf(work.breakableJoints);
+    statistics.triangles = static_cast<std::uint32_t>(state.triangles.awake.count);
+    statistics.sweptJoints = sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
+    statistics.explicitJoints = statistics.dampedJoints = 0;
+    statistics.rigidJoints = statistics.implicitJoints = 0;
     for (const auto j : work.explicitJoints) {
         if (state.joints.kind[j] == JointKind::explicitElastic) ++statistics.explicitJoints;
         if (state.joints.explicitDamping[j] > 0) ++statistics.dampedJoints;
@@ -249,24 +254,6 @@ void count(State& state, const WorkLists& work, const Triangles& triangles) {
     for (const auto j : work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
-    statistics.triangles += static_cast<std::uint32_t>(triangles.awake.count);
-    statistics.sweptJoints += sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
-}
-
-/// Of both paces, if there are two; their lists are made one after the other.
-void count(State& state) {
-    Statistics& statistics = state.statistics;
-    statistics.particles = sizeOf(state.particles);
-    statistics.joints = sizeOf(state.joints);
-    statistics.bodies = sizeOf(state.bodies);
-    statistics.awakeParticles = statistics.clusters = statistics.trees = 0;
-    statistics.breakableJoints = statistics.explicitJoints = statistics.implicitJoints = 0;
-    statistics.rigidJoints = statistics.dampedJoints = statistics.triangles = 0;
-    statistics.sweptJoints = 0;
-    count(state, state.work, state.triangles);
-    const WorkLists& parked = state.steps.parkedWork;
-    if (state.steps.mixed && parked.madeAfter == state.listChanges)
-        count(state, parked, state.steps.parkedTriangles);
 }
 
 }  // namespace
@@ -279,11 +266,6 @@ void updateStructure(State& state) {
 void applyChanges(State& state) {
     updateStructure(state);
     if (!state.work.stale) return;
-    // Lists of the other pace that were made before this are stale too.
-    if (state.work.madeAfter == state.listChanges) ++state.listChanges;
-    state.work.madeAfter = state.listChanges;
-    state.work.movers = wantedMovers(state);
-    noteStill(state);
     // The broad phase derives it later in the tick; the lists need it now.
     if (state.broad.collidersStale)
         updateReach(state, state.broad.onlyAdded ? state.broad.listed : Counts{});

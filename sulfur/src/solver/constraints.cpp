@@ -14,7 +14,6 @@
 #include "solver/hold_back.hpp"
 #include "solver/impacts.hpp"
 #include "solver/stages.hpp"
-#include "solver/substeps.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
@@ -161,8 +160,6 @@ void solveConstraints(State& state) {
     const bool contactsAlone = rows.takesAll() && !sweepsOthers(state);
     (contactsAlone ? sweepContactsAlone : sweepAll)(state, rows, forest);
     rows.giveMultipliers(state);
-    // (Blocks have their motions still.)
-    if (mayDivideTicks(state)) noteStrain(state, rows);
     if (rows.anyTooDeep(state)) guardContacts(state);
     limitImpacts(state);
     holdBack(state);

@@ -487,10 +487,6 @@ bool ContactRows::anyLargeError(const State& state) const {
     return anyErrorBeyond(largeErrorSpeed * state.h);
 }
 
-bool ContactRows::isLeftWithError(const State& state, const Contact& c) const {
-    return leavesError(state, c, mostErrorSpeed * state.h);
-}
-
 bool ContactRows::anyError(const State& state) const {
     const Real most = mostErrorSpeed * state.h;
     return anyErrorBeyond(most) || anySingleBeyond(state, most);

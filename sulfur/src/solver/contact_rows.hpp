@@ -48,8 +48,6 @@ public:
     /// Whether any contact is left with an error that is worth a sweep; by the motions that were
     /// fetched, for blocks, or those in the state.
     bool anyError(const State& state) const;
-    /// The same of one contact, by the motions in the state.
-    bool isLeftWithError(const State& state, const Contact& c) const;
     /// The same, of contacts in blocks with errors that take more than one.
     bool anyLargeError(const State& state) const;
     /// The same, with errors that show: of contacts in blocks; of those that are solved singly.

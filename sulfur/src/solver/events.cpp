@@ -4,7 +4,6 @@
 
 #include "core/bucket_sort.hpp"
 #include "solver/stages.hpp"
-#include "solver/tell.hpp"
 
 namespace sulfur::detail {
 
@@ -143,6 +142,10 @@ private:
 
 void tellBegun(State& state, const FoundTouch& t) {
     const Contact& c = state.contacts[t.strongest];
+    // A sleeper bears whatever lies on it as if it had no end of mass, so that it must not sleep on
+    // when something new comes to lie on it, however gently.
+    for (const auto body : {c.bodyA, c.bodyB})
+        if (state.bodies[body].asleep) state.knocked.push_back(body);
     state.events.contactsBegun.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                                           placeOf(state, c), c.normal,
                                           std::max<Real>(c.approach, 0), t.impulse});
@@ -154,19 +157,12 @@ void tellPersisted(State& state, const FoundTouch& t) {
                                               placeOf(state, c), c.normal, t.impulse});
 }
 
-void tellAllPersisted(State& state, const std::vector<FoundTouch>& touches) {
-    const bool anyBegan = state.steps.done > 0 && !state.told.contactsBegun.empty();
-    if (!state.settings.tellPersisting && !anyBegan) return;
-    for (std::size_t k = 0; k < touches.size(); ++k)
-        if (tellsPersisting(state, state.touching[k])) tellPersisted(state, touches[k]);
-}
-
-/// Whether neither of two bodies takes part, so that what touched still touches.
+/// Whether physics moves neither of two bodies, so that what touched still touches.
 bool isFrozen(const State& state, const BodyPair& pair) {
     for (const BodyId id : {pair.a, pair.b}) {
         if (!state.bodySlots.contains(id)) return false;
         const BodyRecord& body = state.bodies[state.bodySlots.dense(id)];
-        if (body.kind == BodyKind::dynamic && !body.asleep && !body.standsBy) return false;
+        if (body.kind == BodyKind::dynamic && !body.asleep) return false;
     }
     return true;
 }
@@ -174,9 +170,6 @@ bool isFrozen(const State& state, const BodyPair& pair) {
 }  // namespace
 
 void collectEvents(State& state) {
-    state.events.contactsBegun.clear();
-    state.events.contactsPersisted.clear();
-    state.events.contactsEnded.clear();
     thread_local Touches scratch;
     thread_local std::vector<BodyPair> now;
     Touches& touches = scratch;
@@ -185,7 +178,14 @@ void collectEvents(State& state) {
     if (!touches.any && state.touchingFrozen && !state.structure.stale) return;
     state.touchingFrozen = !touches.any;
     now.reserve(state.touching.size());  // likewise
-    if (touches.same) return tellAllPersisted(state, touches.old);
+    // What began in an earlier step of the tick goes on to push: mergeSteps() adds that up.
+    const bool tellsPersisting =
+        state.settings.tellPersisting || !state.events.contactsBegun.empty();
+    if (touches.same) {
+        if (tellsPersisting)
+            for (const FoundTouch& touch : touches.old) tellPersisted(state, touch);
+        return;
+    }
     now.clear();
     // Both lists are sorted: one walk along both keeps the order.
     auto begun = touches.begun.cbegin();
@@ -204,7 +204,7 @@ void collectEvents(State& state) {
             continue;
         }
         now.push_back(pair);
-        if (touch.strongest != none && tellsPersisting(state, pair)) tellPersisted(state, touch);
+        if (touch.strongest != none && tellsPersisting) tellPersisted(state, touch);
     }
     beginUntil(nullptr);
     std::swap(state.touching, now);

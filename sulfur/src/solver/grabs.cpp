@@ -41,12 +41,6 @@ void solve(State& state, Grab& grab) {
     grab.impulse = impulse;
 }
 
-/// Whether what it holds takes no part in the present steps.
-bool standsBy(const State& state, const Grab& grab) {
-    const auto i = state.particleSlots.dense(grab.support[0]);
-    return state.bodies[state.particles.body[i]].standsBy;
-}
-
 }  // namespace
 
 bool holds(const State& state, const Grab& grab) {
@@ -64,13 +58,12 @@ void startGrabs(State& state) {
     std::erase_if(grabs, [&](const Grab& grab) { return !grabSlots.contains(grab.id); });
     for (std::uint32_t i = 0; i < grabs.size(); ++i) {
         grabSlots.move(grabs[i].id, i);
-        if (!standsBy(state, grabs[i])) grabs[i].impulse = Vec2(0, 0);
+        grabs[i].impulse = Vec2(0, 0);
     }
 }
 
 void solveGrabs(State& state) {
-    for (Grab& grab : state.influences.grabs)
-        if (!standsBy(state, grab)) solve(state, grab);
+    for (Grab& grab : state.influences.grabs) solve(state, grab);
 }
 
 }  // namespace sulfur::detail

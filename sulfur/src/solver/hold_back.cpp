@@ -24,7 +24,7 @@ constexpr Real calmBelow = Real(0.98);
 /// Where a particle goes in this tick, as the constraints left it.
 Vec2 wayOf(const State& state, std::uint32_t particle) {
     const Particles& p = state.particles;
-    const bool led = p.cluster[particle] != none && state.movable(p.body[particle]);
+    const bool led = p.cluster[particle] != none && state.awake(p.body[particle]);
     return led ? displacementOf(state, gripOf(state, particle)) : p.displacement[particle];
 }
 

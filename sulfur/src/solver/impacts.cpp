@@ -25,7 +25,7 @@ enum class Role : std::uint8_t { still, moved, kinematic };
 
 Role roleOf(const BodyRecord& body) {
     if (body.kind == BodyKind::kinematic) return Role::kinematic;
-    const bool moves = body.kind == BodyKind::dynamic && !body.asleep && !body.standsBy;
+    const bool moves = body.kind == BodyKind::dynamic && !body.asleep;
     return moves ? Role::moved : Role::still;
 }
 

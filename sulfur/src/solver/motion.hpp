@@ -17,7 +17,7 @@ inline MotionView motionOf(Particles& p) {
 /// The kick from the middle of the last tick to the middle of this one, with air friction by the
 /// trapezoidal rule: v' - v = k a - k c (v + v') / 2.
 inline Kick kickOf(const State& state) {
-    const double h = static_cast<double>(state.h), duration = (state.lastStep() + h) / 2;
+    const double h = static_cast<double>(state.h), duration = (state.lastStep + h) / 2;
     const double half = duration * static_cast<double>(state.settings.airFriction) / 2;
     const Point gravity = state.settings.gravity.cast<double>();
     return {gravity[0], gravity[1], (1 - half) / (1 + half), duration / (1 + half), h, maxSpeed};

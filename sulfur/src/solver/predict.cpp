@@ -7,7 +7,6 @@
 #include "rigid/loads.hpp"
 #include "solver/driven.hpp"
 #include "solver/motion.hpp"
-#include "solver/paces.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -15,15 +14,14 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Displaces the particles of a kinematic body so that they arrive at its target after so many
-/// steps.
-void driveTowardsTarget(State& state, const BodyRecord& body, double stepsLeft) {
+/// Displaces the particles of a kinematic body so that they arrive at its target with the last step
+/// of the tick. Each step goes its share of the way that is left.
+void driveTowardsTarget(State& state, const BodyRecord& body) {
     Particles& particles = state.particles;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
         const Point way = goalOf(state, body, i) - particles.position[i];
-        // Of a divided tick's steps, each goes its share of the way that is left.
-        particles.displacement[i] = (way / stepsLeft).cast<Real>();
+        particles.displacement[i] = (way / state.stepsLeft).cast<Real>();
         particles.velocity[i] =
             particles.displacement[i].cast<double>() / static_cast<double>(state.h);
     }
@@ -32,11 +30,10 @@ void driveTowardsTarget(State& state, const BodyRecord& body, double stepsLeft) 
 /// Kinematic bodies follow their target, stop after it, or move on as their velocities say.
 void driveKinematicBodies(State& state) {
     Particles& particles = state.particles;
-    const double stepsLeft = state.steps.count - state.steps.done;
     for (const auto index : state.work.kinematic) {
         BodyRecord& body = state.bodies[index];
         if (body.moving) {
-            driveTowardsTarget(state, body, stepsLeft);
+            driveTowardsTarget(state, body);
         } else {
             for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
                 const auto i = body.firstParticle + k;
@@ -45,7 +42,7 @@ void driveKinematicBodies(State& state) {
                     (static_cast<double>(state.h) * particles.velocity[i]).cast<Real>();
             }
         }
-        if (stepsLeft > 1) continue;
+        if (state.stepsLeft > 1) continue;
         body.stopping = body.moving;
         body.moving = false;
     }
@@ -65,8 +62,7 @@ void startFreshParticles(State& state) {
         particles.velocity[i] -= lastStepOf(state, i) / 2 * acceleration;
         stirClusters(state, i);
     }
-    std::erase_if(state.fresh,
-                  [&](std::uint32_t i) { return !state.bodies[particles.body[i]].standsBy; });
+    state.fresh.clear();
 }
 
 /// v += h (g + w f) and d = h v for the particles that move by themselves.
@@ -87,7 +83,6 @@ void predict(State& state) {
                                      state.work.lonelyTrees.size());
     startFreshParticles(state);
     adoptStirredClusters(state);
-    startLateParticles(state);
     predictParticles(state);
     driveKinematicBodies(state);
     predictClusters(state);

@@ -88,7 +88,7 @@ void addNear(State& state, bool anew) {
     for (std::size_t i = 0; i < sensing.near.size();) {
         const auto [sensor, visitor, first] = sensing.near[i];
         const Visit visit = visitOf(state, sensor, visitor);
-        const bool still = !anew && !state.movable(sensor) && !state.movable(visitor);
+        const bool still = !anew && !state.awake(sensor) && !state.awake(visitor);
         bool inside =
             still && std::binary_search(sensing.visits.begin(), sensing.visits.end(), visit);
         for (; i < sensing.near.size() && sensing.near[i].sensor == sensor &&
@@ -140,8 +140,6 @@ void listSensors(State& state) {
 }
 
 void updateSensors(State& state) {
-    state.events.sensorsEntered.clear();
-    state.events.sensorsLeft.clear();
     Sensing& sensing = state.sensing;
     if (sensing.bodies.empty() && sensing.visits.empty()) return;
     refreshGrid(state, 0);

@@ -4,9 +4,7 @@
 
 #include "core/disjoint_sets.hpp"
 #include "rigid/find_clusters.hpp"
-#include "solver/paces.hpp"
 #include "solver/stages.hpp"
-#include "solver/substeps.hpp"
 
 namespace sulfur::detail {
 
@@ -41,7 +39,7 @@ void measureRest(State& state) {
     const auto& v = state.particles.velocity;
     forEachMover(state, [&](std::uint32_t index) {
         BodyRecord& body = state.bodies[index];
-        if (body.kind != BodyKind::dynamic || body.asleep || body.standsBy) return;
+        if (body.kind != BodyKind::dynamic || body.asleep) return;
         bool resting = true;
         for (std::uint32_t k = 0; k < body.particles.size() && resting; ++k)
             resting = v[body.firstParticle + k].squaredNorm() < restingSpeed * restingSpeed;
@@ -84,15 +82,8 @@ void findIslands(State& state, DisjointSets& islands) {
         tie(state, islands, body[held.particle], body[held.support[0]]);
 }
 
-/// A sleeper bears whatever lies on it as if it had no end of mass, so that it must not sleep on
-/// when something new comes to lie on it, however gently.
 void wakeTouched(State& state) {
     for (const auto body : state.knocked) wakeBody(state, body);
-    for (const ContactBegun& begun : state.events.contactsBegun)
-        for (const BodyId id : {begun.a, begun.b}) {
-            const auto body = state.bodySlots.dense(id);
-            if (state.bodies[body].asleep) wakeBody(state, body);
-        }
     for (const Contact& c : state.contacts) {
         if (static_cast<double>(c.approach) < wakingSpeed) continue;
         for (const auto body : {c.bodyA, c.bodyB})
@@ -124,7 +115,7 @@ Bounds boundsOf(const State& state, std::uint32_t index, double duration) {
 /// it next to what it hits when it hits it.
 bool isFast(const State& state, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
-    if (!state.movable(index) || body.sensor) return false;
+    if (!state.awake(index) || body.sensor) return false;
     const double tick = static_cast<double>(state.h);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
@@ -212,7 +203,6 @@ void wakeBody(State& state, std::uint32_t index) {
     body->restingTime = 0;
     while (body->asleep) {
         index = state.bodySlots.dense(body->id);
-        joinPace(state, index);
         body->asleep = false;
         body->restingTime = 0;
         restoreInverseMass(state, index);
@@ -242,9 +232,6 @@ void sleepBody(State& state, std::uint32_t index) {
     BodyRecord& body = state.bodies[index];
     body.asleep = true;
     body.nextAsleep = body.id;
-    body.dividedFor = 0;
-    body.asksForShortSteps = body.hasReach = false;
-    setDivided(state, index, false);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
         state.particles.velocity[i] = Point(0, 0);
@@ -273,14 +260,14 @@ void updateSleep(State& state) {
     bool anyTired = false;
     forEachMover(state, [&](std::uint32_t i) {
         const BodyRecord& body = state.bodies[i];
-        anyTired |= !body.asleep && !body.standsBy && body.restingTime >= timeToSleep;
+        anyTired |= !body.asleep && body.restingTime >= timeToSleep;
     });
     if (!anyTired) return;
     findIslands(state, islands);
     restless.assign(state.bodies.size(), false);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&
-            (state.bodies[i].restingTime < timeToSleep || state.bodies[i].standsBy))
+            state.bodies[i].restingTime < timeToSleep)
             restless[islands.find(i)] = true;
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
         if (!isDynamic(state, i) || state.bodies[i].asleep || restless[islands.find(i)]) continue;

@@ -28,6 +28,9 @@ void updateVelocities(State& state);
 void breakJoints(State& state);
 /// Tells which bodies began to touch, go on touching, no longer touch.
 void collectEvents(State& state);
+/// After the last step of a tick that has several: what these have told becomes what the tick
+/// tells.
+void mergeSteps(State& state);
 /// Lets islands at rest fall asleep and wakes those that were touched.
 void updateSleep(State& state);
 /// Finds out who is in which sensor, and who came and went.

@@ -1,14 +1,10 @@
 // One tick, from top to bottom.
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 #include "contacts/stages.hpp"
 #include "solver/driven.hpp"
-#include "solver/paces.hpp"
 #include "solver/stages.hpp"
-#include "solver/substeps.hpp"
-#include "solver/tell.hpp"
 
 namespace sulfur::detail {
 
@@ -32,8 +28,17 @@ void clearStatistics(Statistics& statistics) {
     statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
     statistics.pressedTriangles = statistics.plannedContacts = 0;
     statistics.chainSteps = statistics.chainFallbacks = statistics.chainsInLanes = 0;
-    statistics.substeps = 1;
-    statistics.dividedBodies = 0;
+}
+
+void clear(Events& events) {
+    events.contactsBegun.clear();
+    events.contactsPersisted.clear();
+    events.contactsEnded.clear();
+    events.jointsBroken.clear();
+    events.bodiesSplit.clear();
+    events.particlesLost.clear();
+    events.sensorsEntered.clear();
+    events.sensorsLeft.clear();
 }
 
 /// What the stages of collision and constraints loop over.
@@ -67,12 +72,6 @@ bool allRest(const State& state) {
     return !isChanged(state) && std::none_of(movers.begin(), movers.end(), moves);
 }
 
-/// A tick of a world at rest.
-void idle(State& state) {
-    clear(state.events);
-    ++state.statistics.idleTicks;
-}
-
 void runStages(State& state) {
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
@@ -103,76 +102,65 @@ void runStages(State& state) {
     timed(state, Stage::sleep, state.core.on ? updateSleepByRows : updateSleep);
     state.idle = (state.core.on || (state.contacts.empty() && state.entwined.empty())) &&
                  state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);
-}
-
-void runStep(State& state) {
-    state.idle = state.idle && allRest(state);
-    if (state.idle)
-        idle(state);
-    else
-        runStages(state);
     timed(state, Stage::sensors, updateSensors);
-    state.lastSteps[static_cast<std::size_t>(state.steps.pace)] = static_cast<double>(state.h);
-    ++state.steps.done;
+    state.lastStep = static_cast<double>(state.h);
 }
 
-/// The whole tick of bodies whose ticks are not divided, while the others stand by.
-void runWhole(State& state) {
-    enterPace(state, Pace::whole);
-    runStep(state);
-    tellStep(state);
-}
-
-/// The steps of bodies whose ticks are divided.
-void runDivided(State& state) {
-    enterPace(state, Pace::divided);
-    while (state.steps.done < state.steps.count) {
-        if (state.steps.done > 0) applyForcesAgain(state);
-        runStep(state);
-        tellStep(state);
+void noteStart(State& state) {
+    state.touchedBefore = state.touching;
+    state.starts.clear();
+    const Particles& p = state.particles;
+    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
+        if (!state.awake(b)) continue;
+        const auto first = state.bodies[b].firstParticle;
+        for (auto i = first; i < first + state.bodies[b].particles.size(); ++i)
+            state.starts.push_back({p.id[i], p.position[i], p.force[i]});
     }
 }
 
-/// A tick in which the ticks of some bodies, or of all, are divided.
-void runPaces(State& state) {
-    startTelling(state);
-    keepAppliedForces(state);
-    std::uint32_t contactsOfWhole = 0;
-    if (state.steps.mixed) {
-        runWhole(state);
-        contactsOfWhole = state.statistics.contacts;
-    }
-    runDivided(state);
-    state.statistics.contacts += contactsOfWhole;
-    leavePaces(state);
-    tellTick(state);
+/// Calls f(start, particle) for what was awake when the tick began and is still there.
+template <class Function>
+void forEachStart(const State& state, Function&& f) {
+    for (const ParticleStart& start : state.starts)
+        if (state.particleSlots.contains(start.id)) f(start, state.particleSlots.dense(start.id));
 }
 
-/// Lists that name all that moves, of both paces, and the structure that they follow.
-void updateLists(State& state) {
-    const bool parkedBehind =
-        state.work.movers != ListedMovers::all && state.steps.parkedWork.madeAfter != state.listChanges;
-    state.work.stale = state.work.stale || parkedBehind;
-    if (state.work.stale) timed(state, Stage::changes, applyChanges);
+/// Several steps as one tick: the caller's forces act in all of them, and displacements and events
+/// are those of all.
+void runSteps(State& state, std::uint32_t count) {
+    Particles& p = state.particles;
+    noteStart(state);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        state.stepsLeft = count - i;
+        runStages(state);
+        if (i + 1 < count)
+            forEachStart(state, [&](const ParticleStart& start, std::uint32_t k) {
+                p.force[k] += start.force;
+            });
+    }
+    forEachStart(state, [&](const ParticleStart& start, std::uint32_t k) {
+        if (state.awake(p.body[k]))
+            p.displacement[k] = (p.position[k] - start.position).cast<Real>();
+    });
+    mergeSteps(state);
 }
 
 }  // namespace
 
 void step(State& state) {
     clearStatistics(state.statistics);
-    if (mayDivideTicks(state) || state.anyDivided) {
-        const bool changed = state.structure.stale;
-        timed(state, Stage::changes, updateStructure);
-        updateLists(state);
-        timed(state, Stage::changes, [&](State& s) { choosePaces(s, changed); });
-        // While nobody stands by: what does has no velocity that could follow.
-        timed(state, Stage::changes, updateStructure);
+    clear(state.events);
+    state.idle = state.idle && allRest(state);
+    const std::uint32_t count = stepsPerTick(state.settings.tickRate);
+    state.statistics.substeps = count;
+    if (state.idle) {
+        ++state.statistics.idleTicks;
+        timed(state, Stage::sensors, updateSensors);
+    } else if (count == 1) {
+        runStages(state);
+    } else {
+        runSteps(state, count);
     }
-    state.steps.done = 0;
-    if (state.anyDivided)
-        runPaces(state);
-    else
-        runStep(state);
     ++state.tick;
     if (state.tasks) state.tasks->rest();
 }

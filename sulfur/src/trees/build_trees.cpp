@@ -44,10 +44,8 @@ Point placeOf(const State& state, std::uint32_t particle) {
 
 class Graph {
 public:
-    Graph(const State& state, const std::vector<std::uint8_t>& stiff)
-        : state_(state), particles_(vertexCount() - clusterCount()) {
-        for (std::uint32_t j = 0; j < state.joints.size(); ++j)
-            if (stiff[j] != 0) addJoint(j);
+    explicit Graph(const State& state) : state_(state), particles_(vertexCount() - clusterCount()) {
+        for (std::uint32_t j = 0; j < state.joints.size(); ++j) addJoint(j);
         for (std::uint32_t i = 0; i < state.attachments.size(); ++i) addAttachment(i);
         for (std::uint32_t i = 0; i < state.clusters.hinges.size(); ++i) addHinge(i);
         listEdgesAround();
@@ -97,7 +95,7 @@ private:
 
     void addJoint(std::uint32_t j) {
         const Joints& joints = state_.joints;
-        if (joints.inCluster[j]) return;
+        if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
         add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
     }
 
@@ -157,44 +155,9 @@ private:
     std::vector<bool> cyclic_;
 };
 
-/// Of each joint, whether it is more than a force.
-std::vector<std::uint8_t> stiffJoints(const Joints& joints) {
-    std::vector<std::uint8_t> stiff(joints.size());
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
-        stiff[j] = joints.kind[j] != JointKind::explicitElastic;
-    return stiff;
-}
-
-/// s, the last step of the bodies in a tree: that of the first one that physics moves.
-double lastStepAround(const State& state, const Tree& tree) {
-    for (auto k = tree.first; k < tree.last; ++k) {
-        const TreeNode& n = state.trees.nodes[k];
-        const auto body = n.cluster != none    ? state.clusters.list[n.cluster].body
-                          : n.particle != none ? state.particles.body[n.particle]
-                                               : none;
-        if (body != none && state.bodies[body].kind == BodyKind::dynamic)
-            return state.lastStepOfBody(body);
-    }
-    return state.lastStep(Pace::whole);
-}
-
-/// Whether physics moves it, in these steps or in those of the other pace.
-bool movesAwake(const State& state, std::uint32_t particle) {
-    return state.awake(state.particles.body[particle]) && inverseMassAwake(state, particle) > 0;
-}
-
-/// The tree that moves a particle alone, or none.
-std::uint32_t treeOf(const State& state, std::uint32_t particle) {
-    // What was added since the last tick is in no tree yet.
-    if (state.trees.list.empty() || particle >= state.trees.ofParticle.size()) return none;
-    const auto cluster = state.particles.cluster[particle];
-    return cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
-}
-
 class TreeBuilder {
 public:
-    explicit TreeBuilder(State& state)
-        : state_(state), graph_(state, stiffJoints(state.joints)), trees_(state.trees) {
+    explicit TreeBuilder(State& state) : state_(state), graph_(state), trees_(state.trees) {
         trees_.list.clear();
         trees_.nodes.clear();
         trees_.ofParticle.assign(state.particles.size(), none);
@@ -269,7 +232,7 @@ private:
     void finish(Tree tree) {
         tree.last = static_cast<std::uint32_t>(trees_.nodes.size());
         const auto index = static_cast<std::uint32_t>(trees_.list.size());
-        tree.lastStep = lastStepAround(state_, tree);
+        tree.lastStep = state_.lastStep;
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = trees_.nodes[k];
             if (n.cluster != none) tree.points = 0;
@@ -441,19 +404,19 @@ private:
 
 }  // namespace
 
-bool movesInTree(const State& state, std::uint32_t particle) {
-    return treeOf(state, particle) != none;
-}
-
 double lastStepOf(const State& state, std::uint32_t particle) {
-    const auto tree = treeOf(state, particle);
-    return tree == none ? state.lastStepOfBody(state.particles.body[particle])
-                        : state.trees.list[tree].lastStep;
+    // What was added since the last tick is in no tree yet.
+    if (state.trees.list.empty() || particle >= state.trees.ofParticle.size())
+        return state.lastStep;
+    const auto cluster = state.particles.cluster[particle];
+    const auto tree =
+        cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
+    return tree == none ? state.lastStep : state.trees.list[tree].lastStep;
 }
 
 void dissolveTrees(State& state) {
     for (const Tree& tree : state.trees.list) {
-        const double late = (lastStepAround(state, tree) - tree.lastStep) / 2;
+        const double late = (state.lastStep - tree.lastStep) / 2;
         if (!tree.alone || late == 0) continue;
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = state.trees.nodes[k];
@@ -462,7 +425,7 @@ void dissolveTrees(State& state) {
                 const ClusterLoad load = loadOf(state, c);
                 c.velocity -= late * load.acceleration;
                 c.spin -= late * load.turning;
-            } else if (n.particle != none && movesAwake(state, n.particle)) {
+            } else if (n.particle != none && state.particles.inverseMass[n.particle] > 0) {
                 state.particles.velocity[n.particle] -=
                     late * state.settings.gravity.cast<double>();
             }
@@ -470,14 +433,6 @@ void dissolveTrees(State& state) {
     }
     state.trees.list.clear();
     state.trees.nodes.clear();
-}
-
-std::vector<std::uint8_t> findInCycles(const State& state, const std::vector<std::uint8_t>& stiff) {
-    Graph graph(state, stiff);
-    std::vector<std::uint8_t> found(state.joints.size());
-    for (const Edge& e : graph.edges)
-        if (e.kind == LinkKind::joint && graph.inCycle(e)) found[e.link] = 1;
-    return found;
 }
 
 void buildTrees(State& state) {

@@ -8,9 +8,6 @@ namespace sulfur::detail {
 /// Finds the trees among the stiff joints, attachments and hinges, and lists what remains for the
 /// sweeps. Called when the structure of the world has changed.
 void buildTrees(State& state);
-/// Which joints would be in parts with cycles, and so in no tree, if those were stiff that are
-/// marked (1) in `stiff`. Of each joint; needs rigid components that are up to date.
-std::vector<std::uint8_t> findInCycles(const State& state, const std::vector<std::uint8_t>& stiff);
 
 /// Leads every tree that moves alone through the tick, in as many steps as it needs (SHAKE
 /// directions, Newton passes to treeTolerance). Sets velocity and
@@ -39,8 +36,5 @@ inline Vec2& forceOf(State& state, const TreeNode& node) {
 
 /// Duration of the last step (s) that moved this particle.
 double lastStepOf(const State& state, std::uint32_t particle);
-
-/// Whether a tree that moves alone has the particle or its cluster.
-bool movesInTree(const State& state, std::uint32_t particle);
 
 }  // namespace sulfur::detail

@@ -16,19 +16,13 @@ struct BodyRecord {
     BodyId id;
     BodyKind kind = BodyKind::dynamic;
     bool asleep = false;
-    bool moving = false;             // kinematic: has a target for the next tick
-    bool stopping = false;           // kinematic: had a target for the last tick
-    bool clustersStale = true;       // its rigid components must be found again
-    bool placed = true;              // made or moved by hand since the last tick
-    bool selfCollision = false;      // its own parts touch each other
-    bool strained = false;           // they were not, because it was bent out of shape
-    bool divided = false;            // its ticks are divided into short steps
-    bool asksForShortSteps = false;  // something in the last tick does
-    bool standsBy = false;           // takes no part in the present steps; false between ticks
-    double dividedFor = 0;           // s, for which its ticks go on being divided
-    bool hasReach = false;           // since islands were found, this is what it may touch:
-    Point reachLow{0, 0}, reachHigh{0, 0};  // m, corners of a box
-    Real restingTime = 0;                   // s for which its island has been at rest
+    bool moving = false;              // kinematic: has a target for the next tick
+    bool stopping = false;            // kinematic: had a target for the last tick
+    bool clustersStale = true;        // its rigid components must be found again
+    bool placed = true;               // made or moved by hand since the last tick
+    bool selfCollision = false;       // its own parts touch each other
+    bool strained = false;            // they were not, because it was bent out of shape
+    Real restingTime = 0;             // s for which its island has been at rest
     BodyId nextAsleep;                // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index
     std::uint32_t frame = none;       // fixed: the mover on which all of it stands, or none
@@ -51,12 +45,6 @@ struct BodyRecord {
         a(stopping);
         a(clustersStale);
         a(strained);
-        a(divided);
-        a(asksForShortSteps);
-        a(dividedFor);
-        a(hasReach);
-        a(reachLow);
-        a(reachHigh);
         a(selfCollision);
         a(placed);
         a(restingTime);

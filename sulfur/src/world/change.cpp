@@ -6,7 +6,6 @@
 #include "core/limits.hpp"
 #include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
-#include "solver/substeps.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -84,7 +83,7 @@ void World::setTickRate(int tickRate) {
     state.rateTime = time();
     state.rateTick = state.tick;
     state.settings.tickRate = tickRate;
-    state.h = detail::stepDuration(state, detail::Pace::whole);
+    state.h = detail::stepDuration(tickRate);
     state.structure.changed();
     state.broad.pairsStale = true;
 }

@@ -5,7 +5,6 @@
 #include "core/trigonometry.hpp"
 #include "solver/motion.hpp"
 #include "solver/stages.hpp"
-#include "solver/substeps.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -143,9 +142,7 @@ GrabInfo World::info(GrabId id) const {
     const Grab& grab = state.influences.grabs[indexOfGrab(state, id)];
     GrabInfo info;
     info.target = grab.target;
-    const auto held = state.particles.body[state.particleSlots.dense(grab.support[0])];
-    const Real step = detail::stepDuration(state, held);
-    info.force = detail::newtonsPerMultiplier(state, step) * grab.impulse;
+    info.force = detail::newtonsPerMultiplier(state) * grab.impulse;
     for (std::uint32_t k = 0; k < grab.count; ++k) {
         const auto i = state.particleSlots.dense(grab.support[k]);
         info.body = state.bodies[state.particles.body[i]].id;

@@ -164,8 +164,7 @@ void restoreInverseMass(State& state, std::uint32_t index) {
     Particles& p = state.particles;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        const bool free =
-            body.kind == BodyKind::dynamic && state.movable(index) && p.pinned[i] == 0;
+        const bool free = body.kind == BodyKind::dynamic && state.awake(index) && p.pinned[i] == 0;
         p.inverseMass[i] = free ? 1 / p.mass[i] : 0;
     }
     restoreClusterMasses(state, index);

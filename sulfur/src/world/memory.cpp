@@ -79,8 +79,7 @@ MemoryUse ofWorkLists(const State& state) {
              w.bodies, w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart,
              w.explicitBatches.batches, w.explicitBatches.joint, w.explicitBatches.a,
              w.explicitBatches.b, w.explicitBatches.rest, w.explicitBatches.stiffness,
-             w.explicitBatches.damping, state.steps.late, state.steps.standing,
-             state.steps.displacements, state.steps.applied, state.steps.still)
+             w.explicitBatches.damping, state.starts, state.touchedBefore)
         .as("lists of what is awake", w.awakeParticles, true);
 }
 

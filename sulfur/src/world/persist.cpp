@@ -9,7 +9,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x35735f7266756c53u;  // "Slfr_s5", little-endian
+constexpr std::uint64_t snapshotMark = 0x36735f7266756c53u;  // "Slfr_s6", little-endian
 
 /// Everything that decides how the world goes on. Candidates are not part of it: contacts depend
 /// on geometry alone, not on when their candidates were found.
@@ -23,8 +23,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.damper);
     a(state.settings.friction);
     a(state.settings.rasterisation);
-    a(state.lastSteps);
-    a(state.anyDivided);
+    a(state.lastStep);
     a(state.rateTick);
     a(state.rateTime);
     a(state.tick);
@@ -70,9 +69,6 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.moving);
         hasher(body.stopping);
         hasher(body.restingTime);
-        hasher(body.divided);
-        hasher(body.asksForShortSteps);
-        hasher(body.dividedFor);
         hasher(body.nextAsleep);
         hasher(body.selfCollision);
         hasher(body.placed);

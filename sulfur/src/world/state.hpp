@@ -1,7 +1,6 @@
 // Everything that a world is.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <sulfur/events.hpp>
 #include <sulfur/statistics.hpp>
@@ -56,9 +55,6 @@ struct Structure {
     // What no tree has taken, in the order of the sweeps: joints of one colour share no particle.
     std::vector<std::uint32_t> sweptJoints, sweptAttachments, sweptHinges;
     std::vector<std::uint8_t> colours;  // of all joints; those of `noColour` share particles
-    // Of all bodies: they have springs that ask for short steps; or that whole ticks and short
-    // steps solve in different ways.
-    std::vector<std::uint8_t> unresolved, dependsOnStep;
     bool stale = true;
     // Bodies were added since it was derived of `before`, and nothing else changed. What was
     // derived then may differ by roundings from what would be now, so that it decides.
@@ -84,8 +80,6 @@ struct Structure {
         a(sweptAttachments);
         a(sweptHinges);
         a(colours);
-        a(unresolved);
-        a(dependsOnStep);
         a(stale);
     }
     template <class Archive>
@@ -94,9 +88,6 @@ struct Structure {
         a(before);
     }
 };
-
-/// Whom the lists below name: all that moves, or those of one pace.
-enum class ListedMovers : std::uint8_t { all, whole, divided };
 
 /// What the stages loop over, so that they never ask each particle whether it takes part.
 /// Derived from the structure and from who is awake whenever `stale`.
@@ -127,55 +118,35 @@ struct WorkLists {
     std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
-    std::uint64_t madeAfter = 0;                          // State::listChanges
-    ListedMovers movers = ListedMovers::all;
     bool stale = true;
 };
 
-/// How often bodies step in a tick: whole ticks, or divided ones.
-enum class Pace : std::uint8_t { whole, divided };
-
-/// The velocity of something stands for a time that is `late` seconds before that of its pace.
-struct LateParticle {
-    ParticleId particle;
-    double late = 0;  // s
+/// A particle when the present tick began.
+struct ParticleStart {
+    ParticleId id;
+    Point position{0, 0};  // m
+    Point force{0, 0};     // N, of the caller
 };
 
-/// A force of the caller, which acts during all of a tick.
-struct AppliedForce {
-    ParticleId particle;
-    Point force{0, 0};  // N
-};
+/// Hz. All tolerances are tuned for 500 steps a second; this is the nearest multiple of 60, 120 and
+/// 240 Hz.
+inline constexpr int leastStepRate = 480;
 
-/// A body that stands by, and where its displacements are kept.
-struct Standing {
-    BodyId body;
-    std::uint32_t first = 0;
-};
+/// A world with slower ticks divides each of them into so many equal steps, for all that is awake.
+inline std::uint32_t stepsPerTick(int tickRate) {
+    return static_cast<std::uint32_t>((leastStepRate + tickRate - 1) / tickRate);
+}
 
-/// How the present tick is run: where the ticks of some bodies are divided and those of others are
-/// not, first the others go their whole tick, then these, while the rest stands by.
-struct Steps {
-    Pace pace = Pace::whole;            // that of the present steps
-    bool mixed = false;                 // bodies of the other pace stand by
-    std::uint32_t count = 1, done = 0;  // of the present pace
-    std::vector<LateParticle> late;     // of bodies that have changed their pace in this tick
-    std::vector<Standing> standing;     // bodies of the other pace
-    std::vector<Vec2> displacements;    // m, that they had
-    std::vector<AppliedForce> applied;  // to bodies whose ticks are divided
-    // What belongs to the pace that stands by, while both run.
-    WorkLists parkedWork;
-    Triangles parkedTriangles;        // all but what was found
-    std::vector<std::uint8_t> still;  // bodies that take no part; empty unless mixed
-};
+/// s
+inline Real stepDuration(int tickRate) {
+    return 1 / static_cast<Real>(tickRate) / static_cast<Real>(stepsPerTick(tickRate));
+}
 
 struct State {
     WorldSettings settings;
-    Real h = 0;  // s, the step: a tick, or one of its substeps
-    /// s, the step before, of bodies of each pace: their velocities stand in its middle.
-    std::array<double, 2> lastSteps{0, 0};
-    Steps steps;
-    bool anyDivided = false;  // the ticks of some body are divided
+    Real h = 0;            // s, the step
+    double lastStep = 0;   // s, the step before: velocities stand in its middle
+    double stepsLeft = 1;  // of the present tick, with the present one
     std::uint64_t tick = 0;
     // When the rate was set last: the clock counts from there.
     std::uint64_t rateTick = 0;
@@ -201,7 +172,6 @@ struct State {
 
     Structure structure;
     WorkLists work;
-    std::uint64_t listChanges = 1;  // how often lists of all paces have become stale
     Triangles triangles;
     BroadPhase broad;
     std::vector<Contact> contacts;
@@ -216,7 +186,9 @@ struct State {
     ContactCore core;
     bool structureChanged = true;  // since links between bodies were listed
     Events events;
-    Events told;  // by earlier steps of a divided tick; scratch
+    // Of a tick of several steps, as it was when the tick began: who was awake, who touched.
+    std::vector<ParticleStart> starts;
+    std::vector<BodyPair> touchedBefore;
     Statistics statistics;
     bool profiling = false;
     Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
@@ -232,14 +204,6 @@ struct State {
 
     bool awake(std::uint32_t body) const {
         return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep;
-    }
-    /// Whether it takes part in the present steps.
-    bool movable(std::uint32_t body) const { return awake(body) && !bodies[body].standsBy; }
-
-    double lastStep(Pace pace) const { return lastSteps[static_cast<std::size_t>(pace)]; }
-    double lastStep() const { return lastStep(steps.pace); }
-    double lastStepOfBody(std::uint32_t body) const {
-        return lastStep(bodies[body].divided ? Pace::divided : Pace::whole);
     }
 };
 

@@ -6,7 +6,6 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
-#include "solver/substeps.hpp"
 #include "trees/tree_solver.hpp"
 #include "world/impl.hpp"
 
@@ -91,8 +90,8 @@ const char* name(Stage stage) {
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     detail::validateSettings(settings);
     impl_->state.settings = settings;
-    impl_->state.h = 1 / static_cast<Real>(settings.tickRate);
-    impl_->state.lastSteps.fill(static_cast<double>(impl_->state.h));
+    impl_->state.h = detail::stepDuration(settings.tickRate);
+    impl_->state.lastStep = static_cast<double>(impl_->state.h);
     if (const char* core = std::getenv("SULFUR_CORE")) impl_->state.core.on = core[0] == 'n';
 }
 
@@ -300,11 +299,7 @@ Point World::position(ParticleId id) const {
 Point World::interpolated(ParticleId id, double alpha) const {
     const auto& p = impl_->state.particles;
     const auto i = indexOf(impl_->state, id);
-    // Of a divided tick the last step stands for all.
-    const bool divided = impl_->state.bodies[p.body[i]].divided;
-    const double steps =
-        stepsPerTick(impl_->state, divided ? detail::Pace::divided : detail::Pace::whole);
-    return p.position[i] - (1 - alpha) * steps * p.displacement[i].cast<double>();
+    return p.position[i] - (1 - alpha) * p.displacement[i].cast<double>();
 }
 
 Vec2 World::velocity(ParticleId id) const {
@@ -324,7 +319,7 @@ std::vector<ContactInfo> World::contacts() const {
         if (c.normalLambda <= 0) continue;
         const Point point =
             p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
-        // Of a divided tick the last step stands for all.
+        // The last step of the tick stands for all.
         const Real perTick = tickDuration() / (c.step * c.step);
         found.push_back({state.bodies[p.body[c.particle]].id, state.bodies[p.body[c.a]].id, point,
                          c.normal, c.normalLambda * perTick, c.tangentLambda * perTick});

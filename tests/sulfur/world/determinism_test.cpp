@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 9892932478798553711u);
 #else
-    EXPECT_EQ(world.hash(), 2627219051752240099u);
+    EXPECT_EQ(world.hash(), 15068578058559560282u);
 #endif
 }
 
