@@ -53,7 +53,7 @@ TEST(SoftImpact, DISABLED_HeavyAndFastLosesNoMomentum) {
             const Body projectile = world.add(
                 shot.projectile, {.position = {world.centreOfMass(target).x() - shot.reach, y}});
             world.setVelocity(projectile, {shot.speed, 0});
-            const lab::Momenta before = lab::momentaAsTold(world, {0, 0});
+            const lab::Momenta before = lab::momentaOf(world, {0, 0});
             double lost = 0;
             for (int i = 0; i < rate / 5; ++i) {
                 world.step();

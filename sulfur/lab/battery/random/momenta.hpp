@@ -16,23 +16,18 @@ Momentum momentumOf(const World& world);
 /// What the particles of a world do at one moment.
 struct Momenta {
     Momentum linear;
-    double angular = 0;        ///< N m s about `about`
-    double angularScale = 0;   ///< sum of m |v| |x - about|, N m s
-    double energy = 0;         ///< J: kinetic, elastic and gravitational
+    double angular = 0;        ///< N m s about a point
+    double angularScale = 0;   ///< sum of m |v| |r|, N m s
     double kinetic = 0;        ///< J
-    double elastic = 0;        ///< J
-    double gravitational = 0;  ///< J, zero at the origin
+    double energy = 0;         ///< J: kinetic, elastic and gravitational, as World::energy
+    double gravitational = 0;  ///< J of it, zero at the origin
 };
 
-/// Measures the particles as they are, each with the velocity that the world tells. That is the
-/// truth where velocities were just set; after a tick it holds for what turns by a small angle in a
-/// tick.
-Momenta momentaAsTold(const World& world, const Point& about);
-
-/// Measures a copy of the world after one tick of 0.1 ms. A velocity is the mean over a tick, the
-/// chord of what turns, so that a crate of 1,000 rad/s seems to stand still at 160 Hz; over 0.1 ms
-/// the chord tells the angle, and the spin of rigid bodies is taken from that. Holds up to
-/// 10,000 rad/s. The tick itself changes nothing of what a closed world keeps.
+/// Measures by what World::velocity tells. Where that is the chord of what turns, the spin of rigid
+/// bodies is mended: of a chord over the angle a, the part across the radius is sin(a) / h and the
+/// part along it (1 - cos(a)) / h, so that a = 2 atan(along / across) whatever the step h was, and
+/// the spin is a / sin(a) times the part across. Of what turns by half a turn in a step or more
+/// nobody can tell.
 Momenta momentaOf(const World& world, const Point& about);
 
 /// Whether the particles of a body turn as one, as its joints tell.
