@@ -11,7 +11,10 @@ namespace sulfur::lab {
 /// library to the next.
 class Dice {
 public:
-    explicit Dice(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 0x1234567u) {}
+    explicit Dice(std::uint64_t seed) : state_(seed) {
+        // Neighbouring seeds would draw from one stream, each a step behind the next.
+        state_ = bits();
+    }
 
     /// In [low, high).
     double uniform(double low, double high) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "battery/random/dice.hpp"
 #include "battery/random/outline.hpp"
@@ -28,6 +29,7 @@ struct Palette {
     double restitution = 1;
     double resting = 0.4;  // share of those that do not move at first
     double breakable = 0.1;
+    bool alike = false;            // one kind, size, mass and surface, one beside the other
     std::vector<Kind> kinds = {};  // none: all
 };
 
@@ -74,17 +76,23 @@ public:
         const Vec way = target.place - last.place;
         last.velocity = polar(palette_.speed, std::atan2(way.y(), way.x()));
     }
-    /// Half of the width of a room that holds everything.
-    double room() const {
+    /// Half of the width of a room that holds everything, so many times as wide as needed.
+    double room(double times = 1.3) const {
         double most = 0;
         for (std::size_t i = 0; i < reach_.size(); ++i)
             most = std::max(most, scene_.things[i].place.cwiseAbs().maxCoeff() + reach_[i]);
-        return 1.3 * most;
+        return times * most;
     }
 
 private:
     Thing thing() {
         Thing t;
+        if (palette_.alike && !scene_.things.empty()) {
+            t = scene_.things.front();
+            t.place = {0, 0};
+            t.velocity = {dice_.chance(palette_.resting) ? 0 : palette_.speed, 0};
+            return t;
+        }
         t.kind = palette_.kinds.empty() ? static_cast<Kind>(dice_.below(kindCount))
                                         : palette_.kinds[dice_.below(palette_.kinds.size())];
         t.size = palette_.size / dice_.decades(1, palette_.sizes);
@@ -93,6 +101,7 @@ private:
         t.frequency = dice_.decades(10, 1000);
         t.friction = dice_.chance(0.3) ? 0 : dice_.uniform(0, palette_.friction);
         t.restitution = dice_.chance(0.5) ? 0 : dice_.uniform(0, palette_.restitution);
+        if (palette_.alike && dice_.chance(0.5)) t.restitution = palette_.restitution;
         if (t.kind == Kind::wall || dice_.chance(palette_.breakable))
             t.strength = dice_.decades(100, 1e5);
         t.angle = dice_.angle();
@@ -109,7 +118,8 @@ private:
         const std::size_t other = dice_.below(scene_.things.size());
         const double speed = t.velocity.norm() + scene_.things[other].velocity.norm();
         double gap = t.size * dice_.decades(1e-4, 0.3);
-        if (dice_.chance(0.5))
+        if (palette_.alike) gap = dice_.chance(0.3) ? 0 : t.size * dice_.decades(1e-4, 1e-2);
+        if (!palette_.alike && dice_.chance(0.5))
             gap += std::min(speed * seconds * dice_.uniform(0.02, 0.4), 20 * palette_.size);
         for (int tries = 0;; ++tries) {
             const Vec heading = polar(1, dice_.angle());
@@ -130,7 +140,9 @@ private:
                   double gap) const {
         for (int i = 0; i < 30; ++i) {
             const double rest = distance(outline, outlines_[other]) - gap;
-            if (rest < 0.1 * gap || (t.place - scene_.things[other].place).dot(heading) < 0) return;
+            if (rest < 0.1 * gap + 1e-6 * t.size ||
+                (t.place - scene_.things[other].place).dot(heading) < 0)
+                return;
             outline.move(-rest * heading);
             t.place -= rest * heading;
         }
@@ -142,13 +154,12 @@ private:
         }
         return true;
     }
-    /// Apart, and neither within the other. What may turn about itself needs its whole circle.
+    /// Apart, and neither within the other.
     bool isApart(const Outline& outline, const Outline& other, const Thing& t, std::size_t i,
                  double reach, double gap) const {
         const double middles = (scene_.things[i].place - t.place).norm();
-        if (scene_.things[i].role == Role::driven) return middles > reach_[i] + reach;
         return middles > 0.3 * std::max(reach_[i], reach) &&
-               distance(outline, other) >= std::min(gap, 1e-4 * t.size);
+               distance(outline, other) >= std::min(gap, 1e-4 * t.size) - 1e-9 * t.size;
     }
 
     Scene& scene_;
@@ -158,14 +169,19 @@ private:
     std::vector<Outline> outlines_;
 };
 
+/// rad/s: what turns by more than half a turn in a tick shows another spin to who only looks at
+/// chords, and who is struck off its middle turns at about its speed over its size.
+constexpr double fastestSpin = 3000;
+
 Palette anyPalette(Dice& dice) {
     Palette p;
     p.speed = dice.decades(0.1, 300);
-    // A spin above 20,000 rad/s cannot be told from outside (momenta.hpp).
     p.sizes = dice.chance(0.7) ? dice.decades(1, 10) : dice.decades(10, 1000);
-    p.size = std::max(dice.decades(0.03, 30), p.speed * p.sizes / 3000);
+    p.size = std::max(dice.decades(0.03, 30), p.speed * p.sizes / fastestSpin);
     p.masses = dice.chance(0.5) ? dice.decades(1, 30) : dice.decades(30, 1e6);
     p.mass = dice.decades(1e-3, 1e3) / std::sqrt(p.masses);
+    p.alike = dice.chance(0.2);
+    if (p.alike) p.sizes = p.masses = 1;
     return p;
 }
 
@@ -216,17 +232,22 @@ Scene drivenScene(Dice& dice) {
     palette.resting = 1;
     palette.restitution = 0.5;
     palette.sizes = std::min(palette.sizes, 20.0);
-    palette.size = std::max(palette.size, palette.speed * palette.sizes / 3000);
+    palette.size = std::max(palette.size, palette.speed * palette.sizes / fastestSpin);
+    const bool crowd = dice.chance(0.5);
+    if (crowd) palette.kinds = {Kind::ball, Kind::crate, Kind::plank, Kind::polygon};
     Maker maker(scene, dice, palette);
     Thing rotor{.kind = dice.chance(0.5) ? Kind::plank : Kind::crate, .role = Role::driven};
     rotor.size = palette.size * dice.uniform(1, 5);
-    rotor.spin = 2 * palette.speed / rotor.size * (dice.chance(0.5) ? 1 : -1);
+    // Half a turn to three, at most 300 m/s at its ends.
+    const double seconds = static_cast<double>(scene.ticks) / scene.rate;
+    rotor.spin = std::min(2 * std::numbers::pi * dice.uniform(0.5, 3) / seconds, 600 / rotor.size) *
+                 (dice.chance(0.5) ? 1 : -1);
     rotor.friction = dice.uniform(0, 1);
     maker.add(rotor);
-    maker.addThings(4 + dice.below(12));
+    maker.addThings(4 + dice.below(crowd ? 30 : 10));
     scene.gravity = dice.chance(0.5) ? 0 : 9.81;
     // What is between the rotor and a wall has room enough.
-    scene.room = std::max(maker.room(), rotor.size / 2 + 3 * palette.size);
+    scene.room = std::max(maker.room(1.1), rotor.size / 2 + 2 * palette.size);
     return scene;
 }
 

@@ -42,7 +42,8 @@ public:
             smaller = dropThings();
             smaller = dropTies() || smaller;
             smaller = simplifyWorld() || smaller;
-            smaller = simplifyThings() || smaller;
+            // Only what has weight, friction and corners has to come to rest.
+            if (laws_[0] != Law::rest) smaller = simplifyThings() || smaller;
         }
         return best_;
     }
@@ -104,6 +105,7 @@ private:
         });
         any = attempt([](Scene& s) { return s.sleeping && !(s.sleeping = false); }) || any;
         any = attempt([](Scene& s) { return put(s.calm, 0); }) || any;
+        if (laws_[0] == Law::rest) return any;
         any = attempt([](Scene& s) { return put(s.gravity, 0); }) || any;
         any = attempt([](Scene& s) { return put(s.airFriction, 0); }) || any;
         any = attempt([](Scene& s) { return put(s.room, rounded(s.room)); }) || any;
