@@ -4,6 +4,7 @@
 #include "battery/fall.hpp"
 #include "battery/hanging.hpp"
 #include "battery/pendulums.hpp"
+#include "battery/random_worlds.hpp"
 #include "battery/refusals.hpp"
 #include "battery/rope_release.hpp"
 #include "battery/scenes.hpp"
@@ -132,6 +133,7 @@ const std::vector<BatteryGroup>& batteryGroups() {
         {"contacts-shots", "random shots at up to 300 m/s", shots},
         {"contacts-crowds", "a thousand bodies", crowds},
         {"contacts-crumbling", "a wall that breaks", crumbling},
+        {"random", "random worlds and the laws that they keep", randomWorlds, true},
         {"nonsense", "what a caller may not pass", [](const Setup&) { return refusals(); }},
     };
     return all;

@@ -15,6 +15,7 @@ struct BatteryGroup {
     std::string key;  ///< for command lines
     std::string title;
     std::function<Rows(const Setup&)> run;
+    bool onlyByName = false;  ///< whether a run of the whole battery leaves it out
 };
 
 /// All of them, with the lengths and bounds that the project asks for.

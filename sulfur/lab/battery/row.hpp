@@ -1,6 +1,8 @@
 // One line of the battery: what was measured beside what must hold.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,12 +29,18 @@ Row fallsShort(const std::string& name, double measured, double reached, double 
 
 class Album;
 
+/// Random worlds, from the first to the last.
+struct SeedRange {
+    std::uint64_t first = 1, last = 1;
+};
+
 /// What the scenes of the battery are run with.
 struct Setup {
     int tickRate = 500;  ///< Hz, where a scene says no other
     int sweeps = 4;
-    bool quick = false;      ///< shorter runs of the scenes that take minutes
-    int shots = 10000;       ///< of each kind
+    bool quick = false;  ///< shorter runs of the scenes that take minutes
+    int shots = 10000;   ///< of each kind
+    std::optional<SeedRange> seeds = std::nullopt;  ///< of the random worlds
     Album* album = nullptr;  ///< gets pictures of the scenes with contacts, if there is one
 
     /// Whether a quick run has `quickSeconds` instead.

@@ -5,6 +5,7 @@
 
 #include "battery/battery.hpp"
 #include "battery/contacts/shots.hpp"
+#include "battery/random_worlds.hpp"
 #include "battery/show.hpp"
 #include "experiments/experiment.hpp"
 #include "stability/stability_map.hpp"
@@ -49,9 +50,25 @@ public:
             ->capture_default_str();
         app.add_option("--shot", shot_, "Only this shot of the battery, tick by tick")
             ->check(CLI::Range(0, 20'000'000));
+        app.add_option_function<std::uint64_t>(
+            "--seed",
+            [this](std::uint64_t seed) {
+                setup_.seeds = SeedRange{seed, seed};
+            },
+            "Only this random world");
+        app.add_option_function<std::string>(
+               "--seeds", [this](const std::string& text) { setup_.seeds = seedRange(text); },
+               "Random worlds: how many, or FROM-TO")
+            ->check(&checkSeedRange);
+        app.add_flag("--shrink", shrink_,
+                     "Print the random worlds that break a law, made smaller, as C++");
     }
 
-    Report run() override { return shot_ ? replay() : battery_ ? runBattery() : drawMaps(); }
+    Report run() override {
+        setup_.quick = quick_;
+        if (shrink_) return {.text = shrunkWorlds(setup_), .csv = {}, .json = {}};
+        return shot_ ? replay() : battery_ ? runBattery() : drawMaps();
+    }
 
 private:
     Report drawMaps() {
@@ -71,10 +88,9 @@ private:
     Report runBattery() {
         std::vector<GroupResult> results;
         Album album;
-        setup_.quick = quick_;
         setup_.album = &album;
         for (const BatteryGroup& group : batteryGroups())
-            if (wanted(groups_, group.key))
+            if (wanted(groups_, group.key) && (!group.onlyByName || !groups_.empty()))
                 results.push_back({group.key, group.title, group.run(setup_)});
         Report report{.text = asText(results, setup_),
                       .csv = asCsv(results),
@@ -93,12 +109,29 @@ private:
         return report;
     }
 
+    /// "50" is the first fifty, "51-60" ten of them.
+    static SeedRange seedRange(const std::string& text) {
+        const std::size_t dash = text.find('-');
+        if (dash == std::string::npos) return {1, std::stoull(text)};
+        return {std::stoull(text.substr(0, dash)), std::stoull(text.substr(dash + 1))};
+    }
+    static std::string checkSeedRange(const std::string& text) {
+        const std::size_t dash = text.find('-');
+        const auto isNumber = [](const std::string& part) {
+            return !part.empty() && part.size() < 19 &&
+                   part.find_first_not_of("0123456789") == std::string::npos;
+        };
+        const bool fine = dash == std::string::npos
+                              ? isNumber(text)
+                              : isNumber(text.substr(0, dash)) && isNumber(text.substr(dash + 1));
+        return fine ? "" : "'" + text + "' is neither a count nor FROM-TO";
+    }
     /// Whether `key` is among the named ones, or none is named.
     static bool wanted(const std::vector<std::string>& named, const std::string& key) {
         return named.empty() || std::find(named.begin(), named.end(), key) != named.end();
     }
 
-    bool battery_ = false, quick_ = false;
+    bool battery_ = false, quick_ = false, shrink_ = false;
     std::optional<long> shot_;
     std::vector<std::string> groups_, integrators_;
     StabilityMapOptions map_;

@@ -1,0 +1,96 @@
+// Fifty random worlds and the laws that they keep. `sulfur_lab stability --battery --group random`
+// runs more of them, `--shrink` makes one that fails smaller.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "battery/random/laws.hpp"
+#include "battery/random/momenta.hpp"
+
+namespace {
+
+using namespace sulfur;
+using namespace sulfur::lab;
+
+constexpr std::uint64_t firstSeed = 1, lastSeed = 50;
+
+/// The laws that the library keeps in all of these seeds, and below those that it does not keep
+/// yet. A law moves up when it holds.
+const std::vector<Law> lawsThatHold{Law::finite, Law::valid, Law::restore};
+const std::vector<Law> lawsToSwitchOn{
+    Law::walls,  Law::speed,    Law::momentum, Law::angularMomentum,
+    Law::energy, Law::sleeping, Law::rest};
+
+std::string textOf(const std::vector<Breach>& breaches) {
+    std::string out;
+    for (const Breach& b : breaches)
+        out += std::string(name(b.law)) + " " + std::to_string(b.measured) + " at tick " +
+               std::to_string(b.tick) + ", at most " + std::to_string(b.bound) + "; ";
+    return out;
+}
+
+class RandomWorlds : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomWorlds, KeepTheLaws) {
+    EXPECT_EQ(textOf(judge(sceneOf(GetParam()), lawsThatHold)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, RandomWorlds, testing::Range(firstSeed, lastSeed + 1),
+                         [](const auto& seed) { return std::to_string(seed.param); });
+
+TEST(RandomScenes, NoLawIsForgotten) {
+    EXPECT_EQ(lawsThatHold.size() + lawsToSwitchOn.size(), allLaws().size());
+    for (const Law law : allLaws()) EXPECT_EQ(lawOf(name(law)), law);
+}
+
+TEST(RandomScenes, ASeedIsAlwaysTheSame) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+        EXPECT_EQ(asCode(sceneOf(seed)), asCode(sceneOf(seed)));
+    EXPECT_NE(asCode(sceneOf(1)), asCode(sceneOf(11)));
+}
+
+/// The referee sees what is there: two crates that pass each other far away keep everything.
+TEST(RandomScenes, WhatOnlyFliesBreaksNoLaw) {
+    for (const int rate : {60, 500, 2000}) {
+        const Scene scene{.rate = rate,
+                          .things = {{.kind = Kind::crate, .velocity = {3, 0}, .spin = 30},
+                                     {.kind = Kind::wheel, .mass = 5, .place = {9, 9}, .spin = -90},
+                                     {.kind = Kind::ball, .place = {-9, 3}, .velocity = {0, 80}}}};
+        EXPECT_EQ(textOf(judge(scene, allLaws())), "") << rate;
+    }
+}
+
+/// What is driven into a wall that is not there breaks the law of walls; shrinking leaves only it.
+TEST(RandomScenes, ShrinkingLeavesWhatBreaksTheLaw) {
+    Scene scene{.ticks = 60, .room = 3};
+    scene.things = {{.kind = Kind::crate, .place = {0, 2}},
+                    {.kind = Kind::ball, .size = 0.4, .place = {4, 0}, .velocity = {9, 0}},
+                    {.kind = Kind::jelly, .place = {0, -1.5}}};
+    ASSERT_NE(textOf(judge(scene, {Law::walls})), "");
+    const Scene small = shrink(scene, Law::walls);
+    EXPECT_EQ(small.things.size(), 1u);
+    EXPECT_EQ(small.things.front().kind, Kind::ball);
+    EXPECT_NE(textOf(judge(small, {Law::walls})), "");
+    EXPECT_LT(small.ticks, scene.ticks);
+}
+
+/// What turns keeps its spin and its energy, whatever a tick's chords make of them.
+TEST(RandomScenes, TheSpinOfWhatTurnsFastIsMeasured) {
+    for (const int rate : {60, 500, 2000})
+        for (const double omega : {10.0, 100.0, 1000.0}) {
+            World world({.gravity = {0, 0}, .tickRate = rate, .sleeping = false});
+            const Body crate = world.add(shapes::box({.size = {1, 1}, .mass = 6}));
+            for (const ParticleId id : crate.particles()) {
+                const Point r = world.position(id);
+                world.setVelocity(id, (omega * Point(-r.y(), r.x())).cast<Real>());
+            }
+            for (int i = 0; i < 7; ++i) {
+                const Momenta now = momentaOf(world, {0, 0});
+                EXPECT_NEAR(now.angular, omega, 1e-5 * omega) << rate << " Hz";
+                EXPECT_NEAR(now.energy, omega * omega / 2, 1e-4 * omega * omega) << rate << " Hz";
+                world.step();
+            }
+        }
+}
+
+}  // namespace

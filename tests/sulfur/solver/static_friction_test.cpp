@@ -1,0 +1,132 @@
+// What rests on a slope holds up to the static angle, however it came to rest there.
+#include <cmath>
+
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+// The kinetic limit is 0.7 of the static one, the slopes between them are at 0.95 of it.
+const Material rough{.staticFriction = Real(0.6), .kineticFriction = Real(0.42)};
+constexpr double standardGravity = 9.81;  // m/s^2
+const double between = std::atan(0.95 * 0.6), above = std::atan(1.05 * 0.6);
+
+/// A slope through the origin that rises to the right, with its surface through the origin.
+class Slope {
+public:
+    Slope(double angle, int rate, Blueprint plan, double gap)
+        : world({.tickRate = rate, .sleeping = false}),
+          along(std::cos(angle), std::sin(angle)),
+          up_(-along.y(), along.x()) {
+        Blueprint ground = shapes::floor({-60, 0}, {60, 0});
+        ground.material = rough;
+        world.add(ground, {.position = -0.05 * up_, .angle = angle});
+        double lowest = 0;
+        for (const JointSpec& joint : plan.joints)
+            for (const std::uint32_t end : {joint.a, joint.b})
+                lowest = std::min(
+                    lowest, static_cast<double>(plan.particles[end].position[1] - joint.radius));
+        plan.material = rough;
+        body = world.add(plan, {.position = (gap - lowest) * up_, .angle = angle});
+    }
+    /// How far the body goes in `seconds`, m, positive up the slope.
+    double way(double seconds) {
+        const Point start = world.centreOfMass(body);
+        test::run(world, seconds);
+        return (world.centreOfMass(body) - start).dot(along);
+    }
+
+    World world;
+    Body body;
+    Point along;
+
+private:
+    Point up_;
+};
+
+std::vector<Blueprint> things() {
+    std::vector<Vec2> hexagon;
+    for (int i = 0; i < 6; ++i) {
+        const double angle = (i + 0.5) * 1.0471975512;
+        hexagon.push_back(
+            {static_cast<Real>(0.5 * std::sin(angle)), static_cast<Real>(0.5 * std::cos(angle))});
+    }
+    return {shapes::box({.size = {1, Real(0.4)}}),
+            shapes::box({.size = {2, Real(0.1)}, .mass = 20}), shapes::polygon({.points = hexagon}),
+            shapes::jelly({.size = {1, Real(0.4)}, .stiffness = 20000, .damping = 20})};
+}
+
+/// Laid down from rest, the blow along the slope is tan(angle) of the blow across it, which is less
+/// than the static coefficient: it sticks from the first tick on.
+TEST(StaticFriction, DISABLED_WhatIsPutDownHolds) {
+    for (const Blueprint& plan : things())
+        for (const int rate : {60, 240, 500, 2000})
+            for (const double gap : {0.0, 0.0001, 0.001, 0.01}) {
+                Slope slope(between, rate, plan, gap);
+                slope.way(1);
+                EXPECT_NEAR(slope.way(2), 0, 0.001)
+                    << plan.name << ", " << rate << " Hz, put down from " << gap << " m";
+            }
+}
+
+/// Shoved up the slope it is braked by g (sin + mu cos), stops after v^2 / 2 of that, and stays.
+TEST(StaticFriction, DISABLED_WhatComesToRestGoingUpHolds) {
+    for (const int rate : {120, 500, 2000})
+        for (const double speed : {1.0, 4.0}) {
+            Slope slope(between, rate, things().front(), 0);
+            slope.world.setVelocity(slope.body, (speed * slope.along).cast<Real>());
+            const double mu = static_cast<double>(rough.kineticFriction);
+            const double braking = standardGravity * (std::sin(between) + mu * std::cos(between));
+            const double seconds = speed / braking;
+            const double way = slope.way(seconds);
+            const auto what = testing::Message() << rate << " Hz, " << speed << " m/s";
+            EXPECT_NEAR(way, speed * speed / 2 / braking, 0.03 * way) << what;
+            slope.way(0.5);
+            EXPECT_NEAR(slope.way(2), 0, 0.001) << what;
+        }
+}
+
+/// What rests on the level still rests when the level becomes a slope.
+TEST(StaticFriction, DISABLED_WhatRestsHoldsWhenTheGroundIsTilted) {
+    for (const Blueprint& plan : things())
+        for (const int rate : {60, 500}) {
+            Slope slope(0, rate, plan, 0.002);
+            slope.way(2);
+            const double weight = standardGravity;
+            slope.world.setGravity({static_cast<Real>(-weight * std::sin(between)),
+                                    static_cast<Real>(-weight * std::cos(between))});
+            slope.way(1);
+            EXPECT_NEAR(slope.way(2), 0, 0.001) << plan.name << ", " << rate << " Hz";
+        }
+}
+
+/// Beyond the static angle it goes, with the kinetic coefficient: g (sin - mu cos) t^2 / 2.
+TEST(StaticFriction, WhatIsPutDownOnSteeperGroundSlides) {
+    for (const int rate : {60, 240, 500, 2000})
+        for (const double gap : {0.0, 0.001}) {
+            Slope slope(above, rate, things().front(), gap);
+            const double mu = static_cast<double>(rough.kineticFriction);
+            const double expected =
+                standardGravity * (std::sin(above) - mu * std::cos(above)) * 2 * 2 / 2;
+            EXPECT_NEAR(slope.way(2), -expected, 0.03 * expected) << rate << " Hz, " << gap << " m";
+        }
+}
+
+/// A stack of three that is put down on the slope goes down as little as a single one.
+TEST(StaticFriction, DISABLED_AStackThatIsPutDownHolds) {
+    for (const int rate : {120, 500}) {
+        Slope slope(between, rate, things()[1], 0.0005);
+        const Point up(-slope.along.y(), slope.along.x());
+        Blueprint plank = things()[1];
+        plank.material = rough;
+        for (int i = 1; i < 3; ++i)
+            slope.world.add(plank,
+                            {.position = slope.world.centreOfMass(slope.body) + 0.1005 * i * up,
+                             .angle = between});
+        slope.way(1);
+        EXPECT_NEAR(slope.way(2), 0, 0.001) << rate << " Hz";
+    }
+}
+
+}  // namespace
+}  // namespace sulfur
