@@ -55,6 +55,7 @@ RunResult runOnce(const Scene& scene, const Engine& engine, const Setting& setti
     const long stride = std::max(1L, static_cast<long>(setting.rate) / looks);
     RunResult result;
     long tick = 0;
+    double worst = 0;
     while (tick < ticks && result.seconds < limit) {
         const bool late = tick >= ticks - setting.rate;
         long end = std::min(tick + stride, ticks);
@@ -66,12 +67,19 @@ RunResult runOnce(const Scene& scene, const Engine& engine, const Setting& setti
         }
         const double taken = now() - begin;
         result.seconds += taken;
+        worst = std::max(worst, taken);
         if (late) result.lastSecond += taken;
         play->look(*world, static_cast<double>(tick) / setting.rate);
     }
     result.simulated = tick == ticks ? scene.seconds : static_cast<double>(tick) / setting.rate;
     if (tick < ticks) result.lastSecond = 0;
     result.figures = play->figures(*world);
+    if (scene.timesTicks && tick > 0) {
+        result.figures.push_back(
+            {"a tick", "ms", 1e3 * result.seconds / static_cast<double>(tick)});
+        result.figures.push_back({"worst tick", "ms", 1e3 * worst});
+        result.figures.push_back({"in all", "s", result.seconds});
+    }
     if (profiling) result.stages = world->stages();
     return result;
 }

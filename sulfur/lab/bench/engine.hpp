@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/bodies.hpp"
+
 namespace sulfur::lab::bench {
 
 /// How an engine is run.
@@ -17,6 +19,9 @@ struct Setting {
     int iterations = 1;        ///< substeps, iterations or sweeps in a tick, whichever it has
     int threads = 1;           ///< that it may use
     bool stiffJoints = false;  ///< joints stiffer than the engine's default, where it has a choice
+    bool sleeping = false;     ///< whether what rests may fall asleep
+    bool weightless = false;   ///< without gravity
+    double contactHertz = 0;   ///< stiffness of contacts, where an engine has a choice; 0: its own
 
     /// For people: "500 Hz x 4".
     std::string label() const;
@@ -67,7 +72,7 @@ inline constexpr double gravity = 9.81;
 /// Seconds in each stage of an engine's tick, as the engine itself tells them.
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
-/// One world of one engine. Nothing sleeps and nothing rebounds in it. Places are in metres.
+/// One world of one engine. Nothing rebounds in it but bodies that say so. Places are in metres.
 /// Everything is numbered in the order in which it was made. What an engine does not offer is
 /// never asked of it (see Engine).
 class EngineWorld {
@@ -86,6 +91,11 @@ public:
     virtual void addNet(const NetPlan&) {}
     /// A soft body at rest of about the size of the plan.
     virtual void addBlob(const Point& centre) = 0;
+    /// Numbered by themselves, whatever moves them.
+    virtual void addBody(const BodyPlan&) {}
+    virtual void addPin(const PinPlan&) {}
+    /// Its number stays its own.
+    virtual void removeBody(std::size_t) {}
 
     /// Advances by one tick of the setting's rate.
     virtual void step() = 0;
@@ -96,6 +106,10 @@ public:
     virtual std::vector<Point> rope(std::size_t i) const = 0;
     /// Where the particles of a blob are now.
     virtual std::vector<Point> blob(std::size_t i) const = 0;
+    /// How a body moves now.
+    virtual Motion body(std::size_t) const { return {}; }
+    /// Where the two sockets of a pin are now.
+    virtual std::pair<Point, Point> pin(std::size_t) const { return {}; }
 
     /// Whether stages() sums up from now on.
     virtual void setProfiling(bool) {}
@@ -104,7 +118,7 @@ public:
 };
 
 /// What a scene needs.
-enum class Feature { squares, ropes, blobs, nets, threads };
+enum class Feature { squares, ropes, blobs, nets, bodies, threads };
 
 struct Engine {
     std::string key, title;

@@ -18,7 +18,7 @@ Engine box2dV3() {
     Engine engine{.key = "box2d3",
                   .title = "Box2D 3",
                   .version = {},
-                  .features = {squares, ropes, blobs, nets, threads},
+                  .features = {squares, ropes, blobs, nets, bodies, threads},
                   .make = {},
                   .how = "build and install it, then configure with -DSULFUR_BOX2D_V3=PREFIX"};
 #ifdef SULFUR_BENCH_BOX2D_V3
@@ -32,7 +32,7 @@ Engine box2dV2() {
     Engine engine{.key = "box2d2",
                   .title = "Box2D 2.4",
                   .version = {},
-                  .features = {squares, ropes, blobs, nets},
+                  .features = {squares, ropes, blobs, nets, bodies},
                   .make = {},
                   .how = "install the package libbox2d-dev and configure again"};
 #ifdef SULFUR_BENCH_BOX2D_V2
@@ -46,7 +46,7 @@ Engine chipmunk() {
     Engine engine{.key = "chipmunk",
                   .title = "Chipmunk",
                   .version = {},
-                  .features = {squares, ropes, blobs, nets},
+                  .features = {squares, ropes, blobs, nets, bodies},
                   .make = {},
                   .how = "install the package libchipmunk-dev and configure again"};
 #ifdef SULFUR_BENCH_CHIPMUNK
@@ -74,7 +74,7 @@ Engine liquidFun() {
     Engine engine{.key = "liquidfun",
                   .title = "LiquidFun",
                   .version = {},
-                  .features = {squares, ropes, blobs},
+                  .features = {squares, ropes, blobs, bodies},
                   .make = {},
                   .how = "build and install it, then configure with -DSULFUR_LIQUIDFUN=PREFIX"};
 #ifdef SULFUR_BENCH_LIQUIDFUN
@@ -89,6 +89,7 @@ Engine liquidFun() {
 std::string Setting::label() const {
     std::string text = fmt::format("{} Hz x {}", rate, iterations);
     if (stiffJoints) text += ", stiff joints";
+    if (contactHertz > 0) text += fmt::format(", contacts {:g} Hz", contactHertz);
     if (threads > 1) text += fmt::format(", {} threads", threads);
     return text;
 }
@@ -133,7 +134,7 @@ Engine ours() {
             .title = "Sulfur",
             .ours = true,
             .version = version(),
-            .features = {squares, ropes, blobs, threads},
+            .features = {squares, ropes, blobs, bodies, threads},
             .make = makeSulfur,
             .how = {}};
 }

@@ -1,11 +1,19 @@
 // Which scenes there are, and in which settings each engine plays them.
 #include "bench/scenes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "bench/crowd.hpp"
 
 namespace sulfur::lab::bench {
 
 namespace {
+
+std::string partOfS8(const std::string& name) {
+    return fmt::format("S8:{}", name);
+}
 
 std::vector<Scene> sizesOf(const std::string& name, Extent extent) {
     std::vector<Scene> all;
@@ -28,6 +36,8 @@ std::vector<Scene> sizesOf(const std::string& name, Extent extent) {
     if (name == "S5") all.push_back(pendulums(1000, extent == Extent::quick ? 10 : 60));
     if (name == "S7")
         for (const int base : sizes({40}, {100}, {100})) all.push_back(pyramid(base, true));
+    for (const std::string& part : crowdNames())
+        if (name == partOfS8(part)) all.push_back(crowd(part, extent));
     return all;
 }
 
@@ -58,16 +68,22 @@ std::vector<Choice> choices(const std::string& engine, const Scene& scene) {
 }  // namespace
 
 const std::vector<std::string>& sceneNames() {
-    static const std::vector<std::string> names{"S1", "S2", "S3", "S4", "S5", "S7"};
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all{"S1", "S2", "S3", "S4", "S5", "S7", "S8"};
+        for (const std::string& part : crowdNames()) all.push_back(partOfS8(part));
+        return all;
+    }();
     return names;
 }
 
 std::vector<Scene> scenes(const std::vector<std::string>& names, Extent extent) {
+    const auto named = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
     std::vector<Scene> all;
     for (const std::string& name : sceneNames()) {
-        const bool wanted =
-            names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-        if (!wanted) continue;
+        const bool part = name.starts_with("S8:");
+        if (!named(name) && !(part ? named("S8") : names.empty())) continue;
         for (Scene& scene : sizesOf(name, extent)) all.push_back(std::move(scene));
     }
     return all;
@@ -80,7 +96,13 @@ std::vector<Setting> settingsFor(const Engine& engine, const Scene& scene) {
     const int most = threaded && engine.offers(Feature::threads) ? 2 : 1;
     for (const Choice& choice : choices(engine.key, scene))
         for (int threads = 1; threads <= most; ++threads)
-            all.push_back({engine.key, choice.rate, choice.iterations, threads, choice.stiff});
+            all.push_back({.engine = engine.key,
+                           .rate = choice.rate,
+                           .iterations = choice.iterations,
+                           .threads = threads,
+                           .stiffJoints = choice.stiff,
+                           .sleeping = scene.sleeping,
+                           .weightless = scene.weightless});
     return all;
 }
 

@@ -56,7 +56,10 @@ struct Scene {
     double size = 0;         ///< what the variant is about: bodies, or kg of a load
     int looksPerSecond = 0;  ///< 0: only at the end; more than the rate: after every tick
     bool onWall = false;     ///< timed on the wall, because threads take part
-    std::string error;       ///< name of the figure that tells best how wrong a run is
+    bool sleeping = false;   ///< whether what rests may fall asleep
+    bool weightless = false;
+    bool timesTicks = false;  ///< the worst tick and the mean one are figures
+    std::string error;        ///< name of the figure that tells best how wrong a run is
     std::function<std::unique_ptr<Play>()> play;
     /// Measures something in worlds of its own, once for each setting; may be empty.
     std::function<Figures(const Engine&, const Setting&)> aside = {};
@@ -65,9 +68,9 @@ struct Scene {
 /// How large the comparison is.
 enum class Extent { quick, usual, large };
 
-/// Names of all scenes.
+/// Names of all scenes, and of the parts of S8: "S8:tumbler".
 const std::vector<std::string>& sceneNames();
-/// All sizes of the scenes with these names; of all when none is given.
+/// All sizes of the scenes with these names. When none is given: of all but S8, which takes long.
 std::vector<Scene> scenes(const std::vector<std::string>& names, Extent extent);
 /// The settings in which an engine is run in a scene; empty when it does not offer the scene.
 std::vector<Setting> settingsFor(const Engine& engine, const Scene& scene);

@@ -68,8 +68,8 @@ std::string introduction(const Comparison& comparison) {
     std::string out = fmt::format(
         "Engines on the same scenes. ms/s: milliseconds of processor time for a simulated second "
         "(1000 is\nreal time), stepping and, in S1, making the boxes; {} of {} round{} in which "
-        "all take turns, {}.\nNothing sleeps. S7 is timed on the wall, with the cores that its "
-        "threads need.\n",
+        "all take turns, {}.\nNothing sleeps but in S8 smash. S7 is timed on the wall, with the "
+        "cores that its threads need.\n",
         comparison.options.rounds == 1 ? "the one run" : "the median", comparison.options.rounds,
         comparison.options.rounds == 1 ? "" : "s",
         comparison.core < 0 ? "not bound to a core"

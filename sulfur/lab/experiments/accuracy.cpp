@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "accuracy/piles.hpp"
 #include "accuracy/show.hpp"
 #include "experiments/experiment.hpp"
 
@@ -19,7 +20,9 @@ public:
     }
 
     void declare(CLI::App& app) override {
-        app.add_option("--scene", scenes_, "Only these scenes")->check(CLI::IsMember(sceneKeys()));
+        std::vector<std::string> keys = sceneKeys();
+        keys.insert(keys.end(), pileKeys().begin(), pileKeys().end());
+        app.add_option("--scene", scenes_, "Only these scenes")->check(CLI::IsMember(keys));
         app.add_option("--load", loads_, "Loads of the rope, in masses of a link")
             ->delimiter(',')
             ->check(CLI::Range(1.0, 1e6))
@@ -33,9 +36,7 @@ public:
         const auto subjects = accuracySubjects(quick_);
         std::vector<WorkPrecision> results;
         for (const std::string& key : sceneKeys()) {
-            const bool wanted =
-                scenes_.empty() || std::find(scenes_.begin(), scenes_.end(), key) != scenes_.end();
-            if (!wanted) continue;
+            if (!wanted(key)) continue;
             const bool rope = key == "rope";
             for (const double load : rope ? loads_ : std::vector{1.0}) {
                 AccuracyScene scene = makeScene(key, {.load = load});
@@ -43,6 +44,8 @@ public:
                 results.push_back(measureWorkPrecision(std::move(scene), subjects, cost));
             }
         }
+        for (const std::string& key : pileKeys())
+            if (wanted(key)) results.push_back(measurePile(key, quick_));
         Report report{asText(results, cost), asCsv(results), asJson(results)};
         for (const WorkPrecision& work : results)
             report.pictures.push_back({"accuracy_" + work.scene.key + ".svg", asSvg(work)});
@@ -50,6 +53,10 @@ public:
     }
 
 private:
+    bool wanted(const std::string& key) const {
+        return scenes_.empty() || std::find(scenes_.begin(), scenes_.end(), key) != scenes_.end();
+    }
+
     std::vector<std::string> scenes_;
     std::vector<double> loads_{1, 100, 1000};
     bool quick_ = false;

@@ -19,10 +19,18 @@ inline constexpr std::size_t rowLanes = 8;
 
 /// What rows push: a rigid component, or a particle that moves by itself (then it never turns).
 /// Its pose is counted from a reference that is renewed when it has gone far or turned by much.
+/// Its velocity is what rows have given it; that which it has without them is kept apart, so that
+/// small impulses on fast bodies are not lost to rounding.
 struct alignas(8 * sizeof(SweepReal)) SolverBody {
-    SweepReal vx = 0, vy = 0, spin = 0;               // m and rad, in this step
+    SweepReal vx = 0, vy = 0, spin = 0;               // m and rad, in this step, by rows
     SweepReal x = 0, y = 0, turn = 0;                 // m and rad, since the reference
     SweepReal inverseMass = 0, inverseInertia = 0;    // 1/kg and 1/(kg m^2)
+};
+
+/// The velocity that a body has without rows.
+struct alignas(8 * sizeof(SweepReal)) Prediction {
+    SweepReal vx = 0, vy = 0, spin = 0;  // m and rad, in this step
+    SweepReal unused[5] = {};
 };
 
 /// Heading of a body at its reference.
@@ -39,6 +47,7 @@ struct ManifoldPoint {
     Lane normalArmA, normalArmB;  // m, lever of the normal about each body's centre
     Lane gap;                     // m, where both bodies are at their references
     Lane normalMass;              // kg, effective; 0: there is no such point
+    Lane closing;                 // m, by which the gap grows in this step without rows
     Lane pressing;                // kg m, accumulated impulse
 };
 
@@ -52,8 +61,8 @@ struct alignas(64) ManifoldBlock {
     Lane tangentArmA, tangentArmB;  // m, lever of the tangent
     Lane tangentMass;               // kg, effective
     Lane slip;                      // m, by which the surfaces run along the tangent in this step
+    Lane sliding;                   // m, by which b slides along the tangent without rows
     Lane rubbing;                   // kg m, accumulated impulse
-    Lane anchor;                    // m, where it sticks, along the tangent, at the references
     ManifoldPoint points[2];
 };
 
@@ -93,8 +102,8 @@ struct alignas(64) TouchBlock {
     Lane gap;
     Lane normalMass, tangentMass;
     Lane slip;
+    Lane closing, sliding;
     Lane pressing, rubbing;
-    Lane anchor;
 };
 
 struct alignas(64) TouchShape {
@@ -121,17 +130,17 @@ struct SweepSettings {
     SweepReal creep;  // m, slower slips are held by static friction
     SweepReal share;  // of an overlap that goes in this step
     SweepReal most;   // m, that goes in this step
-    SweepReal hold;   // share of what has crept from its anchor that goes back
+    bool first, last;
 };
 
 struct RowKernels {
-    using Sweep = void (*)(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
+    /// Friction, then normals, of one block after the other. The first sweep after predictions have
+    /// changed looks at these; the last one moves places too.
+    void (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions,
+                           ManifoldBlock* blocks, std::size_t count,
                            const SweepSettings& settings);
-    using SweepTouch = void (*)(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
-                                const SweepSettings& settings);
-    /// Friction, then normals, of one block after the other; `push`: places too.
-    Sweep sweepManifolds, pushManifolds;
-    SweepTouch sweepTouches, pushTouches;
+    void (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                         std::size_t count, const SweepSettings& settings);
     /// Geometry of one block from the poses of its bodies; impulses turn along, and what that
     /// changes goes to the bodies. Returns a bit for each lane that must be looked at again.
     std::uint32_t (*refreshManifolds)(SolverBody* bodies, const PoseView& poses,

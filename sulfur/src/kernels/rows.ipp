@@ -95,6 +95,12 @@ inline Bodies gather(const SolverBody* bodies, const std::uint32_t* at) {
     transpose(g.of);
     return g;
 }
+inline Bodies gather(const Prediction* predictions, const std::uint32_t* at) {
+    Bodies g;
+    for (int i = 0; i < 8; ++i) g.of[i] = load(&predictions[at[i]].vx);
+    transpose(g.of);
+    return g;
+}
 /// What cannot be pushed may be in several lanes: all write what they read.
 inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
     transpose(g.of);
@@ -133,8 +139,22 @@ inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, V
     r.spinB += b.inertia() * armB * impulse;
 }
 
-template <bool places>
-inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const SweepSettings& settings) {
+/// What the points of a block do in this step without rows.
+inline void predict(const Prediction* predictions, ManifoldBlock& block) {
+    Bodies a = gather(predictions, block.a), b = gather(predictions, block.b);
+    const Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
+    store(block.sliding, along(v, load(block.tangentX), load(block.tangentY),
+                               load(block.tangentArmA), load(block.tangentArmB)) -
+                             load(block.slip));
+    for (ManifoldPoint& p : block.points)
+        store(p.closing, along(v, load(p.normalX), load(p.normalY), load(p.normalArmA),
+                               load(p.normalArmB)));
+}
+
+template <bool first, bool places>
+inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
+                          const SweepSettings& settings) {
+    if constexpr (first) predict(predictions, block);
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     const Vec mass = a.mass() + b.mass(), zero{}, most = zero + settings.most;
     Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
@@ -143,28 +163,20 @@ inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const SweepS
         const Vec tx = load(block.tangentX), ty = load(block.tangentY);
         const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
         const Vec pressing = load(block.points[0].pressing) + load(block.points[1].pressing);
-        const Vec before = load(block.rubbing), effective = load(block.tangentMass);
-        const Vec kinetic = load(block.kineticFriction);
-        const Vec speed = along(v, tx, ty, armA, armB) - load(block.slip);
-        const Vec after = friction(before - effective * speed, speed, pressing,
-                                   load(block.staticFriction), kinetic, settings.creep);
+        const Vec before = load(block.rubbing);
+        const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
+        const Vec after = friction(before - load(block.tangentMass) * speed, speed, pressing,
+                                   load(block.staticFriction), load(block.kineticFriction),
+                                   settings.creep);
         store(block.rubbing, after);
         push(v, after - before, tx, ty, armA, armB, mass, a, b);
-        if constexpr (places) {
-            // What has crept from where it sticks goes back; what slides takes its anchor along.
-            const Vec crept = load(block.anchor) + along(x, tx, ty, armA, armB);
-            const auto sticks = magnitude(after) < kinetic * pressing;
-            const Vec back = effective * clamped(-crept * settings.hold, -most, most);
-            store(block.anchor, sticks ? load(block.anchor) : load(block.anchor) - crept);
-            push(x, sticks ? back : zero, tx, ty, armA, armB, mass, a, b);
-        }
     }
     for (ManifoldPoint& p : block.points) {
         const Vec nx = load(p.normalX), ny = load(p.normalY);
         const Vec armA = load(p.normalArmA), armB = load(p.normalArmB);
         const Vec effective = load(p.normalMass), before = load(p.pressing);
         const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
-        const Vec closing = along(v, nx, ny, armA, armB) + larger(gap, zero);
+        const Vec closing = along(v, nx, ny, armA, armB) + (load(p.closing) + larger(gap, zero));
         const Vec after = larger(before - effective * closing, zero);
         store(p.pressing, after);
         push(v, after - before, nx, ny, armA, armB, mass, a, b);
@@ -191,13 +203,21 @@ inline void sweepManifold(SolverBody* bodies, ManifoldBlock& block, const SweepS
     scatter(bodies, block.b, b);
 }
 
-void sweepManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
-                    const SweepSettings& settings) {
-    for (std::size_t i = 0; i < count; ++i) sweepManifold<false>(bodies, blocks[i], settings);
+template <bool first, bool places>
+void sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+               std::size_t count, const SweepSettings& settings) {
+    for (std::size_t i = 0; i < count; ++i)
+        sweepManifold<first, places>(bodies, predictions, blocks[i], settings);
 }
-void pushManifolds(SolverBody* bodies, ManifoldBlock* blocks, std::size_t count,
-                   const SweepSettings& settings) {
-    for (std::size_t i = 0; i < count; ++i) sweepManifold<true>(bodies, blocks[i], settings);
+
+void sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+                    std::size_t count, const SweepSettings& settings) {
+    if (settings.first)
+        settings.last ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
+                      : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
+    else
+        settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
+                      : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
 }
 
 /// A direction, or a rotation.
@@ -321,9 +341,6 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     pushY += (ty - oldY) * t;
     twistA += (armA - load(block.tangentArmA)) * t;
     twistB += (armB - load(block.tangentArmB)) * t;
-    const Vec crept = load(block.anchor) + oldX * x + oldY * y +
-                      load(block.tangentArmB) * b.turn() - load(block.tangentArmA) * a.turn();
-    store(block.anchor, crept - (tx * x + ty * y + armB * b.turn() - armA * a.turn()));
     store(block.tangentX, tx);
     store(block.tangentY, ty);
     store(block.tangentArmA, armA);
@@ -401,27 +418,26 @@ inline Jacobian tangentOf(const TouchBlock& t) {
             load(t.tangentArmA), wb * tx + rx, wb * ty + ry,  load(t.tangentArmB)};
 }
 
-template <bool places>
-inline void sweepTouch(SolverBody* bodies, TouchBlock& t, const SweepSettings& settings) {
+template <bool first, bool places>
+inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
+                       const SweepSettings& settings) {
+    const Jacobian tangent = tangentOf(t), normal = normalOf(t);
+    if constexpr (first) {
+        Bodies p = gather(predictions, t.p), a = gather(predictions, t.a),
+               b = gather(predictions, t.b);
+        store(t.sliding, along(tangent, p, a, b) - load(t.slip));
+        store(t.closing, along(normal, p, a, b));
+    }
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
     const Vec zero{}, most = zero + settings.most;
-    const Jacobian tangent = tangentOf(t), normal = normalOf(t);
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
-    const Vec kinetic = load(t.kineticFriction);
-    const Vec speed = along(tangent, p, a, b) - load(t.slip);
+    const Vec speed = along(tangent, p, a, b) + load(t.sliding);
     const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, speed, pressed,
-                                 load(t.staticFriction), kinetic, settings.creep);
+                                 load(t.staticFriction), load(t.kineticFriction), settings.creep);
     store(t.rubbing, rubbing);
     push(tangent, rubbing - rubbed, p, a, b);
-    if constexpr (places) {
-        const Vec crept = load(t.anchor) + placeAlong(tangent, p, a, b);
-        const auto sticks = magnitude(rubbing) < kinetic * pressed;
-        const Vec back = load(t.tangentMass) * clamped(-crept * settings.hold, -most, most);
-        store(t.anchor, sticks ? load(t.anchor) : load(t.anchor) - crept);
-        pushPlace(tangent, sticks ? back : zero, p, a, b);
-    }
     const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
-    const Vec closing = along(normal, p, a, b) + larger(gap, zero);
+    const Vec closing = along(normal, p, a, b) + (load(t.closing) + larger(gap, zero));
     const Vec pressing = larger(pressed - load(t.normalMass) * closing, zero);
     store(t.pressing, pressing);
     push(normal, pressing - pressed, p, a, b);
@@ -433,13 +449,21 @@ inline void sweepTouch(SolverBody* bodies, TouchBlock& t, const SweepSettings& s
     scatter(bodies, t.b, b);
 }
 
-void sweepTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
-                  const SweepSettings& settings) {
-    for (std::size_t i = 0; i < count; ++i) sweepTouch<false>(bodies, blocks[i], settings);
+template <bool first, bool places>
+void sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+               std::size_t count, const SweepSettings& settings) {
+    for (std::size_t i = 0; i < count; ++i)
+        sweepTouch<first, places>(bodies, predictions, blocks[i], settings);
 }
-void pushTouches(SolverBody* bodies, TouchBlock* blocks, std::size_t count,
-                 const SweepSettings& settings) {
-    for (std::size_t i = 0; i < count; ++i) sweepTouch<true>(bodies, blocks[i], settings);
+
+void sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                  std::size_t count, const SweepSettings& settings) {
+    if (settings.first)
+        settings.last ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
+                      : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
+    else
+        settings.last ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
+                      : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
 }
 
 std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock& t,
@@ -490,7 +514,6 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     const Vec atBX = same ? zero : armB.x, atBY = same ? zero : armB.y;
     // Impulses stay what they are and act along the new directions.
     const Jacobian oldNormal = normalOf(t), oldTangent = tangentOf(t);
-    const Vec crept = load(t.anchor) + placeAlong(oldTangent, p, a, b);
     const Vec pressing = load(t.pressing), rubbing = load(t.rubbing);
     store(t.normalX, nx);
     store(t.normalY, ny);
@@ -514,7 +537,6 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     store(t.normalMass, normalK > zero ? one / normalK : zero);
     store(t.tangentMass, tangentK > zero ? one / tangentK : zero);
     store(t.gap, distance - load(shape.thickness) - placeAlong(normal, p, a, b));
-    store(t.anchor, crept - placeAlong(tangent, p, a, b));
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);

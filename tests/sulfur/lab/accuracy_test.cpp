@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "accuracy/piles.hpp"
 #include "accuracy/show.hpp"
 #include "accuracy/work_precision.hpp"
 #include "integrators/integrator.hpp"
@@ -124,6 +125,16 @@ TEST(Accuracy, OtherEnginesPlayChainsNetsAndStacksOnly) {
         EXPECT_EQ(subject.plays(makeScene("lattice", {})), subject.key != "bullet-10");
         EXPECT_FALSE(subject.plays(makeScene("fall", {}))) << subject.key;
     }
+}
+
+TEST(Accuracy, EveryContenderHasItsPointsForAPile) {
+    const WorkPrecision work = measurePile("S2", true);
+    ASSERT_FALSE(work.curves.empty());
+    EXPECT_TRUE(work.curves.front().ours);
+    for (const WorkCurve& curve : work.curves)
+        for (const WorkPoint& point : curve.points)
+            EXPECT_TRUE(std::isfinite(point.error) && point.cost > 0) << curve.title;
+    EXPECT_FALSE(paretoFront(work).empty());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Box2D 2.4.
 #include <box2d/box2d.h>
 
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>

@@ -21,9 +21,10 @@ class Box2dV3World final : public EngineWorld {
 public:
     explicit Box2dV3World(const Setting& setting) : setting_(setting) {
         b2WorldDef def = b2DefaultWorldDef();
-        def.gravity = {0, static_cast<float>(-gravity)};
-        def.enableSleep = false;
+        def.gravity = {0, setting.weightless ? 0 : static_cast<float>(-gravity)};
+        def.enableSleep = setting.sleeping;
         def.workerCount = setting.threads;
+        if (setting.contactHertz > 0) def.contactHertz = static_cast<float>(setting.contactHertz);
         world_ = b2CreateWorld(&def);
     }
     ~Box2dV3World() override { b2DestroyWorld(world_); }
@@ -95,6 +96,36 @@ public:
         blobs_.push_back(std::move(bodies));
     }
 
+    void addBody(const BodyPlan& plan) override {
+        b2BodyDef def = b2DefaultBodyDef();
+        def.type = plan.mover == Mover::physics ? b2_dynamicBody
+                   : plan.mover == Mover::motor ? b2_kinematicBody
+                                                : b2_staticBody;
+        placeAt(def, plan.place);
+        def.rotation = b2MakeRot(static_cast<float>(plan.angle));
+        def.linearVelocity = vec(plan.velocity);
+        def.angularVelocity = plan.mover == Mover::motor ? static_cast<float>(plan.spin) : 0;
+        def.isAwake = !plan.asleep;
+        bodies_.push_back({b2CreateBody(world_, &def), plan.sockets});
+        b2ShapeDef shape = b2DefaultShapeDef();
+        shape.density = static_cast<float>(plan.density);
+        shape.material.friction = static_cast<float>(plan.friction);
+        shape.material.restitution = static_cast<float>(plan.restitution);
+        shape.filter.groupIndex = -plan.group;
+        for (const Outline& part : plan.parts) addPart(bodies_.back().id, shape, part);
+    }
+    void removeBody(std::size_t i) override { b2DestroyBody(bodies_[i].id); }
+
+    void addPin(const PinPlan& plan) override {
+        b2RevoluteJointDef def = b2DefaultRevoluteJointDef();
+        def.base.bodyIdA = bodies_[plan.a].id;
+        def.base.bodyIdB = bodies_[plan.b].id;
+        def.base.localFrameA.p = vec(bodies_[plan.a].sockets[plan.socketA]);
+        def.base.localFrameB.p = vec(bodies_[plan.b].sockets[plan.socketB]);
+        b2CreateRevoluteJoint(world_, &def);
+        pins_.push_back(plan);
+    }
+
     void step() override {
         b2World_Step(world_, 1 / static_cast<float>(setting_.rate), setting_.iterations);
         if (profiling_) addProfile();
@@ -107,10 +138,48 @@ public:
     std::vector<Point> rope(std::size_t i) const override { return places(ropes_[i]); }
     std::vector<Point> blob(std::size_t i) const override { return places(blobs_[i]); }
 
+    Motion body(std::size_t i) const override {
+        const b2BodyId id = bodies_[i].id;
+        const b2Vec2 velocity = b2Body_GetLinearVelocity(id);
+        return {.place = positionOf(id),
+                .angle = static_cast<double>(b2Rot_GetAngle(b2Body_GetRotation(id))),
+                .velocity = {static_cast<double>(velocity.x), static_cast<double>(velocity.y)},
+                .spin = static_cast<double>(b2Body_GetAngularVelocity(id))};
+    }
+    std::pair<Point, Point> pin(std::size_t i) const override {
+        const PinPlan& plan = pins_[i];
+        return {body(plan.a).at(bodies_[plan.a].sockets[plan.socketA]),
+                body(plan.b).at(bodies_[plan.b].sockets[plan.socketB])};
+    }
+
     void setProfiling(bool on) override { profiling_ = on; }
     StageTimes stages() const override { return stages_; }
 
 private:
+    struct Kept {
+        b2BodyId id;
+        std::vector<Point> sockets;
+    };
+
+    static void addPart(b2BodyId body, const b2ShapeDef& def, const Outline& part) {
+        const auto radius = static_cast<float>(part.radius);
+        if (part.points.size() == 1) {
+            const b2Circle circle{vec(part.points[0]), radius};
+            b2CreateCircleShape(body, &def, &circle);
+            return;
+        }
+        if (part.points.size() == 2) {
+            const b2Capsule capsule{vec(part.points[0]), vec(part.points[1]), radius};
+            b2CreateCapsuleShape(body, &def, &capsule);
+            return;
+        }
+        std::vector<b2Vec2> points;
+        for (const Point& p : part.points) points.push_back(vec(p));
+        const b2Hull hull = b2ComputeHull(points.data(), static_cast<int>(points.size()));
+        const b2Polygon polygon = b2MakePolygon(&hull, radius);
+        b2CreatePolygonShape(body, &def, &polygon);
+    }
+
     static void placeAt(b2BodyDef& def, const Point& p) {
         // Of another type where it was built for large worlds.
         def.position.x = static_cast<decltype(def.position.x)>(p.x());
@@ -179,6 +248,8 @@ private:
     Setting setting_;
     b2WorldId world_{};
     std::vector<b2BodyId> squares_;
+    std::vector<Kept> bodies_;
+    std::vector<PinPlan> pins_;
     std::vector<std::vector<b2BodyId>> ropes_, blobs_;
     bool profiling_ = false;
     StageTimes stages_;

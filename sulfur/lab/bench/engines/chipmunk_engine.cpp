@@ -42,7 +42,9 @@ cpSpace* newSpace() {
 class ChipmunkWorld final : public EngineWorld {
 public:
     explicit ChipmunkWorld(const Setting& setting) : setting_(setting), space_(newSpace()) {
-        cpSpaceSetGravity(space_, cpv(0, -gravity));
+        cpSpaceSetGravity(space_, cpv(0, setting.weightless ? 0 : -gravity));
+        // Half a second, as Box2D has it; infinite, as at first: never.
+        if (setting.sleeping) cpSpaceSetSleepTimeThreshold(space_, 0.5);
         cpSpaceSetIterations(space_, setting.iterations);
         // The default of 0.1 is meant for pixels.
         cpSpaceSetCollisionSlop(space_, 0.005);
@@ -52,6 +54,8 @@ public:
             cpSpaceRemoveConstraint(space_, constraint);
             cpConstraintFree(constraint);
         }
+        for (const Kept& kept : kept_)
+            if (kept.body != nullptr) free(kept);
         for (cpShape* shape : shapes_) {
             cpSpaceRemoveShape(space_, shape);
             cpShapeFree(shape);
@@ -136,6 +140,42 @@ public:
         blobs_.push_back(std::move(bodies));
     }
 
+    void addBody(const BodyPlan& plan) override {
+        const bool moves = plan.mover == Mover::physics;
+        cpBody* body = moves                        ? cpBodyNew(plan.mass(), plan.inertia())
+                       : plan.mover == Mover::motor ? cpBodyNewKinematic()
+                                                    : cpBodyNewStatic();
+        cpSpaceAddBody(space_, body);
+        cpBodySetPosition(body, vec(plan.place));
+        cpBodySetAngle(body, plan.angle);
+        cpBodySetVelocity(body, vec(plan.velocity));
+        if (plan.mover == Mover::motor) cpBodySetAngularVelocity(body, plan.spin);
+        Kept kept{body, {}, plan.sockets};
+        for (const Outline& part : plan.parts) {
+            cpShape* shape = cpSpaceAddShape(space_, shapeOf(body, part));
+            cpShapeSetFriction(shape, std::sqrt(plan.friction));
+            // It multiplies these too.
+            cpShapeSetElasticity(shape, std::sqrt(plan.restitution));
+            if (plan.group != 0)
+                cpShapeSetFilter(shape, cpShapeFilterNew(static_cast<cpGroup>(plan.group),
+                                                         CP_ALL_CATEGORIES, CP_ALL_CATEGORIES));
+            kept.shapes.push_back(shape);
+        }
+        cpSpaceReindexShapesForBody(space_, body);
+        kept_.push_back(std::move(kept));
+    }
+    void removeBody(std::size_t i) override {
+        free(kept_[i]);
+        kept_[i].body = nullptr;
+    }
+
+    void addPin(const PinPlan& plan) override {
+        const Kept &a = kept_[plan.a], &b = kept_[plan.b];
+        add(cpPivotJointNew2(a.body, b.body, vec(a.sockets[plan.socketA]),
+                             vec(b.sockets[plan.socketB])));
+        pins_.push_back(plan);
+    }
+
     void step() override { cpSpaceStep(space_, 1.0 / setting_.rate); }
 
     std::pair<Point, double> square(std::size_t i) const override {
@@ -148,8 +188,45 @@ public:
         return all;
     }
     std::vector<Point> blob(std::size_t i) const override { return places(blobs_[i]); }
+    Motion body(std::size_t i) const override {
+        const cpBody* body = kept_[i].body;
+        const cpVect velocity = cpBodyGetVelocity(body);
+        return {positionOf(body), cpBodyGetAngle(body), Point(velocity.x, velocity.y),
+                cpBodyGetAngularVelocity(body)};
+    }
+    std::pair<Point, Point> pin(std::size_t i) const override {
+        const PinPlan& plan = pins_[i];
+        return {body(plan.a).at(kept_[plan.a].sockets[plan.socketA]),
+                body(plan.b).at(kept_[plan.b].sockets[plan.socketB])};
+    }
 
 private:
+    struct Kept {
+        cpBody* body;
+        std::vector<cpShape*> shapes;
+        std::vector<Point> sockets;
+    };
+
+    void free(const Kept& kept) {
+        for (cpShape* shape : kept.shapes) {
+            cpSpaceRemoveShape(space_, shape);
+            cpShapeFree(shape);
+        }
+        cpSpaceRemoveBody(space_, kept.body);
+        cpBodyFree(kept.body);
+    }
+
+    static cpShape* shapeOf(cpBody* body, const Outline& part) {
+        if (part.points.size() == 1)
+            return cpCircleShapeNew(body, part.radius, vec(part.points[0]));
+        if (part.points.size() == 2)
+            return cpSegmentShapeNew(body, vec(part.points[0]), vec(part.points[1]), part.radius);
+        std::vector<cpVect> points;
+        for (const Point& p : part.points) points.push_back(vec(p));
+        return cpPolyShapeNew(body, static_cast<int>(points.size()), points.data(),
+                              cpTransformIdentity, part.radius);
+    }
+
     /// Takes the shape. Chipmunk multiplies the friction of two surfaces.
     cpShape* add(cpShape* shape) {
         cpShapeSetFriction(shape, std::sqrt(friction));
@@ -179,6 +256,8 @@ private:
     cpSpace* space_;
     std::vector<cpBody*> bodies_, squares_;
     std::vector<cpShape*> shapes_;
+    std::vector<Kept> kept_;
+    std::vector<PinPlan> pins_;
     std::vector<cpConstraint*> constraints_;
     std::vector<std::vector<cpBody*>> ropes_, blobs_;
     std::vector<Point> anchors_;

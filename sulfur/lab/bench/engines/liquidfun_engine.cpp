@@ -1,6 +1,7 @@
 // LiquidFun: Box2D 2.3 with particles.
 #include <Box2D/Box2D.h>
 
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>

@@ -5,6 +5,7 @@
 
 #include "battery/scenes.hpp"
 #include "bench/engine.hpp"
+#include "bench/engines/sulfur_blueprints.hpp"
 #include "bench/threads.hpp"
 
 namespace sulfur::lab::bench {
@@ -16,9 +17,9 @@ constexpr Material surface{.staticFriction = Real(friction), .kineticFriction = 
 class SulfurWorld final : public EngineWorld {
 public:
     explicit SulfurWorld(const Setting& setting)
-        : world_({.gravity = vec2(0, -gravity),
+        : world_({.gravity = vec2(0, setting.weightless ? 0 : -gravity),
                   .tickRate = setting.rate,
-                  .sleeping = false,
+                  .sleeping = setting.sleeping,
                   .sweeps = setting.iterations}) {
         world_.setTasks(tasksFor(static_cast<std::size_t>(setting.threads)));
     }
@@ -67,7 +68,37 @@ public:
         blobs_.push_back(world_.add(plan, {.position = centre}));
     }
 
+    /// Whatever begins asleep falls asleep by itself soon.
+    void addBody(const BodyPlan& plan) override {
+        const Blueprint blueprint = blueprintOf(plan);
+        const Body body = world_.add(blueprint, {plan.place, plan.angle});
+        if (!plan.velocity.isZero()) world_.setVelocity(body, plan.velocity.cast<Real>());
+        if (plan.mover == Mover::motor)
+            motors_.push_back({body, {plan.place, plan.angle}, plan.spin});
+        Kept kept{body, blueprint.particles[0].position.cast<double>(), {}};
+        if (blueprint.particles.size() > 1)
+            kept.second = blueprint.particles[1].position.cast<double>();
+        for (const Point& socket : plan.sockets) kept.sockets.push_back(socket.cast<Real>());
+        bodies_.push_back(std::move(kept));
+    }
+    void removeBody(std::size_t i) override { world_.remove(bodies_[i].body); }
+
+    /// A particle of what can move is held at the place of the other socket.
+    void addPin(const PinPlan& plan) override {
+        const Body &a = bodies_[plan.a].body, &b = bodies_[plan.b].body;
+        const ParticleId socketA = a[1 + plan.socketA], socketB = b[1 + plan.socketB];
+        pins_.emplace_back(socketA, socketB);
+        if (world_.kind(a) == BodyKind::dynamic)
+            world_.attach(socketA, b, bodies_[plan.b].sockets[plan.socketB]);
+        else
+            world_.attach(socketB, a, bodies_[plan.a].sockets[plan.socketA]);
+    }
+
     void step() override {
+        for (Motor& motor : motors_) {
+            motor.pose.angle += motor.spin * static_cast<double>(world_.tickDuration());
+            world_.moveTo(motor.body, motor.pose);
+        }
         world_.step();
         if (!profiling_) return;
         const auto& seconds = world_.statistics().seconds;
@@ -88,6 +119,24 @@ public:
         return all;
     }
 
+    Motion body(std::size_t i) const override {
+        const Kept& kept = bodies_[i];
+        Motion motion{.place = world_.position(kept.body[0]),
+                      .velocity = world_.meanVelocity(kept.body).cast<double>()};
+        if (kept.body.size() == 1) return motion;
+        const ParticleId first = kept.body[0], second = kept.body[1];
+        const Point side = kept.second - kept.first;
+        const Point now = world_.position(second) - world_.position(first);
+        motion.angle = std::atan2(cross(side, now), side.dot(now));
+        motion.place = Motion{.place = motion.place, .angle = motion.angle}.at(-kept.first);
+        const Vec2 apart = world_.velocity(second) - world_.velocity(first);
+        motion.spin = cross(now, apart.cast<double>()) / now.squaredNorm();
+        return motion;
+    }
+    std::pair<Point, Point> pin(std::size_t i) const override {
+        return {world_.position(pins_[i].first), world_.position(pins_[i].second)};
+    }
+
     void setProfiling(bool on) override {
         profiling_ = on;
         world_.setProfiling(on);
@@ -100,6 +149,18 @@ public:
     }
 
 private:
+    /// A body with the places of its first two particles in its plan.
+    struct Kept {
+        Body body;
+        Point first{0, 0}, second{0, 0};
+        std::vector<Vec2> sockets = {};
+    };
+    struct Motor {
+        Body body;
+        Pose pose;
+        double spin = 0;  // rad/s
+    };
+
     std::vector<Point> places(const Body& body) const {
         std::vector<Point> all;
         for (const ParticleId id : body.particles()) all.push_back(world_.position(id));
@@ -108,6 +169,9 @@ private:
 
     World world_;
     std::vector<Body> squares_, ropes_, blobs_;
+    std::vector<Kept> bodies_;
+    std::vector<Motor> motors_;
+    std::vector<std::pair<ParticleId, ParticleId>> pins_;
     bool profiling_ = false;
     std::array<double, static_cast<std::size_t>(Stage::count)> seconds_{};
 };
