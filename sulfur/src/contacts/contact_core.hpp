@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <sulfur/ids.hpp>
 #include <sulfur/math.hpp>
 #include <utility>
 #include <vector>
@@ -25,10 +26,15 @@ struct Pair {
     /// Of its points: the particles (slots) of corner and side, or none.
     std::array<std::array<std::uint32_t, 3>, 2> features{
         {{none, none, none}, {none, none, none}}};
-    std::array<Real, 3> kept{};  // kg m, impulses of its points and its friction while it sleeps
+    // While its row sleeps: kg m, impulses of its points and its friction, and its normals.
+    std::array<Real, 3> kept{};
+    std::array<Vec2, 2> keptNormal{Vec2(0, 0), Vec2(0, 0)};
+    std::uint32_t keptPressing = 0;  // 1: the row pressed
     Real restitution = 0;
+    Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
     std::uint32_t firstTouch = none;   // of others
     std::uint32_t encounter = none;
+    std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
 };
 
 /// A corner that is near a side.
@@ -41,14 +47,26 @@ struct Touch {
     RowPlace row;                 // none while it sleeps
     std::uint32_t seen = 0;       // by the last look
     Real pressing = 0, rubbing = 0;  // kg m, while it sleeps
+    Vec2 normal{0, 0};
+    std::uint32_t keptPressing = 0;
 };
 
-/// Two bodies some of whose chunks are near each other.
+/// Two bodies some of whose chunks are near each other: who touches whom is told of bodies.
 struct Encounter {
-    std::uint32_t a = none, b = none;   // body slots, a < b; none where the slot is free
-    std::uint32_t pairs = 0;            // of chunks
-    std::uint32_t pressing = 0;         // of rows, since they were last counted
-    std::uint32_t touching = 0;         // in the last tick
+    BodyId a, b;                      // a < b; null where the slot is free
+    std::uint32_t firstPair = none;   // of chunks; see Pair
+    std::uint32_t pressing = 0;       // rows that press, asleep or not
+    std::uint32_t touching = 0;       // 1: it was told that they touch
+    std::uint32_t changed = 0;        // 1: it is in the list of those that may have changed
+    std::uint32_t nextInBucket = none;
+};
+
+/// What an impact gave to a mover.
+struct Blow {
+    std::uint32_t mover = 0;
+    Vec2 velocity{0, 0};  // m in a step
+    Real spin = 0;        // rad in a step
+    Real when = 0;        // share of the step that was over
 };
 
 /// When a pair has to be looked at: when the odometers of both frames together reach a limit.
@@ -73,6 +91,8 @@ struct ContactCore {
     std::vector<std::uint32_t> freePairs;
     std::vector<Touch> touches;
     std::vector<std::uint32_t> freeTouches;
+    std::vector<Encounter> encounters;
+    std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
     std::vector<Watch2> watches;  // of pairs of which something is awake
     double lastStep = 0;  // s, of the step for which the rows have impulses
 
@@ -83,6 +103,9 @@ struct ContactCore {
     std::vector<std::uint32_t> tiedCapsules;  // joints between bodies that collide, dense indices
     std::vector<std::uint32_t> awakeMovers, awakeDense;  // and what they are, dense index
     std::vector<std::uint8_t> awakeIsCluster;
+    std::vector<std::uint32_t> denseOfMover;    // the same by mover; none where it sleeps
+    std::vector<std::uint8_t> moverIsCluster;
+    std::uint32_t bouncingPairs = 0;            // 0: nothing has restitution
     std::vector<std::uint32_t> awakeChunks, awakeStrips;
     std::vector<std::uint32_t> newChunks;  // in no grid yet
 
@@ -90,7 +113,8 @@ struct ContactCore {
     std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
-    std::vector<Motion3> taken;  // m and rad, the motion with which the rows began a sweep, by mover
+    std::vector<Blow> blows;
+    std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> toWake;  // bodies by slot
     bool on = false;
     bool listsStale = true;
@@ -109,6 +133,10 @@ struct ContactCore {
         a(touches);
         a(freeTouches);
         a(watches);
+        a(encounters);
+        a(freeEncounters);
+        a(buckets);
+        a(changedEncounters);
         a(linked);
         a(linkedBodies);
         a(staleShapes);

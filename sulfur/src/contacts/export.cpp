@@ -1,5 +1,6 @@
 // Points that push, as those see them who ask about contacts one by one.
 #include <algorithm>
+#include <utility>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
@@ -11,47 +12,66 @@ namespace {
 
 class Exporter {
 public:
-    explicit Exporter(State& state) : state_(state), core_(state.core) {}
+    Exporter(const State& state, std::vector<Contact>& contacts)
+        : state_(state), core_(state.core), contacts_(contacts) {}
 
-    void run() {
-        state_.contacts.clear();
-        for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {
-            const ManifoldList& manifolds = core_.rows.manifolds[c];
-            for (std::uint32_t i = 0; i < manifolds.rows; ++i) addManifold({c, i});
-            const TouchList& touches = core_.rows.touches[c];
-            for (std::uint32_t i = 0; i < touches.rows; ++i) addTouch({c, i});
+    void run(bool sleepers) {
+        contacts_.clear();
+        for (const Pair& pair : core_.pairs) {
+            if (pair.a == none) continue;
+            if (pair.row)
+                addManifold(pair);
+            else if (sleepers && pair.keptPressing)
+                addSleeping(pair);
+            for (auto t = pair.firstTouch; t != none; t = core_.touches[t].next)
+                addTouch(core_.touches[t], sleepers);
         }
     }
 
 private:
-    void addManifold(RowPlace place) {
-        const ManifoldBlock& block = core_.rows.manifold(place);
-        const ManifoldShape& shape = core_.rows.manifoldShape(place);
-        const auto lane = RowGraph::laneOf(place);
+    void addManifold(const Pair& pair) {
+        const ManifoldBlock& block = core_.rows.manifold(pair.row);
+        const ManifoldShape& shape = core_.rows.manifoldShape(pair.row);
+        const auto lane = RowGraph::laneOf(pair.row);
+        bool first = true;  // the friction of both is told with the first
         for (std::size_t k = 0; k < 2; ++k) {
             const ManifoldPoint& p = block.points[k];
             if (!(p.pressing[lane] > 0)) continue;
-            const Real owner = shape.features[k].owner[lane];
             Contact c;
-            c.normal = owner * Vec2(p.normalX[lane], p.normalY[lane]);
+            c.normal = shape.features[k].owner[lane] * Vec2(p.normalX[lane], p.normalY[lane]);
             c.normalLambda = p.pressing[lane];
-            c.tangentLambda = k == 0 ? block.rubbing[lane] : Real(0);
+            c.tangentLambda = std::exchange(first, false) ? block.rubbing[lane] : Real(0);
             c.staticFriction = block.staticFriction[lane];
-            add(c, core_.pairs[shape.pair[lane]].features[k]);
+            add(c, pair.features[k]);
         }
     }
-    void addTouch(RowPlace place) {
-        const TouchBlock& block = core_.rows.touch(place);
-        const auto lane = RowGraph::laneOf(place);
-        if (!(block.pressing[lane] > 0)) return;
-        const Touch& touch = core_.touches[core_.rows.touchShape(place).touch[lane]];
+    void addSleeping(const Pair& pair) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (!(pair.kept[k] > 0)) continue;
+            Contact c;
+            c.normal = pair.keptNormal[k];
+            c.normalLambda = pair.kept[k];
+            c.tangentLambda = k == 0 ? pair.kept[2] : Real(0);
+            add(c, pair.features[k]);
+        }
+    }
+    void addTouch(const Touch& touch, bool sleepers) {
         const Shapes& shapes = core_.shapes;
         const Side& side = shapes.sides[touch.side];
         Contact c;
-        c.normal = Vec2(block.normalX[lane], block.normalY[lane]);
-        c.normalLambda = block.pressing[lane];
-        c.tangentLambda = block.rubbing[lane];
-        c.staticFriction = block.staticFriction[lane];
+        if (touch.row) {
+            const TouchBlock& block = core_.rows.touch(touch.row);
+            const auto lane = RowGraph::laneOf(touch.row);
+            c.normal = Vec2(block.normalX[lane], block.normalY[lane]);
+            c.normalLambda = block.pressing[lane];
+            c.tangentLambda = block.rubbing[lane];
+            c.staticFriction = block.staticFriction[lane];
+        } else if (sleepers) {
+            c.normal = touch.normal;
+            c.normalLambda = touch.pressing;
+            c.tangentLambda = touch.rubbing;
+        }
+        if (!(c.normalLambda > 0)) return;
         add(c, {shapes.corners[touch.corner].particle, shapes.corners[side.a].particle,
                 shapes.corners[side.b].particle});
     }
@@ -70,17 +90,18 @@ private:
         c.weightB = static_cast<Real>(t);
         c.weightA = 1 - c.weightB;
         c.thickness = p.reach[c.particle] + p.reach[c.a];
-        state_.contacts.push_back(c);
+        contacts_.push_back(c);
     }
 
-    State& state_;
-    ContactCore& core_;
+    const State& state_;
+    const ContactCore& core_;
+    std::vector<Contact>& contacts_;
 };
 
 }  // namespace
 
-void exportContacts(State& state) {
-    Exporter(state).run();
+void exportContacts(const State& state, std::vector<Contact>& contacts, bool sleepers) {
+    Exporter(state, contacts).run(sleepers);
 }
 
 }  // namespace sulfur::detail

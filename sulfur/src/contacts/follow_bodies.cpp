@@ -87,7 +87,13 @@ void listAwake(State& state) {
     core.awakeIsCluster.clear();
     core.awakeChunks.clear();
     core.awakeStrips.clear();
-    std::vector<std::uint8_t> listed(movers.size(), 0);
+    core.denseOfMover.assign(movers.size(), none);
+    core.moverIsCluster.assign(movers.size(), 0);
+    core.bouncingPairs = 0;
+    for (const BodyRecord& body : state.bodies)
+        if (body.material.restitution > 0) ++core.bouncingPairs;
+    for (const Material& material : state.joints.material)
+        if (material.restitution > 0) ++core.bouncingPairs;
     for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
         const bool awake = state.awake(b);
         const auto slot = state.bodies[b].id.index - 1;
@@ -98,16 +104,17 @@ void listAwake(State& state) {
             if (awake && chunk.uses > 1) core.awakeStrips.push_back(c);
             for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
                 const auto m = core.shapes.uses[u].mover;
-                if (listed[m]) continue;
+                if (core.denseOfMover[m] != none) continue;
                 const auto leader = movers.particle[m];
                 if (leader == none) continue;
                 const auto i = state.particleSlots.denseOf(leader);
                 if (!state.awake(state.particles.body[i])) continue;
-                listed[m] = 1;
                 const auto cluster = state.particles.cluster[i];
                 core.awakeMovers.push_back(m);
                 core.awakeIsCluster.push_back(cluster != none);
                 core.awakeDense.push_back(cluster != none ? cluster : i);
+                core.denseOfMover[m] = core.awakeDense.back();
+                core.moverIsCluster[m] = core.awakeIsCluster.back();
             }
         }
     }

@@ -6,6 +6,7 @@
 
 #include "collision/materials.hpp"
 #include "contacts/contact_core.hpp"
+#include "contacts/encounters.hpp"
 #include "contacts/pair_table.hpp"
 #include "narrow_phase/convex.hpp"
 #include "narrow_phase/loose.hpp"
@@ -95,7 +96,11 @@ public:
             return;
         }
         const bool isNew = !pair_.row;
-        if (isNew) pair_.row = core_.rows.addManifold(core_.movers, index_, a_.frame, b_.frame);
+        if (isNew) {
+            pair_.row = core_.rows.addManifold(core_.movers, index_, a_.frame, b_.frame);
+            if (std::exchange(pair_.keptPressing, 0))
+                core_.rows.setPressing(core_.rows.manifolds, pair_.row);
+        }
         setPoints(m, isNew);
         setShape(m);
         core_.rows.markManifold(pair_.row);
@@ -107,14 +112,10 @@ private:
     /// m, how far the surfaces may come towards each other in this step.
     Real closing() const {
         const Movers& movers = core_.movers;
-        const SolverBody &a = movers.bodies[a_.frame], &b = movers.bodies[b_.frame];
-        const Real turn = a_.frame == b_.frame ? 0
-                                               : movers.reach[b_.frame] * std::abs(b.spin) +
-                                                     turnOf(a_.frame);
-        return std::abs(a.vx - b.vx) + std::abs(a.vy - b.vy) + turn;
-    }
-    Real turnOf(std::uint32_t m) const {
-        return core_.movers.reach[m] * std::abs(core_.movers.bodies[m].spin);
+        const Motion3 a = motionNow(movers, a_.frame), b = motionNow(movers, b_.frame);
+        return std::abs(a.x - b.x) + std::abs(a.y - b.y) +
+               movers.reach[a_.frame] * std::abs(a.turn) +
+               movers.reach[b_.frame] * std::abs(b.turn);
     }
 
     void setPoints(const Manifold& m, bool isNew) {
@@ -266,7 +267,7 @@ private:
             core_.freeTouches.pop_back();
         }
         Touch& touch = core_.touches[slot];
-        touch = {index_, n.corner, n.side, n.end, pair_.firstTouch, n.outward, {}, 1, 0, 0};
+        touch = {index_, n.corner, n.side, n.end, pair_.firstTouch, n.outward, {}, 1};
         if (const Heir* heir = findHeir(core_, particlesOf(core_.shapes, n.corner, n.side))) {
             touch.pressing = heir->pressing;
             touch.rubbing = heir->rubbing;
@@ -284,6 +285,8 @@ private:
         const bool same = a.mover == b.mover;
         touch.row = core_.rows.addTouch(core_.movers, slot, corner.mover, a.mover,
                                         same ? 0 : b.mover);
+        if (std::exchange(touch.keptPressing, 0))
+            core_.rows.setPressing(core_.rows.touches, touch.row);
         setRow(touch, corner, a, b, side, same);
     }
 
@@ -361,10 +364,12 @@ public:
             const TouchBlock& block = core.rows.touch(touch.row);
             const auto lane = RowGraph::laneOf(touch.row);
             leave(core, particles, block.pressing[lane], block.rubbing[lane]);
+            if (core.rows.pressing(core.rows.touches, touch.row)) addPressing(core, core.pairs[touch.pair].encounter, -1);
             const auto moved = core.rows.removeTouch(core.movers, touch.row);
             if (moved != none) core.touches[moved].row = touch.row;
         } else {
             leave(core, particles, touch.pressing, touch.rubbing);
+            if (touch.keptPressing) addPressing(core, core.pairs[touch.pair].encounter, -1);
         }
         core.touches[t] = {};
         core.freeTouches.push_back(t);
@@ -434,8 +439,13 @@ void keepRows(State& state, std::uint32_t index) {
     if (pair.row) {
         const ManifoldBlock& block = core.rows.manifold(pair.row);
         const auto lane = RowGraph::laneOf(pair.row);
-        for (std::size_t k = 0; k < 2; ++k) pair.kept[k] = block.points[k].pressing[lane];
+        for (std::size_t k = 0; k < 2; ++k) {
+            pair.kept[k] = block.points[k].pressing[lane];
+            pair.keptNormal[k] = core.rows.manifoldShape(pair.row).features[k].owner[lane] *
+                                 Vec2(block.points[k].normalX[lane], block.points[k].normalY[lane]);
+        }
         pair.kept[2] = block.rubbing[lane];
+        pair.keptPressing = core.rows.pressing(core.rows.manifolds, pair.row);
         const auto place = std::exchange(pair.row, {});
         const auto moved = core.rows.removeManifold(core.movers, place);
         if (moved != none) core.pairs[moved].row = place;
@@ -447,6 +457,8 @@ void keepRows(State& state, std::uint32_t index) {
         const auto lane = RowGraph::laneOf(touch.row);
         touch.pressing = block.pressing[lane];
         touch.rubbing = block.rubbing[lane];
+        touch.normal = Vec2(block.normalX[lane], block.normalY[lane]);
+        touch.keptPressing = core.rows.pressing(core.rows.touches, touch.row);
         const auto place = std::exchange(touch.row, {});
         const auto moved = core.rows.removeTouch(core.movers, place);
         if (moved != none) core.touches[moved].row = place;
@@ -463,13 +475,16 @@ void dropRows(State& state, std::uint32_t index) {
         for (std::size_t k = 0; k < 2; ++k)
             leave(core, pair.features[k], block.points[k].pressing[lane],
                   k == 0 ? block.rubbing[lane] : Real(0));
+        if (core.rows.pressing(core.rows.manifolds, place)) addPressing(core, pair.encounter, -1);
         pair.row = {};
         const auto moved = core.rows.removeManifold(core.movers, place);
         if (moved != none) core.pairs[moved].row = place;
     } else {
         for (std::size_t k = 0; k < 2; ++k)
             leave(core, pair.features[k], pair.kept[k], k == 0 ? pair.kept[2] : Real(0));
+        if (pair.keptPressing) addPressing(core, pair.encounter, -1);
     }
+    pair.keptPressing = 0;
     for (auto& f : pair.features) f = {none, none, none};
     pair.kept = {};
     while (pair.firstTouch != none) {

@@ -2,13 +2,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
-#include "core/pieces.hpp"
 #include "rigid/grip.hpp"
 #include "world/state.hpp"
 
@@ -19,8 +17,19 @@ namespace {
 /// m and rad, from its reference, beyond which a body gets a new one.
 constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
 
-/// How far a body may go before its rows are refreshed, in its least thickness.
-const Real refreshWithin = std::getenv("SULFUR_EPS") ? std::atof(std::getenv("SULFUR_EPS")) : 0.25;
+/// How far a body may go before its rows are refreshed, in its least thickness: an edge that rolls on
+/// a corner is then wrong by the square of that, a two-hundredth of the thickness.
+constexpr Real refreshWithin = Real(0.1);
+
+/// A fifth of an overlap goes in a step of 1/500 s, and at most so fast.
+constexpr Real pushRate = 100, pushSpeed = Real(0.9);  // 1/s, m/s
+constexpr Real mostShare = Real(0.2);
+
+/// What is pushed apart faster does not rest.
+constexpr Real restingPush = Real(0.002);  // m/s
+
+/// m/s^2: what slips slower than this makes of a step is held by static friction.
+constexpr Real creepOfGravity = Real(0.25);
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     movers.reference[m] = at;
@@ -35,26 +44,41 @@ double smallAngle(double s) {
     return s * (1 + q * (1.0 / 6 + q * (3.0 / 40 + q * (15.0 / 336))));
 }
 
+double turnSince(const Point& reference, const Point& heading) {
+    return smallAngle(reference[0] * heading[1] - reference[1] * heading[0]);
+}
+
 void takePose(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     const Point& reference = movers.referenceHeading[m];
-    const double s = reference[0] * heading[1] - reference[1] * heading[0];
     const double c = reference[0] * heading[0] + reference[1] * heading[1];
+    const double turn = turnSince(reference, heading);
     const Point way = at - movers.reference[m];
     SolverBody& body = movers.bodies[m];
-    if (!(std::abs(way[0]) + std::abs(way[1]) < farthestFromReference) || std::abs(s) > largestTurn ||
-        c < 0) {
+    if (!(std::abs(way[0]) + std::abs(way[1]) < farthestFromReference) ||
+        std::abs(turn) > largestTurn || c < 0) {
         renewReference(movers, m, at, heading);
         body.x = body.y = body.turn = 0;
         return;
     }
     body.x = static_cast<Real>(way[0]);
     body.y = static_cast<Real>(way[1]);
-    body.turn = static_cast<Real>(smallAngle(s));
+    body.turn = static_cast<Real>(turn);
 }
 
+/// m, that any of its surface goes in this step at most.
 Real stepOf(const Movers& movers, std::uint32_t m) {
-    const SolverBody& body = movers.bodies[m];
-    return std::abs(body.vx) + std::abs(body.vy) + movers.reach[m] * std::abs(body.spin);
+    const SolverBody& v = movers.bodies[m];
+    const Prediction& p = movers.predictions[m];
+    return std::abs(p.vx + v.vx) + std::abs(p.vy + v.vy) +
+           movers.reach[m] * std::abs(p.spin + v.spin);
+}
+
+/// Of a chunk whose corners move by themselves, that of the farthest.
+Real stepOf(const ContactCore& core, const Chunk& chunk) {
+    Real most = 0;
+    for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+        most = std::max(most, stepOf(core.movers, core.shapes.uses[u].mover));
+    return most;
 }
 
 void markRows(ContactCore& core, std::uint32_t m) {
@@ -63,13 +87,54 @@ void markRows(ContactCore& core, std::uint32_t m) {
             const Pair& pair = core.pairs[at / 2];
             if (pair.row) core.rows.markManifold(pair.row);
             for (auto t = pair.firstTouch; t != none; t = core.touches[t].next)
-                core.rows.markTouch(core.touches[t].row);
+                if (core.touches[t].row) core.rows.markTouch(core.touches[t].row);
             at = pair.next[at % 2];
         }
 }
 
+/// Where and how a mover is, its masses, and how it moves in this step.
+struct Seen {
+    Point at, heading{1, 0};
+    Vec2 way;
+    Real turn = 0, inverseMass = 0, inverseInertia = 0;
+};
+Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
+    if (isCluster) {
+        const Cluster& c = state.clusters.list[i];
+        return {c.centre,      c.heading,       c.displacement, static_cast<Real>(c.angle),
+                c.inverseMass, c.inverseInertia};
+    }
+    const Particles& p = state.particles;
+    return {p.position[i], {1, 0}, p.displacement[i], 0, p.inverseMass[i], 0};
+}
+
 bool isFixedChunk(const State& state, const Chunk& chunk) {
     return state.bodies[state.bodySlots.denseOf(chunk.body)].kind == BodyKind::fixed;
+}
+
+/// Impulses are kept for steps of one length.
+void scaleImpulses(ContactCore& core, double step) {
+    const double before = std::exchange(core.lastStep, step);
+    if (before == step || before == 0) return;
+    const Real share = static_cast<Real>(step / before * (step / before));
+    const auto scale = [&](Lane& lane) {
+        for (Real& value : lane) value *= share;
+    };
+    for (ManifoldList& list : core.rows.manifolds)
+        for (ManifoldBlock& block : list.blocks) {
+            scale(block.rubbing);
+            for (ManifoldPoint& point : block.points) scale(point.pressing);
+        }
+    for (TouchList& list : core.rows.touches)
+        for (TouchBlock& block : list.blocks) {
+            scale(block.pressing);
+            scale(block.rubbing);
+        }
+    for (SolverBody& body : core.movers.bodies) {
+        body.vx *= share;
+        body.vy *= share;
+        body.spin *= share;
+    }
 }
 
 }  // namespace
@@ -77,32 +142,19 @@ bool isFixedChunk(const State& state, const Chunk& chunk) {
 void takeMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
-    core.ahead.resize(movers.size());
-    core.taken.resize(movers.size());
-    std::copy(movers.odometer.begin(), movers.odometer.end(), core.ahead.begin());
+    scaleImpulses(core, static_cast<double>(state.h));
+    core.ahead = movers.odometer;
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
-        const auto i = core.awakeDense[k];
-        SolverBody& body = movers.bodies[m];
-        Motion3& predicted = core.taken[m];
-        if (core.awakeIsCluster[k]) {
-            const Cluster& c = state.clusters.list[i];
-            takePose(movers, m, c.centre, c.heading);
-            predicted = {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
-            body.inverseMass = c.inverseMass;
-            body.inverseInertia = c.inverseInertia;
-        } else {
-            const Particles& p = state.particles;
-            takePose(movers, m, p.position[i], Point(1, 0));
-            predicted = {p.displacement[i][0], p.displacement[i][1], 0};
-            body.inverseMass = p.inverseMass[i];
-            body.inverseInertia = 0;
-        }
-        // All that rows give from here on, warm starts too, is what they have in the next step.
-        const Motion3 warm = std::exchange(movers.warm[m], {});
-        body.vx = predicted.x + warm.x;
-        body.vy = predicted.y + warm.y;
-        body.spin = predicted.turn + warm.turn;
+        const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
+        takePose(movers, m, seen.at, seen.heading);
+        // What rows gave in the last step is with what they begin in this one.
+        movers.predictions[m].vx = seen.way[0];
+        movers.predictions[m].vy = seen.way[1];
+        movers.predictions[m].spin = seen.turn;
+        movers.bodies[m].inverseMass = seen.inverseMass;
+        movers.bodies[m].inverseInertia = seen.inverseInertia;
+        movers.given[m] = {};
         core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
         if (core.ahead[m] < movers.refreshAt[m]) continue;
         movers.refreshAt[m] =
@@ -111,10 +163,8 @@ void takeMotion(State& state) {
     }
     for (const auto c : core.awakeStrips) {
         const Chunk& chunk = core.shapes.chunks[c];
-        Real most = 0;
-        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
-            most = std::max(most, stepOf(movers, core.shapes.uses[u].mover));
-        core.ahead[chunk.frame] = movers.odometer[chunk.frame] + static_cast<double>(most);
+        core.ahead[chunk.frame] =
+            movers.odometer[chunk.frame] + static_cast<double>(stepOf(core, chunk));
     }
 }
 
@@ -183,17 +233,14 @@ void refreshRows(State& state) {
     for (int round = 0; round < 2; ++round) {
         core.again.clear();
         for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {
-            const auto rowsIn = [c](const auto& list, std::size_t block) {
-                return c == RowGraph::overflow ? 1 : list.rows - static_cast<std::uint32_t>(
-                                                                     block * rowLanes);
-            };
             refresh(core.rows.manifolds[c], kernels.refreshManifolds,
                     [&](auto& list, std::size_t k, std::uint32_t lane) {
-                        if (lane < rowsIn(list, k)) core.again.push_back(list.shapes[k].pair[lane]);
+                        if (lane < RowGraph::rowsIn(list, c, k))
+                            core.again.push_back(list.shapes[k].pair[lane]);
                     });
             refresh(core.rows.touches[c], kernels.refreshTouches,
                     [&](auto& list, std::size_t k, std::uint32_t lane) {
-                        if (lane < rowsIn(list, k))
+                        if (lane < RowGraph::rowsIn(list, c, k))
                             core.again.push_back(core.touches[list.shapes[k].touch[lane]].pair);
                     });
         }
@@ -204,41 +251,23 @@ void refreshRows(State& state) {
     }
 }
 
-void sweepRows(State& state, bool last) {
+void sweepRows(State& state, bool first, bool last) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
-    // At 500 Hz a fifth of an overlap goes in a step, and what rubs keeps its place.
-    const Real rate = 100 * state.h, fastest = 2 * state.h;
-    static const Real holdShare = std::getenv("SULFUR_HOLD") ? std::atof(std::getenv("SULFUR_HOLD")) : 0.2;
-    static const Real pushShare = std::getenv("SULFUR_PUSH") ? std::atof(std::getenv("SULFUR_PUSH")) : 0.2;
-    const Real creep = state.settings.gravity.norm() * state.h * state.h / 4;
-    const SweepSettings push{creep, std::min(rate, pushShare), fastest, std::min(rate, holdShare)};
+    const Prediction* predictions = core.movers.predictions.data();
+    const SweepSettings settings{creepOfGravity * state.settings.gravity.norm() * state.h * state.h,
+                                 std::min(pushRate * state.h, mostShare), pushSpeed * state.h,
+                                 first, last};
     for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
         ManifoldList& manifolds = core.rows.manifolds[c];
         TouchList& touches = core.rows.touches[c];
-        if (last) {
-            kernels.pushManifolds(bodies, manifolds.blocks.data(), manifolds.blocks.size(), push);
-            kernels.pushTouches(bodies, touches.blocks.data(), touches.blocks.size(), push);
-        } else {
-            kernels.sweepManifolds(bodies, manifolds.blocks.data(), manifolds.blocks.size(), push);
-            kernels.sweepTouches(bodies, touches.blocks.data(), touches.blocks.size(), push);
-        }
+        kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
+                               manifolds.blocks.size(), settings);
+        kernels.sweepTouches(bodies, predictions, touches.blocks.data(), touches.blocks.size(),
+                             settings);
     }
 }
-
-namespace {
-
-Motion3 motionOf(const State& state, bool isCluster, std::uint32_t i) {
-    if (!isCluster) {
-        const Vec2& d = state.particles.displacement[i];
-        return {d[0], d[1], 0};
-    }
-    const Cluster& c = state.clusters.list[i];
-    return {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
-}
-
-}  // namespace
 
 void giveMotion(State& state) {
     ContactCore& core = state.core;
@@ -247,18 +276,17 @@ void giveMotion(State& state) {
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         const SolverBody& body = movers.bodies[m];
-        const Motion3& taken = core.taken[m];
-        const Motion3 given{body.vx - taken.x, body.vy - taken.y, body.spin - taken.turn};
-        Motion3& warm = movers.warm[m];
-        warm = {warm.x + given.x, warm.y + given.y, warm.turn + given.turn};
+        Motion3& given = movers.given[m];
+        const Motion3 more{body.vx - given.x, body.vy - given.y, body.spin - given.turn};
+        given = {body.vx, body.vy, body.spin};
         if (core.awakeIsCluster[k]) {
             Cluster& c = state.clusters.list[i];
-            c.displacement += Vec2(given.x, given.y);
-            if (given.turn == 0) continue;
-            c.angle += static_cast<double>(given.turn);
+            c.displacement += Vec2(more.x, more.y);
+            if (more.turn == 0) continue;
+            c.angle += static_cast<double>(more.turn);
             updateTurn(c);
         } else if (body.inverseMass > 0) {
-            state.particles.displacement[i] += Vec2(given.x, given.y);
+            state.particles.displacement[i] += Vec2(more.x, more.y);
         }
     }
 }
@@ -267,12 +295,12 @@ void takeMotionAgain(State& state) {
     ContactCore& core = state.core;
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
-        SolverBody& body = core.movers.bodies[m];
-        const Motion3 now = core.taken[m] =
-            motionOf(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
-        body.vx = now.x;
-        body.vy = now.y;
-        body.spin = now.turn;
+        const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
+        const Motion3& given = core.movers.given[m];
+        Prediction& prediction = core.movers.predictions[m];
+        prediction.vx = seen.way[0] - given.x;
+        prediction.vy = seen.way[1] - given.y;
+        prediction.spin = seen.turn - given.turn;
     }
 }
 
@@ -283,27 +311,31 @@ void endMotion(State& state) {
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         const SolverBody& body = movers.bodies[m];
-        if (core.awakeIsCluster[k]) {
-            Cluster& c = state.clusters.list[i];
-            const Point way = c.centre - movers.reference[m];
-            const Point& reference = movers.referenceHeading[m];
-            const double s = reference[0] * c.heading[1] - reference[1] * c.heading[0];
-            c.shift += Vec2(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
-            c.twist += static_cast<double>(body.turn - static_cast<Real>(smallAngle(s)));
-        } else if (body.inverseMass > 0) {
-            Particles& p = state.particles;
-            const Point way = p.position[i] - movers.reference[m];
-            p.shift[i] +=
-                Vec2(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
-        }
         movers.odometer[m] += static_cast<double>(stepOf(movers, m));
+        const bool isCluster = core.awakeIsCluster[k] != 0;
+        if (!isCluster && body.inverseMass == 0) continue;
+        const Seen seen = lookAtMover(state, isCluster, i);
+        const Point way = seen.at - movers.reference[m];
+        const Vec2 pushed(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
+        const Real turned =
+            body.turn - static_cast<Real>(turnSince(movers.referenceHeading[m], seen.heading));
+        if (pushed[0] == 0 && pushed[1] == 0 && turned == 0) continue;
+        movers.odometer[m] += static_cast<double>(std::abs(pushed[0]) + std::abs(pushed[1]) +
+                                                  movers.reach[m] * std::abs(turned));
+        if (isCluster) {
+            state.clusters.list[i].shift += pushed;
+            state.clusters.list[i].twist += static_cast<double>(turned);
+        } else {
+            state.particles.position[i] += pushed.cast<double>();
+        }
+        // What is pushed apart does not rest.
+        const Real most = restingPush * state.h;
+        if (pushed.squaredNorm() > most * most)
+            state.bodies[state.bodySlots.denseOf(movers.body[m])].restingTime = -state.h;
     }
     for (const auto c : core.awakeStrips) {
         const Chunk& chunk = core.shapes.chunks[c];
-        Real most = 0;
-        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
-            most = std::max(most, stepOf(movers, core.shapes.uses[u].mover));
-        movers.odometer[chunk.frame] += static_cast<double>(most);
+        movers.odometer[chunk.frame] += static_cast<double>(stepOf(core, chunk));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "contacts/contact_core.hpp"
+#include "contacts/encounters.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -93,6 +94,7 @@ void makePair(State& state, std::uint32_t first, std::uint32_t second) {
                           : 0;
     link(core, slot, 0);
     if (first != second) link(core, slot, 1);
+    enterEncounter(state, slot);
     watchPair(state, slot, -1);  // it is looked at in this step
 }
 
@@ -126,6 +128,7 @@ void unwatchPair(State& state, std::uint32_t pair) {
 void endPair(State& state, std::uint32_t pair) {
     ContactCore& core = state.core;
     dropRows(state, pair);
+    leaveEncounter(core, pair);
     unwatchPair(state, pair);
     const bool itself = core.pairs[pair].a == core.pairs[pair].b;
     unlink(core, pair, 0);

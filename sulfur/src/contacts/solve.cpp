@@ -3,7 +3,6 @@
 // Rows of contacts are swept between what else is swept: joints come after contacts, so that what a
 // contact disturbs in a body is mended in the same sweep; trees, which are solved as a whole, last.
 #include <algorithm>
-#include <cstdlib>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
@@ -19,8 +18,7 @@ namespace sulfur::detail {
 namespace {
 
 /// Sweeps over contacts alone, and more over trees that a contact pulls on.
-const int sweepsAlone = std::getenv("SULFUR_SWEEPS") ? std::atoi(std::getenv("SULFUR_SWEEPS")) : 2;
-constexpr int mostForStrain = 48;
+constexpr int sweepsAlone = 2, mostForStrain = 48;
 
 bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;
@@ -40,7 +38,7 @@ void sweepRigid(State& state) {
 
 void sweepContacts(State& state, bool last) {
     takeMotionAgain(state);
-    sweepRows(state, last);
+    sweepRows(state, true, last);
     giveMotion(state);
 }
 
@@ -65,14 +63,17 @@ void solveWithRows(State& state) {
     startGrabs(state);
     touchTrees(state);
     startAreas(state);
+    strikeRows(state);
     if (sweepsOthers(state)) {
         sweepAll(state);
     } else {
-        for (int sweep = 1; sweep <= sweepsAlone; ++sweep) sweepRows(state, sweep == sweepsAlone);
+        for (int sweep = 1; sweep <= sweepsAlone; ++sweep)
+            sweepRows(state, sweep == 1, sweep == sweepsAlone);
         giveMotion(state);
     }
     endMotion(state);
-    exportContacts(state);
+    endBlows(state);
+    if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);
     recordTreeForces(state);
     recordForces(state);

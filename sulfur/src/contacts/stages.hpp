@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace sulfur::detail {
 
 struct State;
+struct Contact;
 
 /// Shapes, pairs and lists follow bodies that were made, changed, fell asleep or woke.
 void updateShapes(State& state);
@@ -17,8 +19,13 @@ void updateBoxes(State& state);
 void lookAtPairs(State& state);
 /// Rows take up how their bodies have moved and turned.
 void refreshRows(State& state);
-/// All rows are swept, `last`: places too.
-void sweepRows(State& state, bool last);
+/// All rows are swept. `first`: after predictions have changed; `last`: places too.
+void sweepRows(State& state, bool first, bool last);
+/// Impacts with restitution change the predicted motion; when the step ends, also places.
+void strikeRows(State& state);
+void endBlows(State& state);
+/// Events of contacts: who begins to touch, goes on, and parts.
+void tellContacts(State& state);
 /// Particles and rigid components take up what the rows have given since they took it.
 void giveMotion(State& state);
 /// And the other way, when somebody else has changed it.
@@ -28,8 +35,8 @@ void endMotion(State& state);
 
 /// What the stages together do to displacements: contacts and all that is swept beside them.
 void solveWithRows(State& state);
-/// Points that push, into State::contacts.
-void exportContacts(State& state);
+/// Points that push, into State::contacts; with those of sleepers where it is asked for.
+void exportContacts(const State& state, std::vector<Contact>& contacts, bool sleepers);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleepByRows(State& state);
 

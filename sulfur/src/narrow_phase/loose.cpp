@@ -73,13 +73,14 @@ private:
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
         const Point from = movers_.reference[c.mover] - origin_;
+        const Motion3 motion = motionNow(movers_, c.mover);
         Place place{{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y},
-                    {body.vx, body.vy}};
+                    {motion.x, motion.y}};
         if (c.x == 0 && c.y == 0) return place;
         const Heading h = headingNow(movers_, c.mover);
         const Xy arm{h.cosine * c.x - h.sine * c.y, h.sine * c.x + h.cosine * c.y};
         place.at = place.at + arm;
-        place.way = place.way + Xy{-body.spin * arm.y, body.spin * arm.x};
+        place.way = place.way + Xy{-motion.turn * arm.y, motion.turn * arm.x};
         return place;
     }
 

@@ -51,6 +51,11 @@ struct RowGraph {
     static std::uint32_t blockOf(RowPlace place) {
         return place.colour == overflow ? place.index : place.index / rowLanes;
     }
+    /// How many rows a block has.
+    template <class List>
+    static std::uint32_t rowsIn(const List& list, std::uint32_t colour, std::size_t block) {
+        return colour == overflow ? 1 : list.rows - static_cast<std::uint32_t>(block * rowLanes);
+    }
     static std::uint32_t laneOf(RowPlace place) {
         return place.colour == overflow ? 0 : place.index % rowLanes;
     }
@@ -72,12 +77,28 @@ struct RowGraph {
     static void pressTouch(Movers& movers, TouchBlock& block, std::uint32_t lane, Real normal,
                            Real tangent);
 
+    const ManifoldBlock& manifold(RowPlace p) const { return manifolds[p.colour].blocks[blockOf(p)]; }
+    const ManifoldShape& manifoldShape(RowPlace p) const {
+        return manifolds[p.colour].shapes[blockOf(p)];
+    }
+    const TouchBlock& touch(RowPlace p) const { return touches[p.colour].blocks[blockOf(p)]; }
     ManifoldBlock& manifold(RowPlace p) { return manifolds[p.colour].blocks[blockOf(p)]; }
     ManifoldShape& manifoldShape(RowPlace p) { return manifolds[p.colour].shapes[blockOf(p)]; }
     TouchBlock& touch(RowPlace p) { return touches[p.colour].blocks[blockOf(p)]; }
     TouchShape& touchShape(RowPlace p) { return touches[p.colour].shapes[blockOf(p)]; }
     void markManifold(RowPlace p) { mark(manifolds[p.colour].dirty, blockOf(p)); }
     void markTouch(RowPlace p) { mark(touches[p.colour].dirty, blockOf(p)); }
+
+    /// Whether a row pressed when it was last asked.
+    template <class Lists>
+    static bool pressing(const Lists& lists, RowPlace p) {
+        return (lists[p.colour].pressing[blockOf(p)] >> laneOf(p) & 1) != 0;
+    }
+    template <class Lists>
+    static void setPressing(Lists& lists, RowPlace p) {
+        auto& bits = lists[p.colour].pressing[blockOf(p)];
+        bits = static_cast<std::uint8_t>(bits | 1u << laneOf(p));
+    }
 
     template <class Archive>
     void archive(Archive& a) {

@@ -25,7 +25,8 @@ struct Movers {
     std::vector<Point> reference;          // m, where poses are counted from
     std::vector<Point> referenceHeading;   // (cos, sin)
     std::vector<Heading> heading;          // the same for the kernels
-    std::vector<Motion3> warm;             // what the rows gave in the last step
+    std::vector<Prediction> predictions;   // velocity without rows, of this step
+    std::vector<Motion3> given;            // of what rows have given, what the state has taken up
     std::vector<double> odometer;          // m
     std::vector<double> deadline;          // m, on the odometer
     std::vector<double> refreshAt;         // m, on the odometer
@@ -69,7 +70,8 @@ struct Movers {
         f(reference);
         f(referenceHeading);
         f(heading);
-        f(warm);
+        f(predictions);
+        f(given);
         f(odometer);
         f(deadline);
         f(refreshAt);
@@ -84,6 +86,13 @@ struct Movers {
     void archive(Archive& a) {
         forEachArray(a);
         a(free);
+    }
+
+    /// How a body moves in this step, with what rows have given it.
+    friend Motion3 motionNow(const Movers& movers, std::uint32_t m) {
+        const Prediction& p = movers.predictions[m];
+        const SolverBody& v = movers.bodies[m];
+        return {p.vx + v.vx, p.vy + v.vy, p.spin + v.spin};
     }
 
 private:

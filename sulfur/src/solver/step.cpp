@@ -58,9 +58,10 @@ void noteItems(State& state) {
 /// Whether something has been changed by hand since the lists were made.
 bool isChanged(const State& state) {
     const BroadPhase& broad = state.broad;
-    return state.structure.stale || state.work.stale || broad.collidersStale ||
-           broad.cellSizeStale || broad.fixedStale || broad.pairsStale || state.anyPlaced ||
-           !state.fresh.empty() || !state.influences.grabs.empty();
+    const bool drawn = state.core.on || !(broad.collidersStale || broad.cellSizeStale ||
+                                          broad.fixedStale || broad.pairsStale || state.anyPlaced);
+    return state.structure.stale || state.work.stale || !drawn || !state.fresh.empty() ||
+           !state.influences.grabs.empty();
 }
 
 /// Whether a tick would change nothing but the clock: all that could move sleeps.
@@ -98,7 +99,7 @@ void runStages(State& state) {
     noteItems(state);
     timed(state, Stage::breakage, breakJoints);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
-    collectEvents(state);
+    state.core.on ? tellContacts(state) : collectEvents(state);
     timed(state, Stage::sleep, state.core.on ? updateSleepByRows : updateSleep);
     state.idle = (state.core.on || (state.contacts.empty() && state.entwined.empty())) &&
                  state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);

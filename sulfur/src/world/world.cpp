@@ -7,9 +7,8 @@
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
+#include "contacts/stages.hpp"
 #include "world/impl.hpp"
-
-#include <cstdlib>
 
 namespace sulfur {
 
@@ -92,7 +91,9 @@ World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     impl_->state.settings = settings;
     impl_->state.h = detail::stepDuration(settings.tickRate);
     impl_->state.lastStep = static_cast<double>(impl_->state.h);
-    if (const char* core = std::getenv("SULFUR_CORE")) impl_->state.core.on = core[0] == 'n';
+#ifdef SULFUR_NEW_CONTACTS
+    impl_->state.core.on = true;
+#endif
 }
 
 World::~World() = default;
@@ -310,8 +311,10 @@ std::vector<ContactInfo> World::contacts() const {
     const State& state = impl_->state;
     const auto& p = state.particles;
     std::vector<ContactInfo> found;
+    std::vector<detail::Contact> points;
+    if (state.core.on) detail::exportContacts(state, points, true);
     if (state.core.on)
-        for (const auto& c : state.contacts)
+        for (const auto& c : points)
             found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                              p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(),
                              c.normal, c.normalLambda / state.h, c.tangentLambda / state.h});

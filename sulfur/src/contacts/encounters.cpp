@@ -1,0 +1,248 @@
+#include "contacts/encounters.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "contacts/contact_core.hpp"
+#include "contacts/stages.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+std::size_t bucketOf(const ContactCore& core, BodyId a, BodyId b) {
+    std::uint64_t h = (std::uint64_t{a.index} << 32 | b.index) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+    return static_cast<std::size_t>(h) & (core.buckets.size() - 1);
+}
+
+void growBuckets(ContactCore& core) {
+    core.buckets.assign(std::max<std::size_t>(64, 2 * core.buckets.size()), none);
+    for (std::uint32_t e = 0; e < core.encounters.size(); ++e) {
+        Encounter& encounter = core.encounters[e];
+        if (!encounter.a) continue;
+        auto& bucket = core.buckets[bucketOf(core, encounter.a, encounter.b)];
+        encounter.nextInBucket = std::exchange(bucket, e);
+    }
+}
+
+std::uint32_t findEncounter(ContactCore& core, BodyId a, BodyId b) {
+    if (core.encounters.size() >= core.buckets.size()) growBuckets(core);
+    auto& bucket = core.buckets[bucketOf(core, a, b)];
+    for (auto e = bucket; e != none; e = core.encounters[e].nextInBucket)
+        if (core.encounters[e].a == a && core.encounters[e].b == b) return e;
+    std::uint32_t slot;
+    if (core.freeEncounters.empty()) {
+        slot = static_cast<std::uint32_t>(core.encounters.size());
+        core.encounters.emplace_back();
+    } else {
+        slot = core.freeEncounters.back();
+        core.freeEncounters.pop_back();
+    }
+    Encounter& encounter = core.encounters[slot] = {};
+    encounter.a = a;
+    encounter.b = b;
+    encounter.nextInBucket = std::exchange(bucket, slot);
+    return slot;
+}
+
+void freeEncounter(ContactCore& core, std::uint32_t e) {
+    const Encounter& encounter = core.encounters[e];
+    auto* link = &core.buckets[bucketOf(core, encounter.a, encounter.b)];
+    while (*link != e) link = &core.encounters[*link].nextInBucket;
+    *link = encounter.nextInBucket;
+    core.encounters[e] = {};
+    core.freeEncounters.push_back(e);
+}
+
+void noteChange(ContactCore& core, std::uint32_t e) {
+    if (std::exchange(core.encounters[e].changed, 1) == 0) core.changedEncounters.push_back(e);
+}
+
+}  // namespace
+
+void enterEncounter(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    Pair& pair = core.pairs[index];
+    const auto idOf = [&](std::uint32_t chunk) {
+        return state.bodies[state.bodySlots.denseOf(core.shapes.chunks[chunk].body)].id;
+    };
+    const BodyPair bodies = BodyPair::of(idOf(pair.a), idOf(pair.b));
+    pair.encounter = findEncounter(core, bodies.a, bodies.b);
+    auto& first = core.encounters[pair.encounter].firstPair;
+    pair.nextOfEncounter = first;
+    if (first != none) core.pairs[first].previousOfEncounter = index;
+    first = index;
+}
+
+void leaveEncounter(ContactCore& core, std::uint32_t index) {
+    const Pair pair = core.pairs[index];
+    Encounter& encounter = core.encounters[pair.encounter];
+    if (pair.previousOfEncounter != none)
+        core.pairs[pair.previousOfEncounter].nextOfEncounter = pair.nextOfEncounter;
+    else
+        encounter.firstPair = pair.nextOfEncounter;
+    if (pair.nextOfEncounter != none)
+        core.pairs[pair.nextOfEncounter].previousOfEncounter = pair.previousOfEncounter;
+    if (encounter.firstPair == none) noteChange(core, pair.encounter);
+}
+
+void addPressing(ContactCore& core, std::uint32_t e, int more) {
+    core.encounters[e].pressing += static_cast<std::uint32_t>(more);
+    noteChange(core, e);
+}
+
+namespace {
+
+/// What all rows of an encounter do together.
+struct Push {
+    Real impulse = 0, most = -1;  // N s: of all, of the strongest
+    Real speed = 0;               // m/s
+    Vec2 normal{0, 0};            // from b towards a
+    BodyId a, b;
+    Point point{0, 0};
+};
+
+class Teller {
+public:
+    explicit Teller(State& state) : state_(state), core_(state.core) {}
+
+    void run() {
+        notePressing(core_.rows.manifolds, rowKernels().pressingManifolds,
+                     [&](const ManifoldShape& shape, std::uint32_t lane) {
+                         return shape.pair[lane];
+                     });
+        notePressing(core_.rows.touches, rowKernels().pressingTouches,
+                     [&](const TouchShape& shape, std::uint32_t lane) {
+                         return core_.touches[shape.touch[lane]].pair;
+                     });
+        const std::size_t firstBegun = state_.events.contactsBegun.size();
+        const std::size_t firstEnded = state_.events.contactsEnded.size();
+        for (const auto e : core_.changedEncounters) tell(e);
+        core_.changedEncounters.clear();
+        sort(state_.events.contactsBegun, firstBegun);
+        sort(state_.events.contactsEnded, firstEnded);
+        tellPersisting();
+    }
+
+private:
+    template <class Lists, class Kernel, class PairOf>
+    void notePressing(Lists& lists, Kernel&& kernel, PairOf&& pairOf) {
+        for (auto& list : lists)
+            for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+                const std::uint32_t now = kernel(list.blocks[k]);
+                for (auto set = now ^ list.pressing[k]; set != 0; set &= set - 1) {
+                    const auto lane = static_cast<std::uint32_t>(std::countr_zero(set));
+                    const auto pair = pairOf(list.shapes[k], lane);
+                    addPressing(core_, core_.pairs[pair].encounter, now >> lane & 1 ? 1 : -1);
+                }
+                list.pressing[k] = static_cast<std::uint8_t>(now);
+            }
+    }
+
+    void tell(std::uint32_t e) {
+        Encounter& encounter = core_.encounters[e];
+        encounter.changed = 0;
+        if (encounter.pressing > 0 && encounter.touching == 0) {
+            encounter.touching = 1;
+            const Push p = pushOf(encounter);
+            state_.events.contactsBegun.push_back(
+                {p.a, p.b, p.point, p.normal, std::max<Real>(p.speed, 0), p.impulse});
+            begun_.push_back(e);
+        } else if (encounter.pressing == 0 && encounter.touching == 1) {
+            encounter.touching = 0;
+            state_.events.contactsEnded.push_back({encounter.a, encounter.b});
+        }
+        if (encounter.firstPair == none) freeEncounter(core_, e);
+    }
+
+    void tellPersisting() {
+        // What began in an earlier step of the tick goes on to push: mergeSteps() adds that up.
+        if (!state_.settings.tellPersisting && stepsPerTick(state_.settings.tickRate) == 1) return;
+        std::sort(begun_.begin(), begun_.end());
+        const std::size_t first = state_.events.contactsPersisted.size();
+        state_.touching.clear();
+        for (std::uint32_t e = 0; e < core_.encounters.size(); ++e) {
+            const Encounter& encounter = core_.encounters[e];
+            if (encounter.touching == 0) continue;
+            state_.touching.push_back({encounter.a, encounter.b});
+            if (std::binary_search(begun_.begin(), begun_.end(), e)) continue;
+            const Push p = pushOf(encounter);
+            if (p.most < 0) continue;  // of sleepers
+            state_.events.contactsPersisted.push_back({p.a, p.b, p.point, p.normal, p.impulse});
+        }
+        std::sort(state_.touching.begin(), state_.touching.end());
+        sort(state_.events.contactsPersisted, first);
+    }
+
+    template <class Event>
+    static void sort(std::vector<Event>& events, std::size_t first) {
+        std::sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
+                  [](const Event& x, const Event& y) {
+                      return BodyPair::of(x.a, x.b) < BodyPair::of(y.a, y.b);
+                  });
+    }
+
+    Push pushOf(const Encounter& encounter) const {
+        Push push;
+        for (auto index = encounter.firstPair; index != none;
+             index = core_.pairs[index].nextOfEncounter) {
+            const Pair& pair = core_.pairs[index];
+            if (pair.row) addManifold(pair, push);
+            for (auto t = pair.firstTouch; t != none; t = core_.touches[t].next)
+                if (core_.touches[t].row) addTouch(core_.touches[t], push);
+            push.impulse += pair.blow;
+            push.speed = std::max(push.speed, pair.approach);
+        }
+        return push;
+    }
+    void addManifold(const Pair& pair, Push& push) const {
+        const ManifoldBlock& block = core_.rows.manifold(pair.row);
+        const ManifoldShape& shape = core_.rows.manifoldShape(pair.row);
+        const auto lane = RowGraph::laneOf(pair.row);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const ManifoldPoint& p = block.points[k];
+            if (pair.features[k][0] == none) continue;
+            add(push, p.pressing[lane], p.closing[lane], pair.features[k][0], pair.features[k][1],
+                shape.features[k].owner[lane] * Vec2(p.normalX[lane], p.normalY[lane]));
+        }
+    }
+    void addTouch(const Touch& touch, Push& push) const {
+        const TouchBlock& t = core_.rows.touch(touch.row);
+        const auto lane = RowGraph::laneOf(touch.row);
+        add(push, t.pressing[lane], t.closing[lane], core_.shapes.corners[touch.corner].particle,
+            core_.shapes.corners[core_.shapes.sides[touch.side].a].particle,
+            Vec2(t.normalX[lane], t.normalY[lane]));
+    }
+    void add(Push& push, Real pressing, Real closing, std::uint32_t corner, std::uint32_t side,
+             const Vec2& normal) const {
+        const Real impulse = pressing / state_.h;
+        push.impulse += impulse;
+        if (impulse <= push.most) return;
+        const Particles& p = state_.particles;
+        const auto i = state_.particleSlots.denseOf(corner), j = state_.particleSlots.denseOf(side);
+        push.most = impulse;
+        push.speed = std::max(push.speed, -closing / state_.h);
+        push.normal = normal;
+        push.a = state_.bodies[p.body[i]].id;
+        push.b = state_.bodies[p.body[j]].id;
+        push.point = p.position[i] - (p.reach[i] * normal).cast<double>();
+    }
+
+    State& state_;
+    ContactCore& core_;
+    std::vector<std::uint32_t> begun_;
+};
+
+}  // namespace
+
+void tellContacts(State& state) {
+    state.statistics.contacts = 0;
+    for (const ManifoldList& list : state.core.rows.manifolds) state.statistics.contacts += list.rows;
+    for (const TouchList& list : state.core.rows.touches) state.statistics.contacts += list.rows;
+    Teller(state).run();
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,18 @@
+// Which bodies are near each other, and which of them touch.
+#pragma once
+
+#include <cstdint>
+
+namespace sulfur::detail {
+
+struct ContactCore;
+struct State;
+
+/// A new pair of chunks joins the encounter of its bodies, or begins one.
+void enterEncounter(State& state, std::uint32_t pair);
+/// A pair that ends leaves it.
+void leaveEncounter(ContactCore& core, std::uint32_t pair);
+/// So many rows more of an encounter press, or less.
+void addPressing(ContactCore& core, std::uint32_t encounter, int more);
+
+}  // namespace sulfur::detail

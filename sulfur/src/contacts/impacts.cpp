@@ -1,0 +1,261 @@
+// Impacts with restitution, before the rows are swept.
+//
+// Pairs that close in this step faster than what lies strike one after the other until none does:
+// so a row of balls passes a blow on, as Newton's cradle shows. Each impact is that of two bodies: the
+// impulses of its points are those of a plastic impact times 1 + e, which by Newton's law loses the
+// share 1 - e^2 of the energy that the plastic one would, and so never gains any. A blow acts from its
+// moment within the step on: what the bodies would have gone before is taken off their places.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "contacts/contact_core.hpp"
+#include "contacts/stages.hpp"
+#include "rigid/grip.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Slower impacts do not rebound, so that what lies comes to rest.
+constexpr Real slowestRebound = Real(0.1);  // m/s
+constexpr int mostRounds = 64, plasticSweeps = 8;
+
+/// What one direction of a contact has to do with up to three bodies.
+struct Strike {
+    std::array<std::uint32_t, 3> body{0, 0, 0};
+    std::array<Vec2, 3> linear{Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)};
+    std::array<Real, 3> angular{0, 0, 0};
+    Real mass = 0;  // kg, effective
+    Real gap = 0;   // m, at the start of the step
+};
+
+/// The points of one pair, with their tangents.
+struct Meeting {
+    std::array<Strike, 2> normal, tangent;
+    int points = 0;
+    Real restitution = 0, friction = 0;
+    std::uint32_t pair = none;
+};
+
+class Striker {
+public:
+    explicit Striker(State& state)
+        : state_(state), core_(state.core), movers_(core_.movers), h_(state.h) {}
+
+    void run() {
+        collect();
+        bool any = !meetings_.empty();
+        for (int round = 0; round < mostRounds && any; ++round) {
+            any = false;
+            for (Meeting& m : meetings_) any |= strike(m);
+        }
+    }
+
+private:
+    void collect() {
+        for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {
+            const ManifoldList& manifolds = core_.rows.manifolds[c];
+            for (std::uint32_t i = 0; i < manifolds.rows; ++i) {
+                const RowPlace place{c, i};
+                const auto pair = core_.rows.manifoldShape(place).pair[RowGraph::laneOf(place)];
+                if (core_.pairs[pair].restitution > 0) addManifold(place, pair);
+            }
+            const TouchList& touches = core_.rows.touches[c];
+            for (std::uint32_t i = 0; i < touches.rows; ++i) {
+                const RowPlace place{c, i};
+                const auto touch = core_.rows.touchShape(place).touch[RowGraph::laneOf(place)];
+                if (core_.pairs[core_.touches[touch].pair].restitution > 0)
+                    addTouch(place, core_.touches[touch].pair);
+            }
+        }
+    }
+
+    void addManifold(RowPlace place, std::uint32_t pair) {
+        const ManifoldBlock& block = core_.rows.manifold(place);
+        const auto l = RowGraph::laneOf(place);
+        Meeting m;
+        m.pair = pair;
+        m.restitution = core_.pairs[pair].restitution;
+        m.friction = block.kineticFriction[l];
+        const auto strikeOf = [&](Real x, Real y, Real armA, Real armB) {
+            Strike s;
+            s.body = {block.b[l], block.a[l], 0};
+            s.linear = {Vec2(x, y), Vec2(-x, -y), Vec2(0, 0)};
+            s.angular = {armB, -armA, 0};
+            return weighed(s);
+        };
+        for (const ManifoldPoint& p : block.points) {
+            if (!(p.normalMass[l] > 0)) continue;
+            Strike s = strikeOf(p.normalX[l], p.normalY[l], p.normalArmA[l], p.normalArmB[l]);
+            s.gap = gapNow(s, p.gap[l]);
+            m.normal[static_cast<std::size_t>(m.points)] = s;
+            m.tangent[static_cast<std::size_t>(m.points)] =
+                strikeOf(block.tangentX[l], block.tangentY[l], block.tangentArmA[l],
+                         block.tangentArmB[l]);
+            ++m.points;
+        }
+        if (m.points > 0) meetings_.push_back(m);
+    }
+
+    void addTouch(RowPlace place, std::uint32_t pair) {
+        const TouchBlock& t = core_.rows.touch(place);
+        const auto l = RowGraph::laneOf(place);
+        if (!(t.normalMass[l] > 0)) return;
+        Meeting m;
+        m.pair = pair;
+        m.points = 1;
+        m.restitution = core_.pairs[pair].restitution;
+        m.friction = t.kineticFriction[l];
+        const Vec2 n(t.normalX[l], t.normalY[l]), tangent(-n[1], n[0]);
+        const Vec2 rod = t.rod[l] * Vec2(t.sideX[l], t.sideY[l]);
+        Strike& s = m.normal[0];
+        s.body = {t.p[l], t.a[l], t.b[l]};
+        s.linear = {n, -t.weightA[l] * n, -t.weightB[l] * n};
+        s.angular = {t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]};
+        s = weighed(s);
+        s.gap = gapNow(s, t.gap[l]);
+        Strike& r = m.tangent[0];
+        r.body = s.body;
+        r.linear = {tangent, -t.weightA[l] * tangent + rod, -t.weightB[l] * tangent - rod};
+        r.angular = {t.tangentArmP[l], -t.tangentArmA[l], -t.tangentArmB[l]};
+        r = weighed(r);
+        meetings_.push_back(m);
+    }
+
+    Strike weighed(Strike s) const {
+        Real mobility = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            mobility += movers_.bodies[s.body[k]].inverseMass * s.linear[k].squaredNorm() +
+                        movers_.bodies[s.body[k]].inverseInertia * s.angular[k] * s.angular[k];
+        s.mass = mobility > 0 ? 1 / mobility : 0;
+        return s;
+    }
+    Real gapNow(const Strike& s, Real gap) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SolverBody& b = movers_.bodies[s.body[k]];
+            gap += s.linear[k].dot(Vec2(b.x, b.y)) + s.angular[k] * b.turn;
+        }
+        return gap;
+    }
+    /// m, along the direction in this step, with what rows begin with.
+    Real motion(const Strike& s) const {
+        Real sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SolverBody& b = movers_.bodies[s.body[k]];
+            const Prediction& p = movers_.predictions[s.body[k]];
+            sum += s.linear[k].dot(Vec2(p.vx + b.vx, p.vy + b.vy)) +
+                   s.angular[k] * (p.spin + b.spin);
+        }
+        return sum;
+    }
+
+    void push(const Strike& s, Real impulse, Real before) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto m = s.body[k];
+            const SolverBody& b = movers_.bodies[m];
+            if (b.inverseMass == 0 && b.inverseInertia == 0) continue;
+            const Vec2 v = b.inverseMass * impulse * s.linear[k];
+            const Real w = b.inverseInertia * impulse * s.angular[k];
+            Prediction& p = movers_.predictions[m];
+            p.vx += v[0];
+            p.vy += v[1];
+            p.spin += w;
+            state_.core.blows.push_back({m, v, w, before});
+        }
+    }
+
+    /// Strikes if it closes. Returns whether it did.
+    bool strike(Meeting& m) {
+        std::array<Real, 2> closing{0, 0}, impulse{0, 0};
+        bool any = false;
+        for (int k = 0; k < m.points; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            closing[i] = motion(m.normal[i]);
+            any |= closing[i] < -slowestRebound * h_ && m.normal[i].gap + closing[i] < 0;
+        }
+        if (!any) return false;
+        // The plastic impact of the points that close.
+        std::array<Real, 2> plastic{0, 0};
+        const Real coupling = m.points == 2 ? response(m.normal[0], m.normal[1]) : 0;
+        for (int sweep = 0; sweep < plasticSweeps; ++sweep)
+            for (int k = 0; k < m.points; ++k) {
+                const auto i = static_cast<std::size_t>(k);
+                if (!(m.normal[i].gap + closing[i] < 0)) continue;
+                const Real now = closing[i] + coupling * plastic[1 - i];
+                plastic[i] = std::max<Real>(-m.normal[i].mass * now, 0);
+            }
+        for (int k = 0; k < m.points; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            impulse[i] = (1 + m.restitution) * plastic[i];
+            if (!(impulse[i] > 0)) continue;
+            const Real when =
+                std::clamp<Real>(std::max<Real>(m.normal[i].gap, 0) / -closing[i], 0, 1);
+            push(m.normal[i], impulse[i], when);
+            const Real most = m.friction * impulse[i];
+            push(m.tangent[i], std::clamp(-m.tangent[i].mass * motion(m.tangent[i]), -most, most),
+                 when);
+            core_.struck.push_back(m.pair);
+            core_.pairs[m.pair].blow += impulse[i] / h_;
+            auto& approach = core_.pairs[m.pair].approach;
+            approach = std::max(approach, -closing[i] / h_);
+        }
+        return true;
+    }
+
+    /// What an impulse along one direction does along the other.
+    Real response(const Strike& one, const Strike& other) const {
+        Real sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SolverBody& b = movers_.bodies[one.body[k]];
+            sum += b.inverseMass * one.linear[k].dot(other.linear[k]) +
+                   b.inverseInertia * one.angular[k] * other.angular[k];
+        }
+        return sum;
+    }
+
+    State& state_;
+    ContactCore& core_;
+    Movers& movers_;
+    Real h_;
+    std::vector<Meeting> meetings_;
+};
+
+}  // namespace
+
+void strikeRows(State& state) {
+    state.core.blows.clear();
+    for (const auto pair : state.core.struck)
+        state.core.pairs[pair].blow = state.core.pairs[pair].approach = 0;
+    state.core.struck.clear();
+    if (state.core.bouncingPairs == 0) return;
+    Striker(state).run();
+    // Whoever was struck has it in the predicted motion; places follow when the step ends.
+    for (const Blow& blow : state.core.blows) {
+        const auto i = state.core.denseOfMover[blow.mover];
+        if (state.core.moverIsCluster[blow.mover]) {
+            Cluster& c = state.clusters.list[i];
+            c.displacement += blow.velocity;
+            c.angle += static_cast<double>(blow.spin);
+            updateTurn(c);
+        } else {
+            state.particles.displacement[i] += blow.velocity;
+        }
+    }
+}
+
+void endBlows(State& state) {
+    for (const Blow& blow : state.core.blows) {
+        const auto i = state.core.denseOfMover[blow.mover];
+        const Vec2 back = -blow.when * blow.velocity;
+        if (state.core.moverIsCluster[blow.mover]) {
+            state.clusters.list[i].shift += back;
+            state.clusters.list[i].twist -= static_cast<double>(blow.when * blow.spin);
+        } else {
+            state.particles.position[i] += back.cast<double>();
+        }
+    }
+}
+
+}  // namespace sulfur::detail
