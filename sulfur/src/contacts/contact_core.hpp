@@ -28,10 +28,10 @@ struct Pair {
         {{none, none, none}, {none, none, none}}};
     // While its row sleeps: kg m, impulses of its points and its friction, and its normals.
     std::array<Real, 3> kept{};
-    std::array<Vec2, 2> keptNormal{Vec2(0, 0), Vec2(0, 0)};
-    std::uint32_t keptPressing = 0;  // 1: the row pressed
+    std::array<Real, 4> keptNormal{};  // x and y of each
     Real restitution = 0;
     Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
+    std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
     std::uint32_t firstTouch = none;   // of others
     std::uint32_t encounter = none;
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
@@ -47,8 +47,8 @@ struct Touch {
     RowPlace row;                 // none while it sleeps
     std::uint32_t seen = 0;       // by the last look
     Real pressing = 0, rubbing = 0;  // kg m, while it sleeps
-    Vec2 normal{0, 0};
-    std::uint32_t keptPressing = 0;
+    Real normalX = 0, normalY = 0;
+    std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
 };
 
 /// Two bodies some of whose chunks are near each other: who touches whom is told of bodies.

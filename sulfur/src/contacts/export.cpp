@@ -49,7 +49,7 @@ private:
         for (std::size_t k = 0; k < 2; ++k) {
             if (!(pair.kept[k] > 0)) continue;
             Contact c;
-            c.normal = pair.keptNormal[k];
+            c.normal = Vec2(pair.keptNormal[2 * k], pair.keptNormal[2 * k + 1]);
             c.normalLambda = pair.kept[k];
             c.tangentLambda = k == 0 ? pair.kept[2] : Real(0);
             add(c, pair.features[k]);
@@ -67,7 +67,7 @@ private:
             c.tangentLambda = block.rubbing[lane];
             c.staticFriction = block.staticFriction[lane];
         } else if (sleepers) {
-            c.normal = touch.normal;
+            c.normal = Vec2(touch.normalX, touch.normalY);
             c.normalLambda = touch.pressing;
             c.tangentLambda = touch.rubbing;
         }

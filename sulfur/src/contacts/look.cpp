@@ -441,8 +441,9 @@ void keepRows(State& state, std::uint32_t index) {
         const auto lane = RowGraph::laneOf(pair.row);
         for (std::size_t k = 0; k < 2; ++k) {
             pair.kept[k] = block.points[k].pressing[lane];
-            pair.keptNormal[k] = core.rows.manifoldShape(pair.row).features[k].owner[lane] *
-                                 Vec2(block.points[k].normalX[lane], block.points[k].normalY[lane]);
+            const Real owner = core.rows.manifoldShape(pair.row).features[k].owner[lane];
+            pair.keptNormal[2 * k] = owner * block.points[k].normalX[lane];
+            pair.keptNormal[2 * k + 1] = owner * block.points[k].normalY[lane];
         }
         pair.kept[2] = block.rubbing[lane];
         pair.keptPressing = core.rows.pressing(core.rows.manifolds, pair.row);
@@ -457,7 +458,8 @@ void keepRows(State& state, std::uint32_t index) {
         const auto lane = RowGraph::laneOf(touch.row);
         touch.pressing = block.pressing[lane];
         touch.rubbing = block.rubbing[lane];
-        touch.normal = Vec2(block.normalX[lane], block.normalY[lane]);
+        touch.normalX = block.normalX[lane];
+        touch.normalY = block.normalY[lane];
         touch.keptPressing = core.rows.pressing(core.rows.touches, touch.row);
         const auto place = std::exchange(touch.row, {});
         const auto moved = core.rows.removeTouch(core.movers, place);
