@@ -20,8 +20,8 @@ void BoxGrid::insert(std::vector<Chunk>& chunks, std::uint32_t index) {
         std::max({chunk.high[0] - chunk.low[0], chunk.high[1] - chunk.low[1], 1e-6});
     int exponent = 0;
     std::frexp(extent, &exponent);  // extent < 2^exponent
-    chunk.level = static_cast<std::uint32_t>(
-        std::clamp(exponent - finest, 0, static_cast<int>(levels) - 1));
+    chunk.level =
+        static_cast<std::uint32_t>(std::clamp(exponent - finest, 0, static_cast<int>(levels) - 1));
     const double size = sizeOf(chunk.level);
     const auto x = cellOf((chunk.low[0] + chunk.high[0]) / 2, size);
     const auto y = cellOf((chunk.low[1] + chunk.high[1]) / 2, size);

@@ -148,8 +148,8 @@ inline void knock(const State& state, const Contact& c, Real closing, Found& fou
 }
 
 /// Adds the contact if the predicted displacements, which close its gap by so many m, can do so.
-[[gnu::always_inline]] inline void keepIfNear(const State& state, const FoundTouch& t, const Vec2& moved,
-                                              Real closing, Found& found) {
+[[gnu::always_inline]] inline void keepIfNear(const State& state, const FoundTouch& t,
+                                              const Vec2& moved, Real closing, Found& found) {
     const Real near = state.broad.watchedGap(t.plan.thickness);
     if (t.gap() + std::min<Real>(closing, 0) > near) return;
     static const Contact blank;  // to copy it is faster than to clear a new one

@@ -21,31 +21,30 @@ struct Pair {
     std::uint32_t isManifold = 0;      // both are convex, and nothing forbids corners
     /// Neighbours in the lists of pairs of a and b: the pair's number twice, plus 1 for its b.
     std::array<std::uint32_t, 2> next{none, none}, previous{none, none};
-    std::uint32_t watch = none;        // its place among the watches, or none while all sleeps
-    RowPlace row;                      // of a manifold that is near
+    std::uint32_t watch = none;  // its place among the watches, or none while all sleeps
+    RowPlace row;                // of a manifold that is near
     /// Of its points: the particles (slots) of corner and side, or none.
-    std::array<std::array<std::uint32_t, 3>, 2> features{
-        {{none, none, none}, {none, none, none}}};
+    std::array<std::array<std::uint32_t, 3>, 2> features{{{none, none, none}, {none, none, none}}};
     // While its row sleeps: kg m, impulses of its points and its friction, and its normals.
     std::array<Real, 3> kept{};
     std::array<Real, 4> keptNormal{};  // x and y of each
     Real restitution = 0;
-    Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
-    std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
-    std::uint32_t firstTouch = none;   // of others
+    Real blow = 0, approach = 0;      // N s by impacts of this step, and m/s before them
+    std::uint32_t keptPressing = 0;   // 1: the row that sleeps pressed
+    std::uint32_t firstTouch = none;  // of others
     std::uint32_t encounter = none;
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
 };
 
 /// A corner that is near a side.
 struct Touch {
-    std::uint32_t pair = none;    // none where the slot is free
+    std::uint32_t pair = none;  // none where the slot is free
     std::uint32_t corner = none, side = none;
-    std::uint32_t end = 0;        // 0: the side between its ends, 1: its end a, 2: its end b
-    std::uint32_t next = none;    // of the pair
-    std::int32_t outward = 0;     // which way the side pushes
-    RowPlace row;                 // none while it sleeps
-    std::uint32_t seen = 0;       // by the last look
+    std::uint32_t end = 0;           // 0: the side between its ends, 1: its end a, 2: its end b
+    std::uint32_t next = none;       // of the pair
+    std::int32_t outward = 0;        // which way the side pushes
+    RowPlace row;                    // none while it sleeps
+    std::uint32_t seen = 0;          // by the last look
     Real pressing = 0, rubbing = 0;  // kg m, while it sleeps
     Real normalX = 0, normalY = 0;
     std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
@@ -53,11 +52,11 @@ struct Touch {
 
 /// Two bodies some of whose chunks are near each other: who touches whom is told of bodies.
 struct Encounter {
-    BodyId a, b;                      // a < b; null where the slot is free
-    std::uint32_t firstPair = none;   // of chunks; see Pair
-    std::uint32_t pressing = 0;       // rows that press, asleep or not
-    std::uint32_t touching = 0;       // 1: it was told that they touch
-    std::uint32_t changed = 0;        // 1: it is in the list of those that may have changed
+    BodyId a, b;                     // a < b; null where the slot is free
+    std::uint32_t firstPair = none;  // of chunks; see Pair
+    std::uint32_t pressing = 0;      // rows that press, asleep or not
+    std::uint32_t touching = 0;      // 1: it was told that they touch
+    std::uint32_t changed = 0;       // 1: it is in the list of those that may have changed
     std::uint32_t nextInBucket = none;
 };
 
@@ -94,18 +93,18 @@ struct ContactCore {
     std::vector<Encounter> encounters;
     std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
     std::vector<Watch2> watches;  // of pairs of which something is awake
-    double lastStep = 0;  // s, of the step for which the rows have impulses
+    double lastStep = 0;          // s, of the step for which the rows have impulses
 
     // Derived when bodies change or fall asleep.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;      // (particle, body), slots
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linkedBodies;  // slots, both ways
-    std::vector<std::uint32_t> staleShapes;   // bodies by slot
+    std::vector<std::uint32_t> staleShapes;                             // bodies by slot
     std::vector<std::uint32_t> tiedCapsules;  // joints between bodies that collide, dense indices
     std::vector<std::uint32_t> awakeMovers, awakeDense;  // and what they are, dense index
     std::vector<std::uint8_t> awakeIsCluster;
-    std::vector<std::uint32_t> denseOfMover;    // the same by mover; none where it sleeps
+    std::vector<std::uint32_t> denseOfMover;  // the same by mover; none where it sleeps
     std::vector<std::uint8_t> moverIsCluster;
-    std::uint32_t bouncingPairs = 0;            // 0: nothing has restitution
+    std::uint32_t bouncingPairs = 0;  // 0: nothing has restitution
     std::vector<std::uint32_t> awakeChunks, awakeStrips;
     std::vector<std::uint32_t> newChunks;  // in no grid yet
 
@@ -122,8 +121,6 @@ struct ContactCore {
 
     template <class Archive>
     void archive(Archive& a) {
-        a(on);
-        if (!on) return;
         a(movers);
         a(shapes);
         a(grid);

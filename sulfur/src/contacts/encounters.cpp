@@ -110,12 +110,17 @@ public:
     explicit Teller(State& state) : state_(state), core_(state.core) {}
 
     void run() {
-        notePressing(core_.rows.manifolds, rowKernels().pressingManifolds,
-                     [&](const ManifoldShape& shape, std::uint32_t lane) {
-                         return shape.pair[lane];
-                     });
+        auto& inexact = core_.movers.inexact;
+        notePressing(
+            core_.rows.manifolds, rowKernels().pressingManifolds,
+            [&](const ManifoldBlock& block, const ManifoldShape& shape, std::uint32_t lane) {
+                inexact[block.a[lane]] = inexact[block.b[lane]] = 1;
+                return shape.pair[lane];
+            });
         notePressing(core_.rows.touches, rowKernels().pressingTouches,
-                     [&](const TouchShape& shape, std::uint32_t lane) {
+                     [&](const TouchBlock& block, const TouchShape& shape, std::uint32_t lane) {
+                         inexact[block.p[lane]] = inexact[block.a[lane]] = inexact[block.b[lane]] =
+                             1;
                          return core_.touches[shape.touch[lane]].pair;
                      });
         const std::size_t firstBegun = state_.events.contactsBegun.size();
@@ -135,7 +140,7 @@ private:
                 const std::uint32_t now = kernel(list.blocks[k]);
                 for (auto set = now ^ list.pressing[k]; set != 0; set &= set - 1) {
                     const auto lane = static_cast<std::uint32_t>(std::countr_zero(set));
-                    const auto pair = pairOf(list.shapes[k], lane);
+                    const auto pair = pairOf(list.blocks[k], list.shapes[k], lane);
                     addPressing(core_, core_.pairs[pair].encounter, now >> lane & 1 ? 1 : -1);
                 }
                 list.pressing[k] = static_cast<std::uint8_t>(now);
@@ -240,7 +245,8 @@ private:
 
 void tellContacts(State& state) {
     state.statistics.contacts = 0;
-    for (const ManifoldList& list : state.core.rows.manifolds) state.statistics.contacts += list.rows;
+    for (const ManifoldList& list : state.core.rows.manifolds)
+        state.statistics.contacts += list.rows;
     for (const TouchList& list : state.core.rows.touches) state.statistics.contacts += list.rows;
     Teller(state).run();
 }

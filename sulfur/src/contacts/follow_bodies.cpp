@@ -98,7 +98,8 @@ void listAwake(State& state) {
         const bool awake = state.awake(b);
         const auto slot = state.bodies[b].id.index - 1;
         if (slot >= core.shapes.firstChunk.size()) continue;
-        for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody) {
+        for (auto c = core.shapes.firstChunk[slot]; c != none;
+             c = core.shapes.chunks[c].nextOfBody) {
             const Chunk& chunk = core.shapes.chunks[c];
             if (awake) core.awakeChunks.push_back(c);
             if (awake && chunk.uses > 1) core.awakeStrips.push_back(c);
@@ -131,11 +132,10 @@ void watchAwake(State& state) {
         const Pair& pair = core.pairs[k];
         if (pair.a == none) continue;
         const auto a = core.shapes.chunks[pair.a].body, b = core.shapes.chunks[pair.b].body;
-        const bool dynamic =
-            (isAwake(state, a) &&
-             state.bodies[state.bodySlots.denseOf(a)].kind == BodyKind::dynamic) ||
-            (isAwake(state, b) &&
-             state.bodies[state.bodySlots.denseOf(b)].kind == BodyKind::dynamic);
+        const bool dynamic = (isAwake(state, a) &&
+                              state.bodies[state.bodySlots.denseOf(a)].kind == BodyKind::dynamic) ||
+                             (isAwake(state, b) &&
+                              state.bodies[state.bodySlots.denseOf(b)].kind == BodyKind::dynamic);
         if (dynamic && pair.watch == none) {
             watchPair(state, k, -1);
         } else if (!dynamic && pair.watch != none) {
@@ -179,7 +179,8 @@ void updateShapes(State& state) {
             const auto body = state.bodySlots.denseOf(slot);
             if (body == none) continue;
             makeShape(state, body);
-            for (auto c = core.shapes.firstChunk.size() > slot ? core.shapes.firstChunk[slot] : none;
+            for (auto c = core.shapes.firstChunk.size() > slot ? core.shapes.firstChunk[slot]
+                                                               : none;
                  c != none; c = core.shapes.chunks[c].nextOfBody)
                 core.newChunks.push_back(c);
         }

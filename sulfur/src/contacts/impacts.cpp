@@ -1,10 +1,11 @@
 // Impacts with restitution, before the rows are swept.
 //
 // Pairs that close in this step faster than what lies strike one after the other until none does:
-// so a row of balls passes a blow on, as Newton's cradle shows. Each impact is that of two bodies: the
-// impulses of its points are those of a plastic impact times 1 + e, which by Newton's law loses the
-// share 1 - e^2 of the energy that the plastic one would, and so never gains any. A blow acts from its
-// moment within the step on: what the bodies would have gone before is taken off their places.
+// so a row of balls passes a blow on, as Newton's cradle shows. Each impact is that of two bodies:
+// the impulses of its points are those of a plastic impact times 1 + e, which by Newton's law loses
+// the share 1 - e^2 of the energy that the plastic one would, and so never gains any. A blow acts
+// from its moment within the step on: what the bodies would have gone before is taken off their
+// places.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -91,9 +92,8 @@ private:
             Strike s = strikeOf(p.normalX[l], p.normalY[l], p.normalArmA[l], p.normalArmB[l]);
             s.gap = gapNow(s, p.gap[l]);
             m.normal[static_cast<std::size_t>(m.points)] = s;
-            m.tangent[static_cast<std::size_t>(m.points)] =
-                strikeOf(block.tangentX[l], block.tangentY[l], block.tangentArmA[l],
-                         block.tangentArmB[l]);
+            m.tangent[static_cast<std::size_t>(m.points)] = strikeOf(
+                block.tangentX[l], block.tangentY[l], block.tangentArmA[l], block.tangentArmB[l]);
             ++m.points;
         }
         if (m.points > 0) meetings_.push_back(m);
@@ -145,8 +145,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k) {
             const SolverBody& b = movers_.bodies[s.body[k]];
             const Prediction& p = movers_.predictions[s.body[k]];
-            sum += s.linear[k].dot(Vec2(p.vx + b.vx, p.vy + b.vy)) +
-                   s.angular[k] * (p.spin + b.spin);
+            sum +=
+                s.linear[k].dot(Vec2(p.vx + b.vx, p.vy + b.vy)) + s.angular[k] * (p.spin + b.spin);
         }
         return sum;
     }

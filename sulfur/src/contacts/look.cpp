@@ -124,8 +124,8 @@ private:
         std::array<OldPoint, 2> old;
         Real rubbing = isNew ? pair_.kept[2] : block.rubbing[lane];
         for (std::size_t k = 0; k < 2; ++k)
-            old[k] = {pair_.features[k],
-                      isNew ? pair_.kept[k] : block.points[k].pressing[lane], false};
+            old[k] = {pair_.features[k], isNew ? pair_.kept[k] : block.points[k].pressing[lane],
+                      false};
         for (int k = 0; k < m.count; ++k)
             wanted_[static_cast<std::size_t>(k)] = keyOf(m.features[static_cast<std::size_t>(k)]);
         if (!isNew && pair_.features == wanted_) return;
@@ -170,7 +170,8 @@ private:
         f.owner[lane] = feature.cornerIsB ? Real(1) : Real(-1);
         const Chunk &own = feature.cornerIsB ? b_ : a_, &other = feature.cornerIsB ? a_ : b_;
         f.share[lane] = own.radius / (own.radius + other.radius);
-        const Surface surface = surfaceOf(state_, feature.corner, own.body, feature.side, other.body);
+        const Surface surface =
+            surfaceOf(state_, feature.corner, own.body, feature.side, other.body);
         block.staticFriction[lane] = surface.staticFriction;
         block.kineticFriction[lane] = surface.kineticFriction;
         block.slip[lane] = -surface.speed * state_.h;
@@ -283,8 +284,8 @@ private:
         const Corner &corner = core_.shapes.corners[touch.corner],
                      &a = core_.shapes.corners[side.a], &b = core_.shapes.corners[side.b];
         const bool same = a.mover == b.mover;
-        touch.row = core_.rows.addTouch(core_.movers, slot, corner.mover, a.mover,
-                                        same ? 0 : b.mover);
+        touch.row =
+            core_.rows.addTouch(core_.movers, slot, corner.mover, a.mover, same ? 0 : b.mover);
         if (std::exchange(touch.keptPressing, 0))
             core_.rows.setPressing(core_.rows.touches, touch.row);
         setRow(touch, corner, a, b, side, same);
@@ -309,7 +310,8 @@ private:
         const Real endless = Real(1e18);
         shape.low[lane] = touch.end == 2 ? Real(1) : touch.end == 1 ? -endless : Real(0);
         shape.high[lane] = touch.end == 1 ? Real(0) : touch.end == 2 ? endless : Real(1);
-        const bool ofA = touch.corner >= a_.firstCorner && touch.corner < a_.firstCorner + a_.corners;
+        const bool ofA =
+            touch.corner >= a_.firstCorner && touch.corner < a_.firstCorner + a_.corners;
         const Chunk &own = ofA ? a_ : b_, &other = ofA ? b_ : a_;
         const Surface surface = surfaceOf(state_, touch.corner, own.body, touch.side, other.body);
         block.staticFriction[lane] = surface.staticFriction;
@@ -321,7 +323,8 @@ private:
         block.rubbing[lane] = touch.rubbing;
     }
 
-    /// A touch that went leaves its impulses to one that came for the same corner, or the same side.
+    /// A touch that went leaves its impulses to one that came for the same corner, or the same
+    /// side.
     void dropUnseen() {
         for (auto t = pair_.firstTouch; t != none; t = core_.touches[t].next) {
             Touch& old = core_.touches[t];
@@ -364,7 +367,8 @@ public:
             const TouchBlock& block = core.rows.touch(touch.row);
             const auto lane = RowGraph::laneOf(touch.row);
             leave(core, particles, block.pressing[lane], block.rubbing[lane]);
-            if (core.rows.pressing(core.rows.touches, touch.row)) addPressing(core, core.pairs[touch.pair].encounter, -1);
+            if (core.rows.pressing(core.rows.touches, touch.row))
+                addPressing(core, core.pairs[touch.pair].encounter, -1);
             const auto moved = core.rows.removeTouch(core.movers, touch.row);
             if (moved != none) core.touches[moved].row = touch.row;
         } else {

@@ -17,8 +17,8 @@ namespace {
 /// m and rad, from its reference, beyond which a body gets a new one.
 constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
 
-/// How far a body may go before its rows are refreshed, in its least thickness: an edge that rolls on
-/// a corner is then wrong by the square of that, a two-hundredth of the thickness.
+/// How far a body may go before its rows are refreshed, in its least thickness: an edge that rolls
+/// on a corner is then wrong by the square of that, a two-hundredth of the thickness.
 constexpr Real refreshWithin = Real(0.1);
 
 /// A fifth of an overlap goes in a step of 1/500 s, and at most so fast.
@@ -29,7 +29,7 @@ constexpr Real mostShare = Real(0.2);
 constexpr Real restingPush = Real(0.002);  // m/s
 
 /// m/s^2: what slips slower than this makes of a step is held by static friction.
-constexpr Real creepOfGravity = Real(0.25);
+constexpr Real creepOfGravity = Real(0.1);
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     movers.reference[m] = at;
@@ -94,18 +94,26 @@ void markRows(ContactCore& core, std::uint32_t m) {
 
 /// Where and how a mover is, its masses, and how it moves in this step.
 struct Seen {
-    Point at, heading{1, 0};
-    Vec2 way;
+    Point at{0, 0}, heading{1, 0};
+    Vec2 way{0, 0};
     Real turn = 0, inverseMass = 0, inverseInertia = 0;
 };
 Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
+    Seen seen;
     if (isCluster) {
         const Cluster& c = state.clusters.list[i];
-        return {c.centre,      c.heading,       c.displacement, static_cast<Real>(c.angle),
-                c.inverseMass, c.inverseInertia};
+        seen.at = c.centre;
+        seen.heading = c.heading;
+        seen.way = c.displacement;
+        seen.turn = static_cast<Real>(c.angle);
+        seen.inverseMass = c.inverseMass;
+        seen.inverseInertia = c.inverseInertia;
+    } else {
+        seen.at = state.particles.position[i];
+        seen.way = state.particles.displacement[i];
+        seen.inverseMass = state.particles.inverseMass[i];
     }
-    const Particles& p = state.particles;
-    return {p.position[i], {1, 0}, p.displacement[i], 0, p.inverseMass[i], 0};
+    return seen;
 }
 
 bool isFixedChunk(const State& state, const Chunk& chunk) {
@@ -137,6 +145,53 @@ void scaleImpulses(ContactCore& core, double step) {
     }
 }
 
+/// Adds up anew what the rows give a mover: what was added and taken away again leaves roundings.
+void addUpRows(ContactCore& core, std::uint32_t m) {
+    Vec2 push(0, 0);
+    Real twist = 0;
+    const auto add = [&](Real side, Real x, Real y, Real arm) {
+        push += side * Vec2(x, y);
+        twist += side * arm;
+    };
+    for (auto u = core.movers.firstUse[m]; u != none; u = core.shapes.uses[u].next)
+        for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
+            const Pair& pair = core.pairs[at / 2];
+            at = pair.next[at % 2];
+            if (pair.row) {
+                const ManifoldBlock& r = core.rows.manifold(pair.row);
+                const auto l = RowGraph::laneOf(pair.row);
+                const bool isB = r.b[l] == m;
+                const Real side = isB ? Real(1) : Real(-1);
+                for (const ManifoldPoint& p : r.points)
+                    add(side * p.pressing[l], p.normalX[l], p.normalY[l],
+                        isB ? p.normalArmB[l] : p.normalArmA[l]);
+                add(side * r.rubbing[l], r.tangentX[l], r.tangentY[l],
+                    isB ? r.tangentArmB[l] : r.tangentArmA[l]);
+            }
+            for (auto i = pair.firstTouch; i != none; i = core.touches[i].next) {
+                if (!core.touches[i].row) continue;
+                const TouchBlock& t = core.rows.touch(core.touches[i].row);
+                const auto l = RowGraph::laneOf(core.touches[i].row);
+                const Real n = t.pressing[l], f = t.rubbing[l];
+                if (n == 0 && f == 0) continue;
+                const Vec2 p(t.normalX[l] * n - t.normalY[l] * f,
+                             t.normalY[l] * n + t.normalX[l] * f);
+                const Vec2 rod = t.rod[l] * f * Vec2(t.sideX[l], t.sideY[l]);
+                if (t.p[l] == m) add(1, p[0], p[1], t.normalArmP[l] * n + t.tangentArmP[l] * f);
+                if (t.a[l] == m)
+                    add(-1, t.weightA[l] * p[0] - rod[0], t.weightA[l] * p[1] - rod[1],
+                        t.normalArmA[l] * n + t.tangentArmA[l] * f);
+                if (t.b[l] == m)
+                    add(-1, t.weightB[l] * p[0] + rod[0], t.weightB[l] * p[1] + rod[1],
+                        t.normalArmB[l] * n + t.tangentArmB[l] * f);
+            }
+        }
+    SolverBody& body = core.movers.bodies[m];
+    body.vx = push[0] * body.inverseMass;
+    body.vy = push[1] * body.inverseMass;
+    body.spin = twist * body.inverseInertia;
+}
+
 }  // namespace
 
 void takeMotion(State& state) {
@@ -154,6 +209,8 @@ void takeMotion(State& state) {
         movers.predictions[m].spin = seen.turn;
         movers.bodies[m].inverseMass = seen.inverseMass;
         movers.bodies[m].inverseInertia = seen.inverseInertia;
+        if (movers.inexact[m] != 0) addUpRows(core, m);
+        movers.inexact[m] = (state.tick + m) % 64 == 0 ? 1 : 0;
         movers.given[m] = {};
         core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
         if (core.ahead[m] < movers.refreshAt[m]) continue;
@@ -189,8 +246,8 @@ void updateBoxes(State& state) {
             }
         }
         // The turn to first order is wrong by half its square times the reach: a hundredth of it.
-        const double extent = std::max(high[0] - low[0], high[1] - low[1]) +
-                              2 * static_cast<double>(chunk.radius);
+        const double extent =
+            std::max(high[0] - low[0], high[1] - low[1]) + 2 * static_cast<double>(chunk.radius);
         const double room = isFixedChunk(state, chunk) ? 0 : 0.1 * extent + 6 * step;
         const double around = static_cast<double>(chunk.radius) + room + 0.01 * extent;
         core.grid.remove(core.shapes.chunks, index);

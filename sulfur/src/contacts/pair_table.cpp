@@ -71,7 +71,8 @@ bool areLinked(const ContactCore& core, std::uint32_t a, std::uint32_t b) {
 void makePair(State& state, std::uint32_t first, std::uint32_t second) {
     ContactCore& core = state.core;
     const auto& chunks = core.shapes.chunks;
-    // What reaches less far from its centre is b, so that turns count little where looks are judged.
+    // What reaches less far from its centre is b, so that turns count little where looks are
+    // judged.
     const Real reach1 = core.movers.reach[chunks[first].frame];
     const Real reach2 = core.movers.reach[chunks[second].frame];
     if (reach1 < reach2 || (reach1 == reach2 && second < first)) std::swap(first, second);

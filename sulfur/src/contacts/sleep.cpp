@@ -81,10 +81,9 @@ void updateSleepByRows(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
     measureRest(state);
-    const bool anyTired =
-        std::any_of(state.bodies.begin(), state.bodies.end(), [](const BodyRecord& body) {
-            return !body.asleep && body.restingTime >= timeToSleep;
-        });
+    const bool anyTired = std::any_of(
+        state.bodies.begin(), state.bodies.end(),
+        [](const BodyRecord& body) { return !body.asleep && body.restingTime >= timeToSleep; });
     if (!anyTired) return;
     DisjointSets islands(state.bodies.size());
     forEachLink(state, [&](std::uint32_t a, std::uint32_t b) {

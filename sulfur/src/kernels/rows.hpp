@@ -2,8 +2,8 @@
 //
 // A block holds eight rows of one colour: no two of them share a body that can be pushed. The same
 // source, rows.ipp, is compiled for every x86-64 and for AVX2 and gives the same bits: lanes do not
-// meet, roots and divisions are exact, no product is fused with a sum. As in joint_sweep.hpp nothing
-// here may include a header with functions.
+// meet, roots and divisions are exact, no product is fused with a sum. As in joint_sweep.hpp
+// nothing here may include a header with functions.
 //
 // Velocities are displacements of a step (m, rad), impulses are momenta times the step (kg m).
 #pragma once
@@ -22,9 +22,9 @@ inline constexpr std::size_t rowLanes = 8;
 /// Its velocity is what rows have given it; that which it has without them is kept apart, so that
 /// small impulses on fast bodies are not lost to rounding.
 struct alignas(8 * sizeof(SweepReal)) SolverBody {
-    SweepReal vx = 0, vy = 0, spin = 0;               // m and rad, in this step, by rows
-    SweepReal x = 0, y = 0, turn = 0;                 // m and rad, since the reference
-    SweepReal inverseMass = 0, inverseInertia = 0;    // 1/kg and 1/(kg m^2)
+    SweepReal vx = 0, vy = 0, spin = 0;             // m and rad, in this step, by rows
+    SweepReal x = 0, y = 0, turn = 0;               // m and rad, since the reference
+    SweepReal inverseMass = 0, inverseInertia = 0;  // 1/kg and 1/(kg m^2)
 };
 
 /// The velocity that a body has without rows.
@@ -53,16 +53,23 @@ struct ManifoldPoint {
 
 /// Two bodies that touch in up to two points. They rub as one, in the middle between the points: a
 /// face that lies on another has the same tangent in both, and what the two can hold together is
-/// Coulomb's limit of their sum. The tangent is the normal turned counter-clockwise by a right angle.
+/// Coulomb's limit of their sum. The tangent is the normal turned counter-clockwise by a right
+/// angle.
 struct alignas(64) ManifoldBlock {
     Places a, b;  // bodies
     Lane staticFriction, kineticFriction;
     Lane tangentX, tangentY;
     Lane tangentArmA, tangentArmB;  // m, lever of the tangent
     Lane tangentMass;               // kg, effective
-    Lane slip;                      // m, by which the surfaces run along the tangent in this step
-    Lane sliding;                   // m, by which b slides along the tangent without rows
-    Lane rubbing;                   // kg m, accumulated impulse
+    /// Where both points press, friction turns nobody: the normals answer it with these shares of
+    /// it, and it meets this mass (the Schur complement of the normals).
+    Lane answer1, answer2, heldMass;
+    /// The mobility matrix of the two normals: off its diagonal (1/kg), and its inverse (kg), which
+    /// is zero where the points are one.
+    Lane coupling, inverse11, inverse12, inverse22;
+    Lane slip;     // m, by which the surfaces run along the tangent in this step
+    Lane sliding;  // m, by which b slides along the tangent without rows
+    Lane rubbing;  // kg m, accumulated impulse
     ManifoldPoint points[2];
 };
 
@@ -78,12 +85,12 @@ struct ManifoldFeature {
 
 /// The part of a block that only refreshes read.
 struct alignas(64) ManifoldShape {
-    Places pair;                    // whose row it is, or none
-    Lane thickness;                 // m, radii of both sides together
-    Lane lookX, lookY;              // m, where b was in the frame of a when the pair was looked at
-    Lane lookCosine, lookSine;      // and how it was turned
-    Lane reach;                     // m, of b from its centre
-    Lane margin;                    // m, of relative motion, before the pair is looked at again
+    Places pair;                // whose row it is, or none
+    Lane thickness;             // m, radii of both sides together
+    Lane lookX, lookY;          // m, where b was in the frame of a when the pair was looked at
+    Lane lookCosine, lookSine;  // and how it was turned
+    Lane reach;                 // m, of b from its centre
+    Lane margin;                // m, of relative motion, before the pair is looked at again
     ManifoldFeature features[2];
 };
 
@@ -91,12 +98,12 @@ struct alignas(64) ManifoldShape {
 /// side moves with the weights of its ends; along the tangent it also turns like a rod, so that
 /// both sides act at one point and no angular momentum is made.
 struct alignas(64) TouchBlock {
-    Places p, a, b;                       // bodies; b is the world where a has both ends
+    Places p, a, b;  // bodies; b is the world where a has both ends
     Lane staticFriction, kineticFriction;
-    Lane normalX, normalY;                // from the side towards the corner
-    Lane weightA, weightB;                // of the side's ends, adding up to 1
-    Lane rod;                             // how the side's turn moves the point along the tangent
-    Lane sideX, sideY;                    // unit normal of the side: its turn is that of this
+    Lane normalX, normalY;  // from the side towards the corner
+    Lane weightA, weightB;  // of the side's ends, adding up to 1
+    Lane rod;               // how the side's turn moves the point along the tangent
+    Lane sideX, sideY;      // unit normal of the side: its turn is that of this
     Lane normalArmP, normalArmA, normalArmB;
     Lane tangentArmP, tangentArmA, tangentArmB;
     Lane gap;
@@ -107,16 +114,16 @@ struct alignas(64) TouchBlock {
 };
 
 struct alignas(64) TouchShape {
-    Places touch;                         // whose row it is, or none
-    Lane thickness;                       // m
-    Lane cornerX, cornerY;                // m, in the frame of p
-    Lane aX, aY, bX, bY;                  // m, the side's ends in the frames of their bodies
-    Lane sameBody;                        // 1: a moves both ends
-    Lane free;                            // 1: the corner is a particle, which cannot turn
-    Lane share;                           // of the thickness that the corner has
-    Lane outward;                         // +1, -1: which way the side pushes, from a to b; 0: by
-                                          // the way from the side to the corner
-    Lane low, high;                       // where along the side (0 to 1) it stays this touch
+    Places touch;           // whose row it is, or none
+    Lane thickness;         // m
+    Lane cornerX, cornerY;  // m, in the frame of p
+    Lane aX, aY, bX, bY;    // m, the side's ends in the frames of their bodies
+    Lane sameBody;          // 1: a moves both ends
+    Lane free;              // 1: the corner is a particle, which cannot turn
+    Lane share;             // of the thickness that the corner has
+    Lane outward;           // +1, -1: which way the side pushes, from a to b; 0: by
+                            // the way from the side to the corner
+    Lane low, high;         // where along the side (0 to 1) it stays this touch
 };
 
 /// What a refresh reads beside the bodies.
@@ -136,9 +143,8 @@ struct SweepSettings {
 struct RowKernels {
     /// Friction, then normals, of one block after the other. The first sweep after predictions have
     /// changed looks at these; the last one moves places too.
-    void (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions,
-                           ManifoldBlock* blocks, std::size_t count,
-                           const SweepSettings& settings);
+    void (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+                           std::size_t count, const SweepSettings& settings);
     void (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
                          std::size_t count, const SweepSettings& settings);
     /// Geometry of one block from the poses of its bodies; impulses turn along, and what that

@@ -147,8 +147,53 @@ inline void predict(const Prediction* predictions, ManifoldBlock& block) {
                                load(block.tangentArmA), load(block.tangentArmB)) -
                              load(block.slip));
     for (ManifoldPoint& p : block.points)
-        store(p.closing, along(v, load(p.normalX), load(p.normalY), load(p.normalArmA),
-                               load(p.normalArmB)));
+        store(p.closing,
+              along(v, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB)));
+}
+
+/// Both normals at once: of the four ways in which two points press or part, the one that is
+/// consistent (Catto 2006). Where the points are one, each by itself.
+inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, Vec mass,
+                         const Bodies& a, const Bodies& b) {
+    ManifoldPoint &p = block.points[0], &q = block.points[1];
+    const Vec zero{};
+    const auto closingOf = [&](const ManifoldPoint& m) {
+        const Vec nx = load(m.normalX), ny = load(m.normalY), armA = load(m.normalArmA),
+                  armB = load(m.normalArmB);
+        const Vec gap = load(m.gap) + along(x, nx, ny, armA, armB);
+        return along(v, nx, ny, armA, armB) + (load(m.closing) + larger(gap, zero));
+    };
+    const Vec before1 = load(p.pressing), before2 = load(q.pressing);
+    const Vec closing1 = closingOf(p), closing2 = closingOf(q);
+    const Vec k12 = load(block.coupling), i11 = load(block.inverse11), i12 = load(block.inverse12),
+              i22 = load(block.inverse22);
+    const auto apart = i11 > zero;
+    const Vec both1 = before1 - (i11 * closing1 + i12 * closing2);
+    const Vec both2 = before2 - (i12 * closing1 + i22 * closing2);
+    // One presses and the other is let go of.
+    const Vec alone1 = before1 - load(p.normalMass) * (closing1 - k12 * before2);
+    const Vec alone2 = before2 - load(q.normalMass) * (closing2 - k12 * before1);
+    const auto bothPress = apart & (both1 >= zero) & (both2 >= zero);
+    // The gap of the one that is let go of, when the other has found its impulse.
+    const Vec tiny = zero + SweepReal(1e-30);
+    const Vec opens2 =
+        closing2 + k12 * (alone1 - before1) - before2 / larger(load(q.normalMass), tiny);
+    const Vec opens1 =
+        closing1 + k12 * (alone2 - before2) - before1 / larger(load(p.normalMass), tiny);
+    const auto onlyFirst = apart & (alone1 >= zero) & (opens2 >= zero);
+    const auto onlySecond = apart & (alone2 >= zero) & (opens1 >= zero);
+    // One after the other, where they are one or none of it is consistent.
+    const Vec single1 = larger(before1 - load(p.normalMass) * closing1, zero);
+    const Vec single2 =
+        larger(before2 - load(q.normalMass) * (closing2 + k12 * (single1 - before1)), zero);
+    const Vec after1 = bothPress ? both1 : onlyFirst ? alone1 : onlySecond ? zero : single1;
+    const Vec after2 = bothPress ? both2 : onlyFirst ? zero : onlySecond ? alone2 : single2;
+    store(p.pressing, after1);
+    store(q.pressing, after2);
+    push(v, after1 - before1, load(p.normalX), load(p.normalY), load(p.normalArmA),
+         load(p.normalArmB), mass, a, b);
+    push(v, after2 - before2, load(q.normalX), load(q.normalY), load(q.normalArmA),
+         load(q.normalArmB), mass, a, b);
 }
 
 template <bool first, bool places>
@@ -165,26 +210,33 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
         const Vec pressing = load(block.points[0].pressing) + load(block.points[1].pressing);
         const Vec before = load(block.rubbing);
         const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
-        const Vec after = friction(before - load(block.tangentMass) * speed, speed, pressing,
-                                   load(block.staticFriction), load(block.kineticFriction),
-                                   settings.creep);
+        const Vec first1 = load(block.points[0].pressing), first2 = load(block.points[1].pressing);
+        const auto held = (first1 > zero) & (first2 > zero);
+        const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
+        const Vec after =
+            friction(before - effective * speed, speed, pressing, load(block.staticFriction),
+                     load(block.kineticFriction), settings.creep);
+        const Vec more = after - before;
         store(block.rubbing, after);
-        push(v, after - before, tx, ty, armA, armB, mass, a, b);
-    }
-    for (ManifoldPoint& p : block.points) {
-        const Vec nx = load(p.normalX), ny = load(p.normalY);
-        const Vec armA = load(p.normalArmA), armB = load(p.normalArmB);
-        const Vec effective = load(p.normalMass), before = load(p.pressing);
-        const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
-        const Vec closing = along(v, nx, ny, armA, armB) + (load(p.closing) + larger(gap, zero));
-        const Vec after = larger(before - effective * closing, zero);
-        store(p.pressing, after);
-        push(v, after - before, nx, ny, armA, armB, mass, a, b);
-        if constexpr (places) {
-            const Vec part = effective * clamped(-gap * settings.share, zero, most);
-            push(x, part, nx, ny, armA, armB, mass, a, b);
+        push(v, more, tx, ty, armA, armB, mass, a, b);
+        for (int k = 0; k < 2; ++k) {
+            ManifoldPoint& p = block.points[k];
+            const Vec answer =
+                held ? (k == 0 ? load(block.answer1) : load(block.answer2)) * more : zero;
+            store(p.pressing, load(p.pressing) + answer);
+            push(v, answer, load(p.normalX), load(p.normalY), load(p.normalArmA),
+                 load(p.normalArmB), mass, a, b);
         }
     }
+    solveNormals(v, x, block, mass, a, b);
+    if constexpr (places)
+        for (ManifoldPoint& p : block.points) {
+            const Vec nx = load(p.normalX), ny = load(p.normalY);
+            const Vec armA = load(p.normalArmA), armB = load(p.normalArmB);
+            const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
+            const Vec part = load(p.normalMass) * clamped(-gap * settings.share, zero, most);
+            push(x, part, nx, ny, armA, armB, mass, a, b);
+        }
     a.vx() -= v.sumX * a.mass();
     a.vy() -= v.sumY * a.mass();
     a.spin() = v.spinA;
@@ -333,9 +385,38 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     const Vec length = root(sumX * sumX + sumY * sumY);
     const Vec perLength = length > zero ? one / larger(length, zero + SweepReal(1e-30)) : zero;
     const Vec tx = -sumY * perLength, ty = sumX * perLength;
-    const Vec armA = share * cross(midAX, midAY, tx, ty), armB = share * cross(midBX, midBY, tx, ty);
+    const Vec armA = share * cross(midAX, midAY, tx, ty),
+              armB = share * cross(midBX, midBY, tx, ty);
     const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
     store(block.tangentMass, (mobility > zero) & (count > zero) ? one / mobility : zero);
+    {
+        const ManifoldPoint &p = block.points[0], &q = block.points[1];
+        const auto mixed = [&](Vec ux, Vec uy, Vec ua, Vec ub, Vec wx, Vec wy, Vec wa, Vec wb) {
+            return mass * (ux * wx + uy * wy) + a.inertia() * ua * wa + b.inertia() * ub * wb;
+        };
+        const Vec px = load(p.normalX), py = load(p.normalY), pa = load(p.normalArmA),
+                  pb = load(p.normalArmB);
+        const Vec qx = load(q.normalX), qy = load(q.normalY), qa = load(q.normalArmA),
+                  qb = load(q.normalArmB);
+        const Vec k11 = mixed(px, py, pa, pb, px, py, pa, pb);
+        const Vec k22 = mixed(qx, qy, qa, qb, qx, qy, qa, qb);
+        const Vec k12 = mixed(px, py, pa, pb, qx, qy, qa, qb);
+        const Vec t1 = mixed(tx, ty, armA, armB, px, py, pa, pb);
+        const Vec t2 = mixed(tx, ty, armA, armB, qx, qy, qa, qb);
+        const Vec determinant = k11 * k22 - k12 * k12;
+        const auto solvable = (count > one) & (determinant > SweepReal(1e-3) * k11 * k22);
+        const Vec inverse = solvable ? one / determinant : zero;
+        const Vec answer1 = (k12 * t2 - k22 * t1) * inverse;
+        const Vec answer2 = (k12 * t1 - k11 * t2) * inverse;
+        const Vec held = mobility + answer1 * t1 + answer2 * t2;
+        store(block.coupling, k12);
+        store(block.inverse11, k22 * inverse);
+        store(block.inverse12, -k12 * inverse);
+        store(block.inverse22, k11 * inverse);
+        store(block.answer1, answer1);
+        store(block.answer2, answer2);
+        store(block.heldMass, (held > zero) & (count > zero) ? one / held : zero);
+    }
     const Vec t = load(block.rubbing), oldX = load(block.tangentX), oldY = load(block.tangentY);
     pushX += (tx - oldX) * t;
     pushY += (ty - oldY) * t;
@@ -407,15 +488,16 @@ inline Vec mobility(const Jacobian& j, const Bodies& p, const Bodies& a, const B
 inline Jacobian normalOf(const TouchBlock& t) {
     const Vec nx = load(t.normalX), ny = load(t.normalY), wa = load(t.weightA),
               wb = load(t.weightB);
-    return {nx,      ny,      load(t.normalArmP), wa * nx,           wa * ny, load(t.normalArmA),
+    return {nx,      ny,      load(t.normalArmP), wa * nx, wa * ny, load(t.normalArmA),
             wb * nx, wb * ny, load(t.normalArmB)};
 }
 inline Jacobian tangentOf(const TouchBlock& t) {
     const Vec tx = -load(t.normalY), ty = load(t.normalX), wa = load(t.weightA),
               wb = load(t.weightB);
     const Vec rx = load(t.rod) * load(t.sideX), ry = load(t.rod) * load(t.sideY);
-    return {tx,           ty,           load(t.tangentArmP), wa * tx - rx,      wa * ty - ry,
-            load(t.tangentArmA), wb * tx + rx, wb * ty + ry,  load(t.tangentArmB)};
+    return {tx,           ty,           load(t.tangentArmP),
+            wa * tx - rx, wa * ty - ry, load(t.tangentArmA),
+            wb * tx + rx, wb * ty + ry, load(t.tangentArmB)};
 }
 
 template <bool first, bool places>
@@ -442,8 +524,7 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     store(t.pressing, pressing);
     push(normal, pressing - pressed, p, a, b);
     if constexpr (places)
-        pushPlace(normal, load(t.normalMass) * clamped(-gap * settings.share, zero, most), p, a,
-                  b);
+        pushPlace(normal, load(t.normalMass) * clamped(-gap * settings.share, zero, most), p, a, b);
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
@@ -451,7 +532,7 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
 
 template <bool first, bool places>
 void sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-               std::size_t count, const SweepSettings& settings) {
+                    std::size_t count, const SweepSettings& settings) {
     for (std::size_t i = 0; i < count; ++i)
         sweepTouch<first, places>(bodies, predictions, blocks[i], settings);
 }

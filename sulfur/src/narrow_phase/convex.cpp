@@ -1,6 +1,6 @@
 // The separating axis with the largest gap decides which side is the reference; the side of the
-// other outline that faces it most is clipped to it (Gregorius 2013). Corners are round: a point is a
-// corner before a side, and its gap that of the round shapes, also round the ends of the side.
+// other outline that faces it most is clipped to it (Gregorius 2013). Corners are round: a point is
+// a corner before a side, and its gap that of the round shapes, also round the ends of the side.
 #include "narrow_phase/convex.hpp"
 
 #include <algorithm>
@@ -80,15 +80,9 @@ Real distanceTo(const Outline& o, std::uint32_t side, Xy p) {
 
 class Finder {
 public:
-    Finder(const Chunk& a, const Chunk& b, const Outline& outA,
-           const Outline& outB, Real near, Real reach, Manifold& result)
-        : a_(a),
-          b_(b),
-          outA_(outA),
-          outB_(outB),
-          near_(near),
-          reach_(reach),
-          result_(result) {
+    Finder(const Chunk& a, const Chunk& b, const Outline& outA, const Outline& outB, Real near,
+           Real reach, Manifold& result)
+        : a_(a), b_(b), outA_(outA), outB_(outB), near_(near), reach_(reach), result_(result) {
         thickness_ = a.radius + b.radius;
     }
 
@@ -147,12 +141,14 @@ private:
                 next = std::min(next, d);
             }
         }
-        // Along the tangent the reference goes from `end` to `start`, the facing side the other way.
+        // Along the tangent the reference goes from `end` to `start`, the facing side the other
+        // way.
         const std::uint32_t r0 = side, r1 = own.after(side), f0 = facing, f1 = other.after(facing);
         const Real start = dot(tangent, own.at[r0]), end = dot(tangent, own.at[r1]);
         const Real low = std::min(start, end), high = std::max(start, end);
         std::uint32_t lowCorner = f0, highCorner = f1;
-        if (dot(tangent, other.at[f0]) > dot(tangent, other.at[f1])) std::swap(lowCorner, highCorner);
+        if (dot(tangent, other.at[f0]) > dot(tangent, other.at[f1]))
+            std::swap(lowCorner, highCorner);
         const Real lowAt = dot(tangent, other.at[lowCorner]);
         const Real highAt = dot(tangent, other.at[highCorner]);
         const std::uint32_t lowEnd = start < end ? r0 : r1, highEnd = start < end ? r1 : r0;
@@ -175,13 +171,14 @@ private:
         } else {
             lowAt >= low ? corner(lowCorner) : ownEnd(lowEnd);
             highAt <= high ? corner(highCorner) : ownEnd(highEnd);
-            slack_ = std::min({slack_, std::abs(lowAt - low), std::abs(highAt - high),
-                               high - lowAt, highAt - low});
+            slack_ = std::min({slack_, std::abs(lowAt - low), std::abs(highAt - high), high - lowAt,
+                               highAt - low});
         }
         result_.gap = least_;
         const Real room = std::min(far_ - Real(0.3) * thickness_, slack_ + thickness_ / 5);
-        result_.margin = std::max({thickness_ / 5, std::min(room, Real(1.5) * thickness_),
-                                   std::min(least_ - thickness_ / 4, near_ - Real(0.3) * thickness_)});
+        result_.margin =
+            std::max({thickness_ / 5, std::min(room, Real(1.5) * thickness_),
+                      std::min(least_ - thickness_ / 4, near_ - Real(0.3) * thickness_)});
     }
 
     void addNear(const Feature& feature) {
@@ -207,7 +204,8 @@ private:
 Heading headingNow(const Movers& movers, std::uint32_t m) {
     const Heading& h = movers.heading[m];
     const Real t = movers.bodies[m].turn, square = t * t;
-    const Real c = 1 - square * (Real(1.0 / 2) - square * (Real(1.0 / 24) - square * Real(1.0 / 720)));
+    const Real c =
+        1 - square * (Real(1.0 / 2) - square * (Real(1.0 / 24) - square * Real(1.0 / 720)));
     const Real s = t * (1 - square * (Real(1.0 / 6) - square * Real(1.0 / 120)));
     return {h.cosine * c - h.sine * s, h.sine * c + h.cosine * s};
 }

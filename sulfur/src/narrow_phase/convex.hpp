@@ -19,9 +19,9 @@ struct Feature {
 /// What a look at two convex chunks finds.
 struct Manifold {
     std::array<Feature, 2> features;
-    int count = 0;     // of features that are near
-    Real gap = 0;      // m, between the outlines; negative where they overlap
-    Real margin = 0;   // m, of relative motion until other features may come near
+    int count = 0;    // of features that are near
+    Real gap = 0;     // m, between the outlines; negative where they overlap
+    Real margin = 0;  // m, of relative motion until other features may come near
     Real x = 0, y = 0, cosine = 1, sine = 0;  // b in the frame of a
 };
 

@@ -2,8 +2,8 @@
 // are all that can touch. A corner counts
 // - before a side, where the foot of its perpendicular is between the ends;
 // - before a corner, where each is the nearest point of all capsules that end in the other.
-// So seams of a floor, of one body or of many, make no bump. An outline pushes outwards only: what is
-// inside leaves through the nearest side.
+// So seams of a floor, of one body or of many, make no bump. An outline pushes outwards only: what
+// is inside leaves through the nearest side.
 #include "narrow_phase/loose.hpp"
 
 #include <algorithm>
@@ -123,7 +123,7 @@ private:
         Real height = 0;  // m, above the side that is outside; either way where both are
         Real far = 0;     // m, to the nearest point of the segment
         std::int32_t outward = 0;
-        Real near = 0;    // m, up to which it counts
+        Real near = 0;  // m, up to which it counts
     };
 
     void againstSides(const Chunk& own, const Chunk& other) {
@@ -160,8 +160,10 @@ private:
                 continue;
             }
             if (view.far < nearest.far) nearest = view;
-            if (t > 0 && t < 1) views_.push_back(view);
-            else spare_ = std::min(spare_, Real(0.5) * finest_);
+            if (t > 0 && t < 1)
+                views_.push_back(view);
+            else
+                spare_ = std::min(spare_, Real(0.5) * finest_);
         }
         if (nearest.side == none) return;
         const bool inside = nearest.height < 0;

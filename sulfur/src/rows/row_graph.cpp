@@ -18,8 +18,8 @@ std::uint32_t takeColour(Movers& movers, const std::array<std::uint32_t, count>&
     std::uint64_t used = 0;
     for (const auto m : bodies)
         if (isPushed(movers, m)) used |= movers.colours[m];
-    const auto colour =
-        std::min<std::uint32_t>(static_cast<std::uint32_t>(std::countr_one(used)), RowGraph::overflow);
+    const auto colour = std::min<std::uint32_t>(static_cast<std::uint32_t>(std::countr_one(used)),
+                                                RowGraph::overflow);
     if (colour == RowGraph::overflow) return colour;
     for (const auto m : bodies)
         if (isPushed(movers, m)) movers.colours[m] |= std::uint64_t{1} << colour;
@@ -79,7 +79,8 @@ void closeGap(List& list, RowPlace place, std::size_t blockPlaces) {
         copyLane(list.shapes[from], f, list.shapes[to], t, shapePlaces);
         const auto bit = (list.pressing[from] >> f & 1u) << t;
         list.pressing[to] = static_cast<std::uint8_t>((list.pressing[to] & ~(1u << t)) | bit);
-        if (list.dirty[from / 64] >> from % 64 & 1) list.dirty[to / 64] |= std::uint64_t{1} << to % 64;
+        if (list.dirty[from / 64] >> from % 64 & 1)
+            list.dirty[to / 64] |= std::uint64_t{1} << to % 64;
     }
     static constexpr typename std::remove_reference_t<decltype(list.blocks)>::value_type noBlock{};
     static constexpr typename std::remove_reference_t<decltype(list.shapes)>::value_type noShape{};

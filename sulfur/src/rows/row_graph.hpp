@@ -22,8 +22,8 @@ template <class Block, class Shape>
 struct RowList {
     std::vector<Block> blocks;
     std::vector<Shape> shapes;
-    std::vector<std::uint64_t> dirty;     // a bit for each block that has to be refreshed
-    std::vector<std::uint8_t> pressing;   // by block, a bit for each lane: it did when last asked
+    std::vector<std::uint64_t> dirty;    // a bit for each block that has to be refreshed
+    std::vector<std::uint8_t> pressing;  // by block, a bit for each lane: it did when last asked
     std::uint32_t rows = 0;
 
     template <class Archive>
@@ -77,7 +77,9 @@ struct RowGraph {
     static void pressTouch(Movers& movers, TouchBlock& block, std::uint32_t lane, Real normal,
                            Real tangent);
 
-    const ManifoldBlock& manifold(RowPlace p) const { return manifolds[p.colour].blocks[blockOf(p)]; }
+    const ManifoldBlock& manifold(RowPlace p) const {
+        return manifolds[p.colour].blocks[blockOf(p)];
+    }
     const ManifoldShape& manifoldShape(RowPlace p) const {
         return manifolds[p.colour].shapes[blockOf(p)];
     }

@@ -243,9 +243,8 @@ private:
             movers_.firstUse[movers[k]] = chunk.firstUse + k;
         }
         // A chunk of several movers has an odometer of its own.
-        chunk.frame = movers.size() == 1
-                          ? movers.front()
-                          : newMover(body_, Point(0, 0), Point(1, 0));
+        chunk.frame =
+            movers.size() == 1 ? movers.front() : newMover(body_, Point(0, 0), Point(1, 0));
     }
 
     bool hasOneMover(const std::vector<RimEdge>& loop) {
@@ -351,8 +350,8 @@ private:
             side.radius = state_.particles.radius[i];
             newCorners_.front().radius = side.radius;
             newSides_.push_back(side);
-            const bool single = state_.particles.cluster[i] != none ||
-                                record().kind == BodyKind::fixed;
+            const bool single =
+                state_.particles.cluster[i] != none || record().kind == BodyKind::fixed;
             finish(single ? ChunkKind::convex : ChunkKind::loose);
         }
     }
@@ -385,11 +384,23 @@ private:
                 corner.spokes = static_cast<std::uint32_t>(spokes.size());
                 corner.firstSpoke = shapes_.spokePool.allocate(corner.spokes);
                 shapes_.spokes.resize(shapes_.spokePool.size());
-                std::copy(spokes.begin(), spokes.end(),
-                          shapes_.spokes.begin() + corner.firstSpoke);
-                corner.owned = owner.try_emplace(corner.particle, c).first->second == c ? 1 : 0;
+                std::copy(spokes.begin(), spokes.end(), shapes_.spokes.begin() + corner.firstSpoke);
+                const bool first = owner.try_emplace(corner.particle, c).first->second == c;
+                corner.owned = first && !isFlat(corner) ? 1 : 0;
             }
         });
+    }
+
+    /// Whether two capsules of one mover go on in one line there: what meets them meets their
+    /// sides.
+    bool isFlat(const Corner& corner) const {
+        if (corner.spokes != 2) return false;
+        const Corner &a = shapes_.corners[shapes_.spokes[corner.firstSpoke]],
+                     &b = shapes_.corners[shapes_.spokes[corner.firstSpoke + 1]];
+        if (a.mover != corner.mover || b.mover != corner.mover || a.particle == b.particle)
+            return false;
+        const Vec2 u(a.x - corner.x, a.y - corner.y), v(b.x - corner.x, b.y - corner.y);
+        return u.dot(v) < -Real(0.999999) * u.norm() * v.norm();
     }
 
     State& state_;
@@ -398,8 +409,8 @@ private:
     std::uint32_t body_;
     std::vector<std::uint32_t> capsules_;  // joints
     std::size_t own_ = 0;                  // of these, the first are no joints between bodies
-    std::map<std::uint32_t, std::int32_t> outward_;     // by joint
-    std::map<std::uint32_t, std::uint32_t> corners_;    // by particle, of the present chunk
+    std::map<std::uint32_t, std::int32_t> outward_;   // by joint
+    std::map<std::uint32_t, std::uint32_t> corners_;  // by particle, of the present chunk
     std::uint32_t firstCorner_ = 0;
     std::vector<Corner> newCorners_;
     std::vector<Side> newSides_;

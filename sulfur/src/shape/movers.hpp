@@ -22,22 +22,23 @@ struct Motion3 {
 /// looked at: whether it leaves a box of the broad phase, or its rows have to be refreshed.
 struct Movers {
     std::vector<SolverBody> bodies;
-    std::vector<Point> reference;          // m, where poses are counted from
-    std::vector<Point> referenceHeading;   // (cos, sin)
-    std::vector<Heading> heading;          // the same for the kernels
-    std::vector<Prediction> predictions;   // velocity without rows, of this step
-    std::vector<Motion3> given;            // of what rows have given, what the state has taken up
-    std::vector<double> odometer;          // m
-    std::vector<double> deadline;          // m, on the odometer
-    std::vector<double> refreshAt;         // m, on the odometer
-    std::vector<Real> reach;               // m, from the centre to the farthest surface
-    std::vector<Real> fineness;            // m, the least thickness of what it carries
-    std::vector<std::uint64_t> colours;    // that its rows have
+    std::vector<Point> reference;         // m, where poses are counted from
+    std::vector<Point> referenceHeading;  // (cos, sin)
+    std::vector<Heading> heading;         // the same for the kernels
+    std::vector<Prediction> predictions;  // velocity without rows, of this step
+    std::vector<Motion3> given;           // of what rows have given, what the state has taken up
+    std::vector<std::uint8_t> inexact;    // 1: what rows have given is added up anew
+    std::vector<double> odometer;         // m
+    std::vector<double> deadline;         // m, on the odometer
+    std::vector<double> refreshAt;        // m, on the odometer
+    std::vector<Real> reach;              // m, from the centre to the farthest surface
+    std::vector<Real> fineness;           // m, the least thickness of what it carries
+    std::vector<std::uint64_t> colours;   // that its rows have
     /// Slot of the particle that it is, or of the first member of its rigid component; none for
     /// the ground of a fixed body and for what only has an odometer.
     std::vector<std::uint32_t> particle;
-    std::vector<std::uint32_t> body;       // slot, or none where it is free
-    std::vector<std::uint32_t> firstUse;   // the chunks that it carries, in Shapes::uses
+    std::vector<std::uint32_t> body;      // slot, or none where it is free
+    std::vector<std::uint32_t> firstUse;  // the chunks that it carries, in Shapes::uses
     std::vector<std::uint32_t> free;
 
     Movers() { add(); }
@@ -72,6 +73,7 @@ struct Movers {
         f(heading);
         f(predictions);
         f(given);
+        f(inexact);
         f(odometer);
         f(deadline);
         f(refreshAt);

@@ -2,7 +2,8 @@
 //
 // The capsules of a body make a plane graph. A walk round the outer face of each connected part
 // takes an edge once when it has the body on one side and nothing on the other: these are the
-// outline. It takes ropes, loose ends and bridges between two loops twice, and what is inside never.
+// outline. It takes ropes, loose ends and bridges between two loops twice, and what is inside
+// never.
 //
 // A dynamic body is solid inside of its outline. A fixed or kinematic one may as well be the room
 // around all others, so that two things tell: if it is braced like the solids of shapes.hpp, by

@@ -17,9 +17,9 @@ struct State;
 struct Corner {
     std::uint32_t particle = none;
     std::uint32_t mover = 0;
-    Real x = 0, y = 0;                // m, in the frame of the mover
-    Real radius = 0;                  // m, of the thickest collider that ends there
-    std::uint32_t surface = none;     // the joint whose surface it shows, or none: its body's
+    Real x = 0, y = 0;             // m, in the frame of the mover
+    Real radius = 0;               // m, of the thickest collider that ends there
+    std::uint32_t surface = none;  // the joint whose surface it shows, or none: its body's
     std::uint32_t firstSpoke = 0, spokes = 0;  // corners at the other ends of its capsules
     std::uint32_t owned = 0;  // 1: of all corners of its particle this one is held off others
 };
@@ -27,10 +27,10 @@ struct Corner {
 /// A capsule between two corners; a disc where both are the same.
 struct Side {
     std::uint32_t a = 0, b = 0;
-    std::uint32_t joint = none;   // or none for a disc
-    std::int32_t outward = 0;     // +1: outside is to the right of the way from a to b, -1: to the
-                                  // left, 0: on both sides
-    Real radius = 0;              // m
+    std::uint32_t joint = none;  // or none for a disc
+    std::int32_t outward = 0;    // +1: outside is to the right of the way from a to b, -1: to the
+                                 // left, 0: on both sides
+    Real radius = 0;             // m
     // Where it has one mover, in its frame: the line that it is on, and what part of that.
     Real outX = 0, outY = 0, offset = 0, middle = 0, half = 0;
 };
@@ -47,16 +47,16 @@ enum class ChunkKind : std::uint32_t {
 
 /// Colliders of one body that the broad phase holds in one box.
 struct Chunk {
-    std::uint32_t body = none;         // dense index, or none where the slot is free
+    std::uint32_t body = none;  // dense index, or none where the slot is free
     ChunkKind kind = ChunkKind::loose;
-    std::uint32_t frame = 0;           // mover whose odometer counts
+    std::uint32_t frame = 0;                     // mover whose odometer counts
     std::uint32_t firstCorner = 0, corners = 0;  // its own; those of its sides may be others'
     std::uint32_t firstSide = 0, sides = 0;
     std::uint32_t firstUse = 0, uses = 0;
     std::uint32_t nextOfBody = none;
-    Real radius = 0;                   // m, the largest
-    Real fineness = 0;                 // m, the least radius
-    std::uint32_t firstPair = none, pairs = 0;   // in the pair table
+    Real radius = 0;                            // m, the largest
+    Real fineness = 0;                          // m, the least radius
+    std::uint32_t firstPair = none, pairs = 0;  // in the pair table
     // In the broad phase.
     std::array<double, 2> low{0, 0}, high{0, 0};  // m, the box that it stays in
     std::uint32_t cell = none, nextInCell = none, previousInCell = none;
@@ -73,7 +73,7 @@ struct Shapes {
     std::vector<Chunk> chunks;
     std::vector<std::uint32_t> freeChunks;
     RangePool cornerPool, sidePool, usePool, spokePool;
-    std::vector<std::uint32_t> firstChunk;   // by body slot, or none
+    std::vector<std::uint32_t> firstChunk;       // by body slot, or none
     std::vector<std::uint32_t> moverOfParticle;  // by particle, dense index; or none
 
     template <class Archive>

@@ -53,7 +53,7 @@ Point placeOf(const State& state, const Contact& c) {
 /// sorted. Holds scratch memory only.
 class Touches {
 public:
-    std::vector<FoundTouch> old;       // of the pairs in State::touching; of none, who parted
+    std::vector<FoundTouch> old;  // of the pairs in State::touching; of none, who parted
     std::vector<NewTouch> begun;  // sorted
     bool any = false;
     bool same = false;  // the pairs are those in State::touching

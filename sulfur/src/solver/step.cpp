@@ -91,9 +91,9 @@ void runStages(State& state) {
         });
         timed(state, Stage::constraints, solveWithRows);
     } else {
-    timed(state, Stage::broadPhase, updateBroadPhase);
-    timed(state, Stage::narrowPhase, findContacts);
-    timed(state, Stage::constraints, solveConstraints);
+        timed(state, Stage::broadPhase, updateBroadPhase);
+        timed(state, Stage::narrowPhase, findContacts);
+        timed(state, Stage::constraints, solveConstraints);
     }
     timed(state, Stage::velocities, updateVelocities);
     noteItems(state);

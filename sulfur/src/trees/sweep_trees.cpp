@@ -371,8 +371,7 @@ void touchTrees(State& state) {
     const bool anyGrabs = !state.influences.grabs.empty();
     const auto& tied = state.work.tiedTrees;
     const bool anyRows = state.core.on;
-    if (state.contacts.empty() && !anyRows && !anyGrabs && tied.empty() &&
-        state.work.lines.empty())
+    if (state.contacts.empty() && !anyRows && !anyGrabs && tied.empty() && state.work.lines.empty())
         return;
     trees.met.assign(trees.nodes.size(), {0, 0});
     trees.lambda.assign(trees.nodes.size(), {0, 0});
@@ -383,7 +382,8 @@ void touchTrees(State& state) {
         for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) {
             if (state.core.movers.colours[state.core.awakeMovers[k]] == 0) continue;
             const auto i = state.core.awakeDense[k];
-            const auto tree = state.core.awakeIsCluster[k] ? trees.ofCluster[i] : trees.ofParticle[i];
+            const auto tree =
+                state.core.awakeIsCluster[k] ? trees.ofCluster[i] : trees.ofParticle[i];
             if (tree != none) trees.touched[tree] = 1;
         }
     for (const Grab& grab : state.influences.grabs)

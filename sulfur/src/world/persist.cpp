@@ -39,7 +39,7 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.vetoes);
     a(state.entwined);
     a(state.anyPlaced);
-    a(state.core);
+    if (state.core.on) a(state.core);
     a(state.broad.cellSize);
     a(state.broad.cellSizeStale);
 }

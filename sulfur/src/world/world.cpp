@@ -3,11 +3,11 @@
 #include <string>
 
 #include "collision/materials.hpp"
+#include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
-#include "contacts/stages.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -315,9 +315,10 @@ std::vector<ContactInfo> World::contacts() const {
     if (state.core.on) detail::exportContacts(state, points, true);
     if (state.core.on)
         for (const auto& c : points)
-            found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
-                             p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(),
-                             c.normal, c.normalLambda / state.h, c.tangentLambda / state.h});
+            found.push_back(
+                {state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
+                 p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(), c.normal,
+                 c.normalLambda / state.h, c.tangentLambda / state.h});
     for (const auto& c : state.contactMemory) {
         if (c.normalLambda <= 0) continue;
         const Point point =
