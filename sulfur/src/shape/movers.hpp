@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <sulfur/math.hpp>
+#include <type_traits>
 #include <vector>
 
 #include "core/range_pool.hpp"
@@ -50,7 +51,10 @@ struct Movers {
         if (!free.empty()) {
             const auto slot = free.back();
             free.pop_back();
-            forEachArray([&](auto& list) { list[slot] = {}; });
+            forEachArray([&](auto& list) {
+                using Value = typename std::remove_reference_t<decltype(list)>::value_type;
+                if constexpr (!std::is_same_v<Value, Point>) list[slot] = Value{};
+            });
             reset(slot);
             return slot;
         }
