@@ -101,8 +101,9 @@ void runStages(State& state) {
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     state.core.on ? tellContacts(state) : collectEvents(state);
     timed(state, Stage::sleep, state.core.on ? updateSleepByRows : updateSleep);
-    state.idle = (state.core.on || (state.contacts.empty() && state.entwined.empty())) &&
-                 state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);
+    const bool rowsRest = state.core.staleShapes.empty() && !state.core.listsStale;
+    state.idle = (state.core.on ? rowsRest : state.contacts.empty() && state.entwined.empty()) &&
+                 allRest(state);
     timed(state, Stage::sensors, updateSensors);
     state.lastStep = static_cast<double>(state.h);
 }

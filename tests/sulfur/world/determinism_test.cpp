@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 9892932478798553711u);
+    EXPECT_EQ(world.hash(), 11807730460403589522u);
 #else
     EXPECT_EQ(world.hash(), 15068578058559560282u);
 #endif
