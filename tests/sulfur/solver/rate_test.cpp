@@ -37,7 +37,7 @@ TEST(Rate, HowAJointIsSolvedFollows) {
     World world({.gravity = {0, 0}, .tickRate = 2000, .sleeping = false});
     Blueprint plan;
     plan.particles = {{}, {.position = {1, 0}}};
-    plan.joints = {{.a = 0, .b = 1, .stiffness = 100000}};
+    plan.joints = {{.a = 0, .b = 1, .stiffness = 400000}};
     world.add(plan);
     world.step();
     EXPECT_EQ(world.statistics().explicitJoints, 1u);
