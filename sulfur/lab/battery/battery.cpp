@@ -30,7 +30,8 @@ Rows fall(const Setup& setup) {
     return rows;
 }
 
-Rows springs(const Setup& setup) {
+Rows springs(const Setup& whole) {
+    const Setup setup = whole.ofSteps();
     Rows rows;
     for (const double share : {0.01, 0.1, 0.5, 0.999})
         append(rows, undampedSpring(share * explicitRange(setup), 100, setup));
@@ -41,7 +42,8 @@ Rows springs(const Setup& setup) {
     return rows;
 }
 
-Rows seamless(const Setup& setup) {
+Rows seamless(const Setup& whole) {
+    const Setup setup = whole.ofSteps();
     Rows rows;
     for (const double damping : {0.0, 1.0, 20.0})
         append(rows, seamlessStiffness(damping, 200, setup));

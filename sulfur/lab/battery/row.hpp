@@ -43,6 +43,14 @@ struct Setup {
     std::optional<SeedRange> seeds = std::nullopt;  ///< of the random worlds
     Album* album = nullptr;  ///< gets pictures of the scenes with contacts, if there is one
 
+    /// The same for a world whose ticks are the steps of this one: below 480 Hz a tick is several
+    /// equal steps. Laws of the integrator are those of a step.
+    Setup ofSteps() const {
+        Setup steps = *this;
+        steps.tickRate = tickRate * ((479 + tickRate) / tickRate);
+        return steps;
+    }
+
     /// Whether a quick run has `quickSeconds` instead.
     double seconds(double whole, double quickSeconds) const { return quick ? quickSeconds : whole; }
 };
