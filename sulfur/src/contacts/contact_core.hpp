@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broad_phase/box_grid.hpp"
+#include "narrow_phase/loose.hpp"
 #include "rows/row_graph.hpp"
 #include "shape/movers.hpp"
 #include "shape/shapes.hpp"
@@ -57,6 +58,7 @@ struct Encounter {
     std::uint32_t pressing = 0;      // rows that press, asleep or not
     std::uint32_t touching = 0;      // 1: it was told that they touch
     std::uint32_t changed = 0;       // 1: it is in the list of those that may have changed
+    std::uint32_t overlapping = 0;   // 1: they were made in each other and are led apart
     std::uint32_t nextInBucket = none;
 };
 
@@ -68,8 +70,14 @@ struct Blow {
     Real when = 0;        // share of the step that was over
 };
 
+/// Where a body as a whole goes when the step ends.
+struct Lead {
+    std::uint32_t body = 0;  // dense index
+    Vec2 way{0, 0};          // m
+};
+
 /// When a pair has to be looked at: when the odometers of both frames together reach a limit.
-struct Watch2 {
+struct PairWatch {
     std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
     std::uint32_t unused = 0;
     double limit = 0;  // m
@@ -92,8 +100,9 @@ struct ContactCore {
     std::vector<std::uint32_t> freeTouches;
     std::vector<Encounter> encounters;
     std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
-    std::vector<Watch2> watches;  // of pairs of which something is awake
-    double lastStep = 0;          // s, of the step for which the rows have impulses
+    std::vector<PairWatch> watches;      // of pairs of which something is awake
+    std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
+    double lastStep = 0;                 // s, of the step for which the rows have impulses
 
     // Derived when bodies change or fall asleep.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
@@ -112,6 +121,9 @@ struct ContactCore {
     std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
+    std::vector<Lead> leads;
+    LooseLook looseLook;
+    std::vector<KnownSide> knownSides;
     std::vector<Blow> blows;
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> toWake;  // bodies by slot
@@ -134,6 +146,7 @@ struct ContactCore {
         a(freeEncounters);
         a(buckets);
         a(changedEncounters);
+        a(leading);
         a(linked);
         a(linkedBodies);
         a(staleShapes);

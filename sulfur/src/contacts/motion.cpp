@@ -267,7 +267,7 @@ void lookAtPairs(State& state) {
     ContactCore& core = state.core;
     // A look may move watches about: those that are due are listed first.
     core.again.clear();
-    for (const Watch2& w : core.watches)
+    for (const PairWatch& w : core.watches)
         if (core.ahead[w.a] + core.ahead[w.b] >= w.limit) core.again.push_back(w.pair);
     for (const auto pair : core.again) lookAtPair(state, pair);
     core.heirs.clear();
@@ -277,7 +277,8 @@ void refreshRows(State& state) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
-    const PoseView poses{core.movers.reference.data()->data(), core.movers.heading.data()};
+    const PoseView poses{core.movers.reference.data()->data(), core.movers.heading.data(),
+                         core.movers.predictions.data()};
     const auto refresh = [&](auto& list, auto&& kernel, auto&& tell) {
         for (std::size_t w = 0; w < list.dirty.size(); ++w)
             for (auto set = std::exchange(list.dirty[w], 0); set != 0; set &= set - 1) {

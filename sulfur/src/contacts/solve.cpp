@@ -73,6 +73,7 @@ void solveWithRows(State& state) {
     }
     endMotion(state);
     endBlows(state);
+    endLeads(state);
     if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);
     recordTreeForces(state);

@@ -15,6 +15,9 @@ void updateShapes(State& state);
 void takeMotion(State& state);
 /// Boxes that something leaves in this step are made anew, with their pairs.
 void updateBoxes(State& state);
+/// Bodies that were put into each other are led apart; when the step ends, their places too.
+void leadApart(State& state);
+void endLeads(State& state);
 /// Pairs that may have come to touch are looked at; rows are made, changed and taken away.
 void lookAtPairs(State& state);
 /// Rows take up how their bodies have moved and turned.
