@@ -14,6 +14,8 @@ namespace sulfur::detail {
 namespace {
 
 constexpr double leadingSpeed = 0.9;  // m/s, of a body
+/// Share of the thickness from which on the rows push apart what is left.
+constexpr double tolerated = 0.9;
 
 /// A capsule or disc of a body: where its ends are now.
 struct Thick {
@@ -85,6 +87,25 @@ bool areInEachOther(const std::vector<Thick>& one, const std::vector<Thick>& oth
         for (const Thick& t : other)
             if ((s.outward != 0 || t.outward != 0) && !s.disc && !t.disc && cross(s, t))
                 return true;
+    return false;
+}
+
+double distanceToSegment(const Point& p, const Thick& t) {
+    const Point along = t.b - t.a;
+    const double square = along.squaredNorm();
+    const double share = square > 0 ? std::clamp((p - t.a).dot(along) / square, 0.0, 1.0) : 0.0;
+    return (p - t.a - share * along).norm();
+}
+
+/// Whether the surfaces still overlap by a good part of their thickness.
+bool overlap(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+    for (const Thick& s : one)
+        for (const Thick& t : other) {
+            const double near = tolerated * (s.radius + t.radius);
+            if (distanceToSegment(s.a, t) < near || distanceToSegment(s.b, t) < near ||
+                distanceToSegment(t.a, s) < near || distanceToSegment(t.b, s) < near)
+                return true;
+        }
     return false;
 }
 
@@ -192,7 +213,8 @@ bool lead(State& state, std::uint32_t index) {
                            std::pair(slotA, slotB)))
         return false;
     const auto one = surfacesOfBody(core, slotA), other = surfacesOfBody(core, slotB);
-    if (!areInEachOther(one, other)) return false;
+    if (!areInEachOther(one, other) && !(encounter.overlapping != 0 && overlap(one, other)))
+        return false;
     const Whole a = wholeOf(state, state.bodySlots.denseOf(slotA)),
                 b = wholeOf(state, state.bodySlots.denseOf(slotB));
     const double weights = a.inverseMass + b.inverseMass;

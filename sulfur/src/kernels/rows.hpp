@@ -144,11 +144,13 @@ struct SweepSettings {
 
 struct RowKernels {
     /// Friction, then normals, of one block after the other. The first sweep after predictions have
-    /// changed looks at these; the last one moves places too.
-    void (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
-                           std::size_t count, const SweepSettings& settings);
-    void (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                         std::size_t count, const SweepSettings& settings);
+    /// changed looks at these; the last one moves places too. Returns by how much the sweep has
+    /// changed the motion along any normal, m.
+    SweepReal (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions,
+                                ManifoldBlock* blocks, std::size_t count,
+                                const SweepSettings& settings);
+    SweepReal (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                              std::size_t count, const SweepSettings& settings);
     /// Geometry of one block from the poses of its bodies; impulses turn along, and what that
     /// changes goes to the bodies. Returns a bit for each lane that must be looked at again.
     std::uint32_t (*refreshManifolds)(SolverBody* bodies, const PoseView& poses,

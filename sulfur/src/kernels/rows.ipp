@@ -152,9 +152,10 @@ inline void predict(const Prediction* predictions, ManifoldBlock& block) {
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
-/// consistent (Catto 2006). Where the points are one, each by itself.
+/// consistent (Catto 2006). Where the points are one, each by itself. `change` becomes at least by how
+/// much either point parts faster or slower.
 inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, Vec mass,
-                         const Bodies& a, const Bodies& b) {
+                         const Bodies& a, const Bodies& b, Vec& change) {
     ManifoldPoint &p = block.points[0], &q = block.points[1];
     const Vec zero{};
     const auto closingOf = [&](const ManifoldPoint& m) {
@@ -194,11 +195,13 @@ inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, V
          load(p.normalArmB), mass, a, b);
     push(v, after2 - before2, load(q.normalX), load(q.normalY), load(q.normalArmA),
          load(q.normalArmB), mass, a, b);
+    change = larger(change, magnitude(after1 - before1) / larger(load(p.normalMass), tiny));
+    change = larger(change, magnitude(after2 - before2) / larger(load(q.normalMass), tiny));
 }
 
 template <bool first, bool places>
 inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
-                          const SweepSettings& settings) {
+                          const SweepSettings& settings, Vec& change) {
     if constexpr (first) predict(predictions, block);
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     const Vec mass = a.mass() + b.mass(), zero{}, most = zero + settings.most;
@@ -228,7 +231,7 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
                  load(p.normalArmB), mass, a, b);
         }
     }
-    solveNormals(v, x, block, mass, a, b);
+    solveNormals(v, x, block, mass, a, b, change);
     if constexpr (places)
         for (ManifoldPoint& p : block.points) {
             const Vec nx = load(p.normalX), ny = load(p.normalY);
@@ -255,21 +258,29 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
     scatter(bodies, block.b, b);
 }
 
-template <bool first, bool places>
-void sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
-               std::size_t count, const SweepSettings& settings) {
-    for (std::size_t i = 0; i < count; ++i)
-        sweepManifold<first, places>(bodies, predictions, blocks[i], settings);
+inline SweepReal largest(const Vec& v) {
+    SweepReal most = v[0];
+    for (int i = 1; i < 8; ++i) most = v[i] > most ? v[i] : most;
+    return most;
 }
 
-void sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+template <bool first, bool places>
+SweepReal sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
                     std::size_t count, const SweepSettings& settings) {
+    Vec change{};
+    for (std::size_t i = 0; i < count; ++i)
+        sweepManifold<first, places>(bodies, predictions, blocks[i], settings, change);
+    return largest(change);
+}
+
+SweepReal sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+                         std::size_t count, const SweepSettings& settings) {
     if (settings.first)
-        settings.last ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
-    else
-        settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
+        return settings.last
+                   ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
+                   : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
+    return settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
+                         : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
 }
 
 /// A direction, or a rotation.
@@ -561,7 +572,7 @@ inline Jacobian tangentOf(const TouchBlock& t) {
 
 template <bool first, bool places>
 inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
-                       const SweepSettings& settings) {
+                       const SweepSettings& settings, Vec& change) {
     const Jacobian tangent = tangentOf(t), normal = normalOf(t);
     if constexpr (first) {
         Bodies p = gather(predictions, t.p), a = gather(predictions, t.a),
@@ -587,23 +598,28 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
+    change = larger(change, magnitude(pressing - pressed) /
+                                larger(load(t.normalMass), zero + SweepReal(1e-30)));
 }
 
 template <bool first, bool places>
-void sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                    std::size_t count, const SweepSettings& settings) {
+SweepReal sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                         std::size_t count, const SweepSettings& settings) {
+    Vec change{};
     for (std::size_t i = 0; i < count; ++i)
-        sweepTouch<first, places>(bodies, predictions, blocks[i], settings);
+        sweepTouch<first, places>(bodies, predictions, blocks[i], settings, change);
+    return largest(change);
 }
 
-void sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                  std::size_t count, const SweepSettings& settings) {
+SweepReal sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                       std::size_t count, const SweepSettings& settings) {
     if (settings.first)
-        settings.last ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
-    else
-        settings.last ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
+        return settings.last
+                   ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
+                   : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
+    return settings.last
+               ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
+               : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
 }
 
 /// A corner and the ends of a side, from the reference of the corner's body.

@@ -81,14 +81,14 @@ public:
 
     void run() {
         result_.near.clear();
-        spare_ = Real(1e30);
+        spare_ = entrance_ = Real(1e30);
         place(a_, result_.cornersA);
         place(b_, result_.cornersB);
         againstSides(a_, result_.cornersA, b_, result_.cornersB);
         if (&a_ != &b_) againstSides(b_, result_.cornersB, a_, result_.cornersA);
         againstCorners();
-        result_.slack = std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_);
-        if (anyCorner_) result_.slack = std::min(result_.slack, Real(0.2) * finest_);
+        result_.slack =
+            std::min(entrance_, std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_));
     }
 
 private:
@@ -184,10 +184,11 @@ private:
                 spare_ = std::min(spare_, far - thickness);
                 continue;
             }
-            if (isBefore(p, a, b, outward, height, thickness))
+            const Real beside = besides(p, a, b, outward, height, thickness);
+            if (beside <= 0)
                 before.push_back({corner, s, height < 0 ? 1u : 0u, outward});
             else
-                spare_ = std::min(spare_, Real(0.5) * finest_);
+                entrance_ = std::min(entrance_, beside);
         }
         if (nearestSide == none) return;
         if (depth > radius) {
@@ -209,18 +210,19 @@ private:
         return 0;
     }
 
-    /// Whether the foot of the perpendicular is on the side when the two touch.
-    static bool isBefore(const CornerWay& p, const CornerWay& a, const CornerWay& b,
-                         std::int32_t outward, Real height, Real thickness) {
+    /// m, by which the foot of the perpendicular is beside a side when the two touch.
+    static Real besides(const CornerWay& p, const CornerWay& a, const CornerWay& b,
+                        std::int32_t outward, Real height, Real thickness) {
         const Xy alongEnd = at(b, 1) - at(a, 1), fromEnd = at(p, 1) - at(a, 1);
         const Real lengthEnd = norm(alongEnd);
-        const Real end = lengthEnd > 0
-                             ? static_cast<Real>(outward) * cross(fromEnd, alongEnd) / lengthEnd
-                             : height;
+        const Real turned = static_cast<Real>(outward) * cross(fromEnd, alongEnd);
+        const Real end = lengthEnd > 0 ? turned / lengthEnd : height;
         const Real moment = momentOfHeight(height, end, thickness);
         const Xy along = at(b, moment) - at(a, moment), from = at(p, moment) - at(a, moment);
-        const Real t = dot(from, along), length2 = dot(along, along);
-        return t >= -beyondEnds * length2 && t <= (1 + beyondEnds) * length2;
+        const Real length = norm(along);
+        if (!(length > 0)) return norm(from);
+        const Real foot = dot(from, along) / length;
+        return std::max(-foot, foot - length) - beyondEnds * length;
     }
 
     /// Deep in a body a corner counts before the nearest side of all its outline, if that is of
@@ -248,7 +250,7 @@ private:
                 nearestSide = s;
             }
         });
-        spare_ = std::min(spare_, Real(0.5) * finest_);
+        entrance_ = std::min(entrance_, Real(0.25) * finest_);
         if (turns <= 0 || nearestSide == none) return;
         if (nearestSide < other.firstSide || nearestSide >= other.firstSide + other.sides) return;
         result_.near.push_back({corner, nearestSide, 0, shapes_.sides[nearestSide].outward});
@@ -267,12 +269,17 @@ private:
 
     // --- corners before corners ---------------------------------------------------------------
 
-    /// Whether `p` is before the corner and not before a capsule that ends there.
-    bool isBeyond(std::uint32_t corner, Xy place, Xy p, Real moment) const {
+    /// m, by which `p` is before a capsule that ends in the corner; not above 0 where it is before
+    /// the corner alone.
+    Real beforeSpokes(std::uint32_t corner, Xy place, Xy p, Real moment) const {
         const Corner& c = shapes_.corners[corner];
-        for (auto k = c.firstSpoke; k < c.firstSpoke + c.spokes; ++k)
-            if (dot(p - place, at(wayOf(shapes_.spokes[k]), moment) - place) > 0) return false;
-        return true;
+        Real most = 0;
+        for (auto k = c.firstSpoke; k < c.firstSpoke + c.spokes; ++k) {
+            const Xy spoke = at(wayOf(shapes_.spokes[k]), moment) - place;
+            const Real along = dot(p - place, spoke);
+            if (along > 0) most = std::max(most, along / norm(spoke));
+        }
+        return most;
     }
 
     void againstCorners() {
@@ -305,11 +312,14 @@ private:
                 spare_ = std::min(spare_, far - thickness);
                 continue;
             }
-            anyCorner_ = true;
             const Real moment = momentOfPoints(from, closing, thickness);
             const Xy pAt = at(p, moment), qAt = at(q, moment);
-            if (!isBeyond(corner, qAt, pAt, moment) || !isBeyond(c, pAt, qAt, moment)) continue;
-            result_.near.push_back({c, side, end, 0});
+            const Real beside =
+                std::max(beforeSpokes(corner, qAt, pAt, moment), beforeSpokes(c, pAt, qAt, moment));
+            if (beside > 0)
+                entrance_ = std::min(entrance_, beside);
+            else
+                result_.near.push_back({c, side, end, 0});
         }
     }
 
@@ -320,8 +330,9 @@ private:
     const std::vector<KnownSide>& known_;
     LooseLook& result_;
     Point origin_{0, 0};
-    Real finest_ = 0, spare_ = 0;
-    bool anyCorner_ = false;
+    Real finest_ = 0;
+    Real spare_ = 0;     // m, to what is farther than what counts
+    Real entrance_ = 0;  // m, until something that is as near comes before a side or a corner
 };
 
 }  // namespace
