@@ -10,6 +10,7 @@
 
 #include "broad_phase/box_grid.hpp"
 #include "narrow_phase/loose.hpp"
+#include "narrow_phase/time_of_impact.hpp"
 #include "rows/row_graph.hpp"
 #include "shape/movers.hpp"
 #include "shape/shapes.hpp"
@@ -125,6 +126,8 @@ struct ContactCore {
     std::vector<Lead> leads;
     LooseLook looseLook;
     std::vector<KnownSide> knownSides;
+    std::vector<Passing> passings;
+    std::vector<Motion3> ways;  // by mover: how it goes in this step
     std::vector<Blow> blows;
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> toWake;  // bodies by slot

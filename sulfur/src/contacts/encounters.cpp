@@ -228,6 +228,7 @@ private:
         if (impulse <= push.most) return;
         const Particles& p = state_.particles;
         const auto i = state_.particleSlots.denseOf(corner), j = state_.particleSlots.denseOf(side);
+        if (i == none || j == none) return;  // it broke away in this step
         push.most = impulse;
         push.speed = std::max(push.speed, -closing / state_.h);
         push.normal = normal;

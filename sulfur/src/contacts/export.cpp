@@ -81,6 +81,7 @@ private:
         c.particle = state_.particleSlots.denseOf(particles[0]);
         c.a = state_.particleSlots.denseOf(particles[1]);
         c.b = state_.particleSlots.denseOf(particles[2]);
+        if (c.particle == none || c.a == none || c.b == none) return;  // it broke away
         c.bodyA = p.body[c.particle];
         c.bodyB = p.body[c.a];
         const Point way = p.position[c.b] - p.position[c.a];

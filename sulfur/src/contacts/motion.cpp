@@ -21,7 +21,7 @@ constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
 /// on a corner is then wrong by the square of that, a two-hundredth of the thickness.
 constexpr Real refreshWithin = Real(0.1);
 
-/// A fifth of an overlap goes in a step of 1/500 s, and at most so fast.
+/// A fifth of an overlap goes in a step of 1/500 s, and no body is pushed faster than this.
 constexpr Real pushRate = 100, pushSpeed = Real(0.5);  // 1/s, m/s
 constexpr Real mostShare = Real(0.2);
 
@@ -315,8 +315,7 @@ Real sweepRows(State& state, bool first, bool last) {
     SolverBody* bodies = core.movers.bodies.data();
     const Prediction* predictions = core.movers.predictions.data();
     const SweepSettings settings{creepOfGravity * state.settings.gravity.norm() * state.h * state.h,
-                                 std::min(pushRate * state.h, mostShare), pushSpeed * state.h,
-                                 first, last};
+                                 std::min(pushRate * state.h, mostShare), first, last};
     Real change = 0;
     for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
         ManifoldList& manifolds = core.rows.manifolds[c];
@@ -381,7 +380,6 @@ void endMotion(State& state) {
         Real turned =
             body.turn - static_cast<Real>(turnSince(movers.referenceHeading[m], seen.heading));
         if (pushed[0] == 0 && pushed[1] == 0 && turned == 0) continue;
-        // Whoever is pushed by many goes no faster than by one.
         const Real far = pushed.norm() + movers.reach[m] * std::abs(turned);
         const Real within = std::min<Real>(pushSpeed * state.h / far, 1);
         pushed *= within;

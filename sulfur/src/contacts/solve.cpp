@@ -87,6 +87,7 @@ void solveWithRows(State& state) {
     dampSticking(state);
     endMotion(state);
     endBlows(state);
+    holdBackFast(state);
     endLeads(state);
     if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);

@@ -31,6 +31,8 @@ void strikeRows(State& state);
 void endBlows(State& state);
 /// What moves as one, because it sticks to each other, loses what deviates from that.
 void dampSticking(State& state);
+/// Places of what would pass through something stay before it.
+void holdBackFast(State& state);
 /// Events of contacts: who begins to touch, goes on, and parts.
 void tellContacts(State& state);
 /// Particles and rigid components take up what the rows have given since they took it.

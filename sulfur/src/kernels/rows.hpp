@@ -138,7 +138,6 @@ struct PoseView {
 struct SweepSettings {
     SweepReal creep;  // m, slower slips are held by static friction
     SweepReal share;  // of an overlap that goes in this step
-    SweepReal most;   // m, that goes in this step
     bool first, last;
 };
 

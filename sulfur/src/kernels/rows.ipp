@@ -152,8 +152,8 @@ inline void predict(const Prediction* predictions, ManifoldBlock& block) {
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
-/// consistent (Catto 2006). Where the points are one, each by itself. `change` becomes at least by how
-/// much either point parts faster or slower.
+/// consistent (Catto 2006). Where the points are one, each by itself. `change` becomes at least by
+/// how much either point parts faster or slower.
 inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, Vec mass,
                          const Bodies& a, const Bodies& b, Vec& change) {
     ManifoldPoint &p = block.points[0], &q = block.points[1];
@@ -204,7 +204,7 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
                           const SweepSettings& settings, Vec& change) {
     if constexpr (first) predict(predictions, block);
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    const Vec mass = a.mass() + b.mass(), zero{}, most = zero + settings.most;
+    const Vec mass = a.mass() + b.mass(), zero{};
     Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
     Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
     {
@@ -237,7 +237,7 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
             const Vec nx = load(p.normalX), ny = load(p.normalY);
             const Vec armA = load(p.normalArmA), armB = load(p.normalArmB);
             const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
-            const Vec part = load(p.normalMass) * clamped(-gap * settings.share, zero, most);
+            const Vec part = load(p.normalMass) * larger(-gap * settings.share, zero);
             push(x, part, nx, ny, armA, armB, mass, a, b);
         }
     a.vx() -= v.sumX * a.mass();
@@ -276,9 +276,8 @@ SweepReal sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldB
 SweepReal sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
                          std::size_t count, const SweepSettings& settings) {
     if (settings.first)
-        return settings.last
-                   ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
-                   : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
+        return settings.last ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
+                             : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
     return settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
                          : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
 }
@@ -581,7 +580,7 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
         store(t.closing, along(normal, p, a, b));
     }
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
-    const Vec zero{}, most = zero + settings.most;
+    const Vec zero{};
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
     const Vec speed = along(tangent, p, a, b) + load(t.sliding);
     const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, speed, pressed,
@@ -594,7 +593,7 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     store(t.pressing, pressing);
     push(normal, pressing - pressed, p, a, b);
     if constexpr (places)
-        pushPlace(normal, load(t.normalMass) * clamped(-gap * settings.share, zero, most), p, a, b);
+        pushPlace(normal, load(t.normalMass) * larger(-gap * settings.share, zero), p, a, b);
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contacts/contact_core.hpp"
+#include "narrow_phase/time_of_impact.hpp"
+
 namespace sulfur::detail {
 
 namespace {
@@ -15,7 +18,9 @@ constexpr std::size_t most = 32;
 /// What comes nearer in a step by more than this share of the thickness is looked at where it comes
 /// to touch: at slower speeds the place changes by less than a hundredth of the thickness.
 constexpr Real fast = Real(0.25);
-constexpr int mostRounds = 8;
+constexpr int mostRounds = 16;
+/// rad, up to which the series for small turns is good to rounding.
+constexpr Real largeTurn = Real(0.3);
 
 struct Xy {
     Real x = 0, y = 0;
@@ -230,15 +235,21 @@ private:
 
 }  // namespace
 
-Heading headingNow(const Movers& movers, std::uint32_t m, Real moment) {
+Heading turnedBy(const Movers& movers, std::uint32_t m, Real angle) {
     const Heading& h = movers.heading[m];
-    Real t = movers.bodies[m].turn;
-    if (moment > 0) t += moment * motionNow(movers, m).turn;
+    const Real t = movers.bodies[m].turn + angle;
+    if (std::abs(t) > largeTurn) {
+        const Real c = std::cos(t), s = std::sin(t);
+        return {h.cosine * c - h.sine * s, h.sine * c + h.cosine * s};
+    }
     const Real square = t * t;
     const Real c =
         1 - square * (Real(1.0 / 2) - square * (Real(1.0 / 24) - square * Real(1.0 / 720)));
     const Real s = t * (1 - square * (Real(1.0 / 6) - square * Real(1.0 / 120)));
     return {h.cosine * c - h.sine * s, h.sine * c + h.cosine * s};
+}
+Heading headingNow(const Movers& movers, std::uint32_t m) {
+    return turnedBy(movers, m, 0);
 }
 
 namespace {
@@ -248,57 +259,73 @@ struct Pose {
     Xy at;
     Heading heading;
 };
-Pose poseAt(const Movers& movers, std::uint32_t a, std::uint32_t b, Real moment) {
-    const Heading ha = headingNow(movers, a, moment), hb = headingNow(movers, b, moment);
-    const Point apart = movers.reference[b] - movers.reference[a];
-    const SolverBody &bodyA = movers.bodies[a], &bodyB = movers.bodies[b];
-    Real dx = static_cast<Real>(apart[0]) + (bodyB.x - bodyA.x);
-    Real dy = static_cast<Real>(apart[1]) + (bodyB.y - bodyA.y);
-    if (moment > 0) {
-        const Motion3 va = motionNow(movers, a), vb = motionNow(movers, b);
-        dx += moment * (vb.x - va.x);
-        dy += moment * (vb.y - va.y);
-    }
+/// Two bodies and how they go in this step.
+struct Ways {
+    std::uint32_t a = 0, b = 0;
+    Motion3 ofA, ofB;
+};
+Pose poseAt(const Movers& movers, const Ways& w, Real moment) {
+    const Heading ha = turnedBy(movers, w.a, moment * w.ofA.turn),
+                  hb = turnedBy(movers, w.b, moment * w.ofB.turn);
+    const Point apart = movers.reference[w.b] - movers.reference[w.a];
+    const SolverBody &bodyA = movers.bodies[w.a], &bodyB = movers.bodies[w.b];
+    const Real dx =
+        static_cast<Real>(apart[0]) + (bodyB.x - bodyA.x) + moment * (w.ofB.x - w.ofA.x);
+    const Real dy =
+        static_cast<Real>(apart[1]) + (bodyB.y - bodyA.y) + moment * (w.ofB.y - w.ofA.y);
     return {{ha.cosine * dx + ha.sine * dy, ha.cosine * dy - ha.sine * dx},
             {ha.cosine * hb.cosine + ha.sine * hb.sine, ha.cosine * hb.sine - ha.sine * hb.cosine}};
 }
 
-/// The share of the step after which two come to touch at the earliest, or 1: conservative
-/// advancement along the axis that separates them (Mirtich 1996).
-Real momentOfTouch(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
-                   Real thickness) {
-    const Motion3 va = motionNow(movers, a.frame), vb = motionNow(movers, b.frame);
-    const Real turning =
-        movers.reach[a.frame] * std::abs(va.turn) + movers.reach[b.frame] * std::abs(vb.turn);
-    Real moment = 0;
+/// Conservative advancement along the axis that separates two outlines (Mirtich 1996): the share of
+/// the step after which their axes are as near as a limit, which follows from how near they begin;
+/// or 1.
+template <class Limit>
+Real advance(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
+             const Ways& ways, Limit&& limitFrom) {
+    const Real turning = movers.reach[ways.a] * std::abs(ways.ofA.turn) +
+                         movers.reach[ways.b] * std::abs(ways.ofB.turn);
+    Real moment = 0, limit = 0;
     for (int round = 0; round < mostRounds && moment < 1; ++round) {
-        const Pose pose = poseAt(movers, a.frame, b.frame, moment);
+        const Pose pose = poseAt(movers, ways, moment);
         const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, pose.heading, pose.at);
-        const Heading h = headingNow(movers, a.frame, moment);
-        const Xy way{h.cosine * (vb.x - va.x) + h.sine * (vb.y - va.y),
-                     h.cosine * (vb.y - va.y) - h.sine * (vb.x - va.x)};
+        const Heading h = turnedBy(movers, ways.a, moment * ways.ofA.turn);
+        const Real wx = ways.ofB.x - ways.ofA.x, wy = ways.ofB.y - ways.ofA.y;
         const Separation s = separationOf(outA, outB);
-        const Real closing = turning - dot(s.axis, way);
-        if (s.gap <= thickness || closing <= 0) break;
-        moment = std::min<Real>(moment + (s.gap - thickness) / closing, 1);
+        if (round == 0) limit = limitFrom(s.gap);
+        const Real closing =
+            turning - dot(s.axis, {h.cosine * wx + h.sine * wy, h.cosine * wy - h.sine * wx});
+        if (closing <= 0) return 1;
+        // A hundredth of the limit is near enough.
+        if (s.gap <= limit + std::abs(limit) / 100) return moment;
+        moment = moment + (s.gap - limit) / closing;
     }
-    return moment;
+    return std::min<Real>(moment, 1);
 }
 
 }  // namespace
 
+Real timeOfImpact(const ContactCore& core, const Chunk& a, const Chunk& b, Real left) {
+    const Ways ways{a.frame, b.frame, core.ways[a.frame], core.ways[b.frame]};
+    const Real thickness = a.radius + b.radius;
+    return advance(core.movers, core.shapes, a, b, ways,
+                   [&](Real gap) { return std::min(left * thickness, gap / 2); });
+}
+
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
                       Real closing) {
     const Real thickness = a.radius + b.radius, near = thickness / 2 + 2 * closing;
-    const Pose start = poseAt(movers, a.frame, b.frame, 0);
+    const Ways ways{a.frame, b.frame, motionNow(movers, a.frame), motionNow(movers, b.frame)};
+    const Pose start = poseAt(movers, ways, 0);
     Manifold m;
     m.x = start.at.x;
     m.y = start.at.y;
     m.cosine = start.heading.cosine;
     m.sine = start.heading.sine;
     const bool isFast = closing > fast * thickness;
-    const Real moment = isFast ? momentOfTouch(movers, shapes, a, b, thickness) : 0;
-    const Pose then = moment > 0 ? poseAt(movers, a.frame, b.frame, moment) : start;
+    const Real moment =
+        isFast ? advance(movers, shapes, a, b, ways, [&](Real) { return thickness; }) : 0;
+    const Pose then = moment > 0 ? poseAt(movers, ways, moment) : start;
     const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, then.heading, then.at);
     Finder(a, b, outA, outB, near, movers.reach[b.frame], m).run();
     if (isFast) m.margin = 0;

@@ -30,7 +30,8 @@ struct Manifold {
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
                       Real closing);
 
-/// How a body is turned, when a share of the step is over.
-Heading headingNow(const Movers& movers, std::uint32_t mover, Real moment = 0);
+/// How a body is turned, and how when it has turned on.
+Heading headingNow(const Movers& movers, std::uint32_t mover);
+Heading turnedBy(const Movers& movers, std::uint32_t mover, Real angle);
 
 }  // namespace sulfur::detail

@@ -64,6 +64,37 @@ Real momentOfPoints(Xy start, Xy way, Real limit) {
     return std::clamp<Real>((-b - std::sqrt(std::max<Real>(b * b - a * c, 0))) / a, 0, 1);
 }
 
+// --- who may touch whom ---------------------------------------------------------------------
+
+std::uint32_t denseParticle(const State& state, std::uint32_t corner) {
+    return state.particleSlots.denseOf(state.core.shapes.corners[corner].particle);
+}
+bool isTied(const State& state, std::uint32_t corner, std::uint32_t body) {
+    const auto& linked = state.core.linked;
+    return !linked.empty() &&
+           std::binary_search(linked.begin(), linked.end(),
+                              std::pair(state.core.shapes.corners[corner].particle, body));
+}
+/// Whether a corner never touches a side (or, where both ends are the same, a corner).
+bool isBarred(const State& state, std::uint32_t corner, std::uint32_t sideA, std::uint32_t sideB,
+              std::uint32_t body, Real radius) {
+    const auto& corners = state.core.shapes.corners;
+    const Corner &p = corners[corner], &a = corners[sideA], &b = corners[sideB];
+    if (p.particle == a.particle || p.particle == b.particle) return true;
+    if (p.mover == a.mover || p.mover == b.mover) return true;
+    const auto i = denseParticle(state, corner);
+    if (isTied(state, corner, body)) return true;
+    const auto own = state.bodies[state.particles.body[i]].id.index - 1;
+    if (isTied(state, sideA, own) && isTied(state, sideB, own)) return true;
+    if (own != body) return false;
+    const auto& rest = state.particles.rest;
+    const Vec2 from = rest[denseParticle(state, sideA)], to = rest[denseParticle(state, sideB)];
+    const Vec2 along = to - from, v = rest[i] - from;
+    const Real length2 = along.squaredNorm();
+    const Real t = length2 > 0 ? std::clamp(v.dot(along) / length2, Real(0), Real(1)) : Real(0);
+    return (v - t * along).norm() < togetherWithin * (p.radius + radius);
+}
+
 class Looker {
 public:
     Looker(const State& state, const Chunk& a, const Chunk& b, const std::vector<KnownSide>& known,
@@ -110,37 +141,6 @@ private:
                 w.wayY + motion.turn * arm.x};
     }
 
-    // --- who may touch whom -----------------------------------------------------------------
-
-    std::uint32_t denseParticle(std::uint32_t corner) const {
-        return state_.particleSlots.denseOf(shapes_.corners[corner].particle);
-    }
-    bool isTied(std::uint32_t corner, std::uint32_t body) const {
-        const auto& linked = state_.core.linked;
-        return !linked.empty() &&
-               std::binary_search(linked.begin(), linked.end(),
-                                  std::pair(shapes_.corners[corner].particle, body));
-    }
-    /// Whether a corner never touches a side (or, where both ends are the same, a corner).
-    bool isBarred(std::uint32_t corner, std::uint32_t sideA, std::uint32_t sideB,
-                  std::uint32_t body, Real radius) const {
-        const Corner &p = shapes_.corners[corner], &a = shapes_.corners[sideA],
-                     &b = shapes_.corners[sideB];
-        if (p.particle == a.particle || p.particle == b.particle) return true;
-        if (p.mover == a.mover || p.mover == b.mover) return true;
-        const auto i = denseParticle(corner);
-        if (isTied(corner, body)) return true;
-        const auto own = state_.bodies[state_.particles.body[i]].id.index - 1;
-        if (isTied(sideA, own) && isTied(sideB, own)) return true;
-        if (own != body) return false;
-        const auto& rest = state_.particles.rest;
-        const Vec2 from = rest[denseParticle(sideA)], to = rest[denseParticle(sideB)];
-        const Vec2 along = to - from, v = rest[i] - from;
-        const Real length2 = along.squaredNorm();
-        const Real t = length2 > 0 ? std::clamp(v.dot(along) / length2, Real(0), Real(1)) : Real(0);
-        return (v - t * along).norm() < togetherWithin * (p.radius + radius);
-    }
-
     // --- corners before sides ----------------------------------------------------------------
 
     void againstSides(const Chunk& own, const std::vector<CornerWay>& corners, const Chunk& other,
@@ -159,7 +159,8 @@ private:
         std::uint32_t nearestSide = none;
         for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
             const Side& side = shapes_.sides[s];
-            if (side.a == side.b || isBarred(corner, side.a, side.b, other.body, side.radius))
+            if (side.a == side.b ||
+                isBarred(state_, corner, side.a, side.b, other.body, side.radius))
                 continue;
             const CornerWay &a = ends[side.a - other.firstCorner],
                             &b = ends[side.b - other.firstCorner];
@@ -302,7 +303,8 @@ private:
         const CornerWay& q = result_.cornersB[corner - b_.firstCorner];
         for (auto c = a_.firstCorner; c < a_.firstCorner + a_.corners; ++c) {
             if (!shapes_.corners[c].owned || (&a_ == &b_ && c >= corner)) continue;
-            if (isBarred(c, corner, corner, b_.body, shapes_.corners[corner].radius)) continue;
+            if (isBarred(state_, c, corner, corner, b_.body, shapes_.corners[corner].radius))
+                continue;
             const CornerWay& p = result_.cornersA[c - a_.firstCorner];
             const Real thickness = shapes_.corners[c].radius + shapes_.corners[corner].radius;
             const Xy from = at(p) - at(q), closing = way(p) - way(q);
@@ -336,6 +338,10 @@ private:
 };
 
 }  // namespace
+
+bool neverTouches(const State& state, std::uint32_t corner, const Side& side, std::uint32_t body) {
+    return isBarred(state, corner, side.a, side.b, body, side.radius);
+}
 
 void lookLoosely(const State& state, const Chunk& a, const Chunk& b,
                  const std::vector<KnownSide>& known, LooseLook& result) {

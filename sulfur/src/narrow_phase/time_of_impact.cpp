@@ -1,0 +1,129 @@
+#include "narrow_phase/time_of_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/contact_core.hpp"
+#include "narrow_phase/convex.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr int mostSteps = 16;
+
+struct Xy {
+    Real x = 0, y = 0;
+};
+Xy operator-(Xy a, Xy b) {
+    return {a.x - b.x, a.y - b.y};
+}
+Real dot(Xy a, Xy b) {
+    return a.x * b.x + a.y * b.y;
+}
+Real cross(Xy a, Xy b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// Where a corner begins and ends, from an origin.
+struct Way {
+    Xy start, end;
+
+    Xy at(Real moment) const {
+        return {start.x + moment * (end.x - start.x), start.y + moment * (end.y - start.y)};
+    }
+};
+
+/// Corners of two chunks against each other.
+class Crosser {
+public:
+    Crosser(const State& state, const Chunk& a, const Chunk& b, Real left,
+            std::vector<Passing>& passings)
+        : state_(state),
+          shapes_(state.core.shapes),
+          movers_(state.core.movers),
+          a_(a),
+          b_(b),
+          left_(left),
+          passings_(passings) {
+        origin_ = movers_.reference[shapes_.corners[a.firstCorner].mover];
+    }
+
+    void run() {
+        passings_.clear();
+        against(a_, b_);
+        if (&a_ != &b_) against(b_, a_);
+    }
+
+private:
+    Way wayOf(std::uint32_t corner) const {
+        const Corner& c = shapes_.corners[corner];
+        const SolverBody& body = movers_.bodies[c.mover];
+        const Motion3& way = state_.core.ways[c.mover];
+        const Point from = movers_.reference[c.mover] - origin_;
+        const Xy centre{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y};
+        const Heading h = turnedBy(movers_, c.mover, 0), g = turnedBy(movers_, c.mover, way.turn);
+        return {
+            {centre.x + h.cosine * c.x - h.sine * c.y, centre.y + h.sine * c.x + h.cosine * c.y},
+            {centre.x + way.x + g.cosine * c.x - g.sine * c.y,
+             centre.y + way.y + g.sine * c.x + g.cosine * c.y}};
+    }
+
+    void against(const Chunk& own, const Chunk& other) {
+        for (auto c = own.firstCorner; c < own.firstCorner + own.corners; ++c) {
+            if (!shapes_.corners[c].owned) continue;
+            const Way p = wayOf(c);
+            for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
+                const Side& side = shapes_.sides[s];
+                if (side.a == side.b || neverTouches(state_, c, side, other.body)) continue;
+                cross(c, p, side, wayOf(side.a), wayOf(side.b));
+            }
+        }
+    }
+
+    void cross(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b) {
+        const auto heightAt = [&](Real moment) {
+            const Xy along = b.at(moment) - a.at(moment);
+            const Real length = std::sqrt(dot(along, along));
+            return length > 0 ? detail::cross(p.at(moment) - a.at(moment), along) / length : 0;
+        };
+        Real start = heightAt(0), end = heightAt(1);
+        Real outward = static_cast<Real>(side.outward);
+        if (outward == 0) outward = start < 0 ? Real(-1) : Real(1);
+        start *= outward;
+        end *= outward;
+        if (!(start > 0)) return;
+        const Real thickness = shapes_.corners[corner].radius + side.radius;
+        const Real limit = std::min(left_ * thickness, start / 2);
+        if (!(end < limit)) return;
+        // The height of what turns is no line: its first fall below the limit by halving.
+        Real low = 0, high = 1;
+        for (int i = 0; i < mostSteps; ++i) {
+            const Real middle = (low + high) / 2;
+            (outward * heightAt(middle) < limit ? high : low) = middle;
+        }
+        const Xy along = b.at(high) - a.at(high), from = p.at(high) - a.at(high);
+        const Real foot = dot(from, along), length2 = dot(along, along);
+        const Real beside = thickness * std::sqrt(length2);
+        if (foot < -beside || foot > length2 + beside) return;
+        passings_.push_back({corner, side.a, side.b, low});
+    }
+
+    const State& state_;
+    const Shapes& shapes_;
+    const Movers& movers_;
+    const Chunk &a_, &b_;
+    Real left_;
+    std::vector<Passing>& passings_;
+    Point origin_{0, 0};
+};
+
+}  // namespace
+
+void findPassings(const State& state, const Chunk& a, const Chunk& b, Real left,
+                  std::vector<Passing>& passings) {
+    Crosser(state, a, b, left, passings).run();
+}
+
+}  // namespace sulfur::detail
