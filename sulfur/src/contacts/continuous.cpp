@@ -1,6 +1,7 @@
 // What is fast never passes through anything: where rows that were found at the start of a step and
-// swept a few times have not stopped two surfaces, both stay where they come to touch. Only places
-// are held back; what is left of the velocity is for the next step's rows.
+// swept a few times have not stopped two surfaces, both bodies stay where these come to touch. Only
+// places are held back, of a body as a whole, so that no joint of it is strained; what is left of
+// the velocity is for the next step's rows.
 //
 // The ways of a step are taken as straight. Whoever is held back may get in the way of others, so
 // that this is repeated until nobody is.
@@ -17,9 +18,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// What comes nearer in a step by more than this share of the thickness is fast. It may overlap up
-/// to where as much of the thickness is left.
-constexpr Real fast = Real(0.25);
+/// What comes nearer in a step by more than this share of the thickness is fast. It may overlap by
+/// as much.
+constexpr Real fast = Real(0.15);
 constexpr int mostRounds = 8;
 
 class Keeper {
@@ -60,6 +61,7 @@ private:
             way.turn -= blow.when * blow.spin;
         }
         whole_ = core_.ways;
+        shares_.assign(state_.bodies.size(), 1);
     }
 
     Real lengthOf(std::uint32_t m) const {
@@ -91,43 +93,69 @@ private:
     bool hold(const Pair& pair) {
         const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
         if (pair.isManifold) {
-            const Real moment = timeOfImpact(core_, a, b, fast);
+            const Real moment = timeOfImpact(core_, a, b, 1 - fast);
             if (moment >= 1) return false;
             scale(a.frame, moment);
             scale(b.frame, moment);
             return true;
         }
-        findPassings(state_, a, b, fast, core_.passings);
+        findPassings(state_, a, b, 1 - fast, core_.passings);
         for (const Passing& c : core_.passings) {
-            const auto m = core_.shapes.corners[c.corner].mover,
-                       first = core_.shapes.corners[c.a].mover,
-                       second = core_.shapes.corners[c.b].mover;
-            scale(m, c.moment);
-            scale(first, c.moment);
-            if (second != first) scale(second, c.moment);
+            const auto one = core_.shapes.corners[c.corner].mover,
+                       other = core_.shapes.corners[c.a].mover;
+            scale(one, c.moment);
+            if (movers_.body[one] != movers_.body[other]) scale(other, c.moment);
         }
         return !core_.passings.empty();
     }
 
+    /// The body of a mover goes only a share of its way.
     void scale(std::uint32_t m, Real share) {
-        Motion3& way = core_.ways[m];
-        way = {share * way.x, share * way.y, share * way.turn};
+        const auto body = state_.bodySlots.denseOf(movers_.body[m]);
+        if (state_.bodies[body].kind != BodyKind::dynamic) return;
+        shares_[body] *= share;
+        const auto slot = state_.bodies[body].id.index - 1;
+        for (auto c = core_.shapes.firstChunk[slot]; c != none;
+             c = core_.shapes.chunks[c].nextOfBody) {
+            const Chunk& chunk = core_.shapes.chunks[c];
+            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
+                const auto mover = core_.shapes.uses[u].mover;
+                const Motion3& whole = whole_[mover];
+                core_.ways[mover] = {shares_[body] * whole.x, shares_[body] * whole.y,
+                                     shares_[body] * whole.turn};
+            }
+        }
     }
 
     void giveBack() {
-        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
-            const auto m = core_.awakeMovers[k];
-            const auto i = core_.awakeDense[k];
-            const Motion3 &now = core_.ways[m], &whole = whole_[m];
-            const Vec2 back(now.x - whole.x, now.y - whole.y);
-            const Real turn = now.turn - whole.turn;
-            if ((back[0] == 0 && back[1] == 0 && turn == 0) || movers_.bodies[m].inverseMass == 0)
-                continue;
-            if (core_.awakeIsCluster[k] != 0) {
-                state_.clusters.list[i].shift += back;
-                state_.clusters.list[i].twist += static_cast<double>(turn);
+        for (std::uint32_t b = 0; b < state_.bodies.size(); ++b) {
+            if (shares_[b] == 1) continue;
+            const Real back = shares_[b] - 1;
+            const auto first = state_.bodies[b].firstParticle;
+            for (auto i = first; i < first + state_.bodies[b].particles.size(); ++i)
+                if (state_.particles.cluster[i] == none && state_.particles.inverseMass[i] > 0)
+                    state_.particles.position[i] +=
+                        (back * state_.particles.displacement[i]).cast<double>();
+        }
+        for (const auto c : state_.work.awakeClusters) {
+            Cluster& cluster = state_.clusters.list[c];
+            const Real back = shares_[cluster.body] - 1;
+            if (back == 0 || cluster.inverseMass == 0) continue;
+            cluster.shift += back * cluster.displacement;
+            cluster.twist += static_cast<double>(back) * cluster.angle;
+        }
+        // Blows have taken their part of the way off already.
+        for (const Blow& blow : core_.blows) {
+            const auto b = state_.bodySlots.denseOf(movers_.body[blow.mover]);
+            if (shares_[b] == 1) continue;
+            const Vec2 more = (1 - shares_[b]) * blow.when * blow.velocity;
+            const auto i = core_.denseOfMover[blow.mover];
+            if (core_.moverIsCluster[blow.mover] != 0) {
+                state_.clusters.list[i].shift += more;
+                state_.clusters.list[i].twist +=
+                    static_cast<double>((1 - shares_[b]) * blow.when * blow.spin);
             } else {
-                state_.particles.position[i] += back.cast<double>();
+                state_.particles.position[i] += more.cast<double>();
             }
         }
     }
@@ -137,6 +165,7 @@ private:
     Movers& movers_;
     std::vector<std::uint32_t> pairs_;
     std::vector<Motion3> whole_;
+    std::vector<Real> shares_;  // by body, dense index
 };
 
 }  // namespace

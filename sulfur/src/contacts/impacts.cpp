@@ -28,8 +28,9 @@ struct Strike {
     std::array<std::uint32_t, 3> body{0, 0, 0};
     std::array<Vec2, 3> linear{Vec2(0, 0), Vec2(0, 0), Vec2(0, 0)};
     std::array<Real, 3> angular{0, 0, 0};
-    Real mass = 0;  // kg, effective
-    Real gap = 0;   // m, at the start of the step
+    Real mass = 0;   // kg, effective
+    Real gap = 0;    // m, at the start of the step
+    Real falls = 0;  // m per step and step, by which gravity makes the gap grow faster
 };
 
 /// The points of one pair, with their tangents.
@@ -130,6 +131,9 @@ private:
             mobility += movers_.bodies[s.body[k]].inverseMass * s.linear[k].squaredNorm() +
                         movers_.bodies[s.body[k]].inverseInertia * s.angular[k] * s.angular[k];
         s.mass = mobility > 0 ? 1 / mobility : 0;
+        const Vec2 fall = h_ * h_ * state_.settings.gravity;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (movers_.bodies[s.body[k]].inverseMass > 0) s.falls += s.linear[k].dot(fall);
         return s;
     }
     Real gapNow(const Strike& s, Real gap) const {
@@ -168,12 +172,16 @@ private:
 
     /// Strikes if it closes. Returns whether it did.
     bool strike(Meeting& m) {
-        std::array<Real, 2> closing{0, 0}, impulse{0, 0};
+        std::array<Real, 2> closing{0, 0}, impulse{0, 0}, when{0, 0};
         bool any = false;
         for (int k = 0; k < m.points; ++k) {
             const auto i = static_cast<std::size_t>(k);
             closing[i] = motion(m.normal[i]);
             any |= closing[i] < -slowestRebound * h_ && m.normal[i].gap + closing[i] < 0;
+            // The velocity of a step stands in its middle; the blow comes when the gap is closed.
+            if (!(closing[i] < 0)) continue;
+            when[i] = std::clamp<Real>(std::max<Real>(m.normal[i].gap, 0) / -closing[i], 0, 1);
+            closing[i] += m.normal[i].falls * (when[i] - Real(0.5));
         }
         if (!any) return false;
         // The plastic impact of the points that close.
@@ -190,12 +198,10 @@ private:
             const auto i = static_cast<std::size_t>(k);
             impulse[i] = (1 + m.restitution) * plastic[i];
             if (!(impulse[i] > 0)) continue;
-            const Real when =
-                std::clamp<Real>(std::max<Real>(m.normal[i].gap, 0) / -closing[i], 0, 1);
-            push(m.normal[i], impulse[i], when);
+            push(m.normal[i], impulse[i], when[i]);
             const Real most = m.friction * impulse[i];
             push(m.tangent[i], std::clamp(-m.tangent[i].mass * motion(m.tangent[i]), -most, most),
-                 when);
+                 when[i]);
             core_.struck.push_back(m.pair);
             core_.pairs[m.pair].blow += impulse[i] / h_;
             auto& approach = core_.pairs[m.pair].approach;
@@ -245,7 +251,25 @@ void strikeRows(State& state) {
     }
 }
 
+namespace {
+
+/// Whether a mover is all of its body and tied to no other: then what strikes it moves it alone.
+bool movesAlone(const State& state, std::uint32_t m) {
+    const auto slot = state.core.movers.body[m];
+    const BodyRecord& body = state.bodies[state.bodySlots.denseOf(slot)];
+    const auto& linked = state.core.linkedBodies;
+    const auto tie = std::lower_bound(linked.begin(), linked.end(), std::pair(slot, 0u));
+    if (tie != linked.end() && tie->first == slot) return false;
+    if (!state.core.moverIsCluster[m]) return body.particles.size() == 1;
+    const Cluster& c = state.clusters.list[state.core.denseOfMover[m]];
+    return c.last - c.first == body.particles.size();
+}
+
+}  // namespace
+
 void endBlows(State& state) {
+    std::erase_if(state.core.blows,
+                  [&](const Blow& blow) { return !movesAlone(state, blow.mover); });
     for (const Blow& blow : state.core.blows) {
         const auto i = state.core.denseOfMover[blow.mover];
         const Vec2 back = -blow.when * blow.velocity;
