@@ -144,7 +144,7 @@ void runSteps(State& state, std::uint32_t count) {
         if (state.awake(p.body[k]))
             p.displacement[k] = (p.position[k] - start.position).cast<Real>();
     });
-    mergeSteps(state);
+    if (!state.core.on) mergeSteps(state);
 }
 
 }  // namespace
