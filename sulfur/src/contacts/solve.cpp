@@ -69,7 +69,6 @@ void solveWithRows(State& state) {
     } else {
         for (int sweep = 1; sweep <= sweepsAlone; ++sweep)
             sweepRows(state, sweep == 1, sweep == sweepsAlone);
-        giveMotion(state);
     }
     endMotion(state);
     endBlows(state);
