@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broad_phase/box_grid.hpp"
+#include "narrow_phase/loose.hpp"
 #include "rows/row_graph.hpp"
 #include "shape/movers.hpp"
 #include "shape/shapes.hpp"
@@ -58,8 +59,9 @@ struct Encounter {
     std::uint32_t touching = 0;      // 1: they did when rows were last asked
     std::uint32_t changed = 0;       // 1: it is in the list of those that may have changed
     // While it is in that list:
-    std::uint32_t touched = 0;   // 1: they did when the tick began
-    std::uint32_t begun = none;  // its event in Events::contactsBegun, or none
+    std::uint32_t touched = 0;      // 1: they did when the tick began
+    std::uint32_t begun = none;     // its event in Events::contactsBegun, or none
+    std::uint32_t overlapping = 0;  // 1: they were made in each other and are led apart
     std::uint32_t nextInBucket = none;
 };
 
@@ -71,8 +73,14 @@ struct Blow {
     Real when = 0;        // share of the step that was over
 };
 
+/// Where a body as a whole goes when the step ends.
+struct Lead {
+    std::uint32_t body = 0;  // dense index
+    Vec2 way{0, 0};          // m
+};
+
 /// When a pair has to be looked at: when the odometers of both frames together reach a limit.
-struct Watch2 {
+struct PairWatch {
     std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
     std::uint32_t unused = 0;
     double limit = 0;  // m
@@ -95,8 +103,10 @@ struct ContactCore {
     std::vector<std::uint32_t> freeTouches;
     std::vector<Encounter> encounters;
     std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
-    std::vector<Watch2> watches;  // of pairs of which something is awake
-    double lastStep = 0;          // s, of the step for which the rows have impulses
+    std::vector<PairWatch> watches;      // of pairs of which something is awake
+    std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
+    double lastStep = 0;                 // s, of the step for which the rows have impulses
+    std::uint64_t dampedAfter = 0;       // steps; see dampSticking()
 
     // Derived when bodies change or fall asleep.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
@@ -113,8 +123,12 @@ struct ContactCore {
 
     // Scratch of a tick.
     std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
+    std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
+    std::vector<Lead> leads;
+    LooseLook looseLook;
+    std::vector<KnownSide> knownSides;
     std::vector<Blow> blows;
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
@@ -139,10 +153,12 @@ struct ContactCore {
         a(freeEncounters);
         a(buckets);
         a(changedEncounters);
+        a(leading);
         a(linked);
         a(linkedBodies);
         a(staleShapes);
         a(lastStep);
+        a(dampedAfter);
     }
 };
 

@@ -23,7 +23,7 @@ constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
 constexpr Real refreshWithin = Real(0.1);
 
 /// A fifth of an overlap goes in a step of 1/500 s, and at most so fast.
-constexpr Real pushRate = 100, pushSpeed = Real(0.9);  // 1/s, m/s
+constexpr Real pushRate = 100, pushSpeed = Real(0.5);  // 1/s, m/s
 constexpr Real mostShare = Real(0.2);
 
 /// What is pushed apart faster does not rest.
@@ -279,7 +279,7 @@ void lookAtPairs(State& state) {
     ContactCore& core = state.core;
     // A look may move watches about: those that are due are listed first.
     core.again.clear();
-    for (const Watch2& w : core.watches)
+    for (const PairWatch& w : core.watches)
         if (core.ahead[w.a] + core.ahead[w.b] >= w.limit) core.again.push_back(w.pair);
     for (const auto pair : core.again) lookAtPair(state, pair);
     core.heirs.clear();
@@ -289,7 +289,8 @@ void refreshRows(State& state) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
-    const PoseView poses{core.movers.reference.data()->data(), core.movers.heading.data()};
+    const PoseView poses{core.movers.reference.data()->data(), core.movers.heading.data(),
+                         core.movers.predictions.data()};
     const auto refresh = [&](auto& list, auto&& kernel, auto&& tell) {
         for (std::size_t w = 0; w < list.dirty.size(); ++w)
             for (auto set = std::exchange(list.dirty[w], 0); set != 0; set &= set - 1) {
@@ -320,7 +321,7 @@ void refreshRows(State& state) {
     }
 }
 
-void sweepRows(State& state, bool first, bool last) {
+Real sweepRows(State& state, bool first, bool last) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
@@ -328,14 +329,17 @@ void sweepRows(State& state, bool first, bool last) {
     const SweepSettings settings{creepOfGravity * state.settings.gravity.norm() * state.h * state.h,
                                  std::min(pushRate * state.h, mostShare), pushSpeed * state.h,
                                  first, last};
+    Real change = 0;
     for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
         ManifoldList& manifolds = core.rows.manifolds[c];
         TouchList& touches = core.rows.touches[c];
-        kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
-                               manifolds.blocks.size(), settings);
-        kernels.sweepTouches(bodies, predictions, touches.blocks.data(), touches.blocks.size(),
-                             settings);
+        change =
+            std::max(change, kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
+                                                    manifolds.blocks.size(), settings));
+        change = std::max(change, kernels.sweepTouches(bodies, predictions, touches.blocks.data(),
+                                                       touches.blocks.size(), settings));
     }
+    return change;
 }
 
 namespace {
@@ -395,10 +399,15 @@ void endMotion(State& state) {
         if (!mayHaveRows(core, m) || (!isCluster && body.inverseMass == 0)) continue;
         const Seen seen = lookAtMover(state, isCluster, i);
         const Point way = seen.at - movers.reference[m];
-        const Vec2 pushed(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
-        const Real turned =
+        Vec2 pushed(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
+        Real turned =
             body.turn - static_cast<Real>(turnSince(movers.referenceHeading[m], seen.heading));
         if (pushed[0] == 0 && pushed[1] == 0 && turned == 0) continue;
+        // Whoever is pushed by many goes no faster than by one.
+        const Real far = pushed.norm() + movers.reach[m] * std::abs(turned);
+        const Real within = std::min<Real>(pushSpeed * state.h / far, 1);
+        pushed *= within;
+        turned *= within;
         movers.odometer[m] += static_cast<double>(std::abs(pushed[0]) + std::abs(pushed[1]) +
                                                   movers.reach[m] * std::abs(turned));
         if (isCluster) {

@@ -17,8 +17,12 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Sweeps over contacts alone, and more over trees that a contact pulls on.
-constexpr int sweepsAlone = 2, mostForStrain = 48;
+/// Sweeps over contacts alone: as few, and more, up to so many times those of the settings, while
+/// one of them still changes how fast anything parts.
+constexpr int leastAlone = 2, mostAlone = 2;
+constexpr Real settledChange = Real(0.005);  // m/s
+/// Sweeps over trees that a contact pulls on.
+constexpr int mostForStrain = 48;
 
 bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;
@@ -40,6 +44,16 @@ void sweepContacts(State& state, bool last) {
     takeMotionAgain(state);
     sweepRows(state, true, last);
     giveMotion(state);
+}
+
+/// Rows of contacts and nothing else.
+void sweepAlone(State& state) {
+    const int most = std::max(leastAlone, mostAlone * state.settings.sweeps);
+    for (int sweep = 1; sweep < most; ++sweep) {
+        const Real change = sweepRows(state, sweep == 1, false);
+        if (sweep + 1 >= leastAlone && change <= settledChange * state.h) break;
+    }
+    sweepRows(state, false, true);
 }
 
 void sweepAll(State& state) {
@@ -67,11 +81,12 @@ void solveWithRows(State& state) {
     if (sweepsOthers(state)) {
         sweepAll(state);
     } else {
-        for (int sweep = 1; sweep <= sweepsAlone; ++sweep)
-            sweepRows(state, sweep == 1, sweep == sweepsAlone);
+        sweepAlone(state);
     }
+    dampSticking(state);
     endMotion(state);
     endBlows(state);
+    endLeads(state);
     if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);
     recordTreeForces(state);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <sulfur/math.hpp>
 #include <vector>
 
 namespace sulfur::detail {
@@ -15,15 +16,21 @@ void updateShapes(State& state);
 void takeMotion(State& state);
 /// Boxes that something leaves in this step are made anew, with their pairs.
 void updateBoxes(State& state);
+/// Bodies that were put into each other are led apart; when the step ends, their places too.
+void leadApart(State& state);
+void endLeads(State& state);
 /// Pairs that may have come to touch are looked at; rows are made, changed and taken away.
 void lookAtPairs(State& state);
 /// Rows take up how their bodies have moved and turned.
 void refreshRows(State& state);
-/// All rows are swept. `first`: after predictions have changed; `last`: places too.
-void sweepRows(State& state, bool first, bool last);
+/// All rows are swept. `first`: after predictions have changed; `last`: places too. Returns by how
+/// much that has changed the motion along any normal, m.
+Real sweepRows(State& state, bool first, bool last);
 /// Impacts with restitution change the predicted motion; when the step ends, also places.
 void strikeRows(State& state);
 void endBlows(State& state);
+/// What moves as one, because it sticks to each other, loses what deviates from that.
+void dampSticking(State& state);
 /// Events of contacts: who begins to touch, goes on, and parts.
 void tellContacts(State& state);
 /// Particles and rigid components take up what the rows have given since they took it.

@@ -121,8 +121,9 @@ struct alignas(64) TouchShape {
     Lane sameBody;          // 1: a moves both ends
     Lane free;              // 1: the corner is a particle, which cannot turn
     Lane share;             // of the thickness that the corner has
-    Lane outward;           // +1, -1: which way the side pushes, from a to b; 0: by
-                            // the way from the side to the corner
+    Lane outward;           // +1, -1: which way the side pushes, from a to b; 0: the
+                            // corner is before one of its ends
+    Lane endShare;          // of a corner before a corner: 0: it is the side's a, 1: its b
     Lane low, high;         // where along the side (0 to 1) it stays this touch
 };
 
@@ -130,6 +131,7 @@ struct alignas(64) TouchShape {
 struct PoseView {
     const double* reference;  // m, x and y in turn
     const Heading* heading;
+    const Prediction* predictions;
 };
 
 /// What sweeps have in common.
@@ -142,11 +144,13 @@ struct SweepSettings {
 
 struct RowKernels {
     /// Friction, then normals, of one block after the other. The first sweep after predictions have
-    /// changed looks at these; the last one moves places too.
-    void (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
-                           std::size_t count, const SweepSettings& settings);
-    void (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                         std::size_t count, const SweepSettings& settings);
+    /// changed looks at these; the last one moves places too. Returns by how much the sweep has
+    /// changed the motion along any normal, m.
+    SweepReal (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions,
+                                ManifoldBlock* blocks, std::size_t count,
+                                const SweepSettings& settings);
+    SweepReal (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                              std::size_t count, const SweepSettings& settings);
     /// Geometry of one block from the poses of its bodies; impulses turn along, and what that
     /// changes goes to the bodies. Returns a bit for each lane that must be looked at again.
     std::uint32_t (*refreshManifolds)(SolverBody* bodies, const PoseView& poses,

@@ -152,9 +152,10 @@ inline void predict(const Prediction* predictions, ManifoldBlock& block) {
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
-/// consistent (Catto 2006). Where the points are one, each by itself.
+/// consistent (Catto 2006). Where the points are one, each by itself. `change` becomes at least by how
+/// much either point parts faster or slower.
 inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, Vec mass,
-                         const Bodies& a, const Bodies& b) {
+                         const Bodies& a, const Bodies& b, Vec& change) {
     ManifoldPoint &p = block.points[0], &q = block.points[1];
     const Vec zero{};
     const auto closingOf = [&](const ManifoldPoint& m) {
@@ -194,11 +195,13 @@ inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, V
          load(p.normalArmB), mass, a, b);
     push(v, after2 - before2, load(q.normalX), load(q.normalY), load(q.normalArmA),
          load(q.normalArmB), mass, a, b);
+    change = larger(change, magnitude(after1 - before1) / larger(load(p.normalMass), tiny));
+    change = larger(change, magnitude(after2 - before2) / larger(load(q.normalMass), tiny));
 }
 
 template <bool first, bool places>
 inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
-                          const SweepSettings& settings) {
+                          const SweepSettings& settings, Vec& change) {
     if constexpr (first) predict(predictions, block);
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     const Vec mass = a.mass() + b.mass(), zero{}, most = zero + settings.most;
@@ -228,7 +231,7 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
                  load(p.normalArmB), mass, a, b);
         }
     }
-    solveNormals(v, x, block, mass, a, b);
+    solveNormals(v, x, block, mass, a, b, change);
     if constexpr (places)
         for (ManifoldPoint& p : block.points) {
             const Vec nx = load(p.normalX), ny = load(p.normalY);
@@ -255,21 +258,29 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
     scatter(bodies, block.b, b);
 }
 
-template <bool first, bool places>
-void sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
-               std::size_t count, const SweepSettings& settings) {
-    for (std::size_t i = 0; i < count; ++i)
-        sweepManifold<first, places>(bodies, predictions, blocks[i], settings);
+inline SweepReal largest(const Vec& v) {
+    SweepReal most = v[0];
+    for (int i = 1; i < 8; ++i) most = v[i] > most ? v[i] : most;
+    return most;
 }
 
-void sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+template <bool first, bool places>
+SweepReal sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
                     std::size_t count, const SweepSettings& settings) {
+    Vec change{};
+    for (std::size_t i = 0; i < count; ++i)
+        sweepManifold<first, places>(bodies, predictions, blocks[i], settings, change);
+    return largest(change);
+}
+
+SweepReal sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+                         std::size_t count, const SweepSettings& settings) {
     if (settings.first)
-        settings.last ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
-    else
-        settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
+        return settings.last
+                   ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
+                   : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
+    return settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
+                         : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
 }
 
 /// A direction, or a rotation.
@@ -289,18 +300,38 @@ inline Vec cross(Vec ax, Vec ay, Vec bx, Vec by) {
     return ax * by - ay * bx;
 }
 
-/// How the bodies are turned now: the heading at the reference and the turn since, which is small.
-inline Unit headingOf(const Heading* headings, const std::uint32_t* at, Vec turn) {
+/// How the bodies are turned at their references.
+inline Unit headingsOf(const Heading* headings, const std::uint32_t* at) {
     Unit h;
     for (int i = 0; i < 8; ++i) {
         h.x[i] = headings[at[i]].cosine;
         h.y[i] = headings[at[i]].sine;
     }
+    return h;
+}
+/// A heading turned on by a small angle.
+inline Unit turnedOn(const Unit& heading, Vec turn) {
     const Vec square = turn * turn, one = Vec{} + SweepReal(1);
     const Vec c = one - square * (SweepReal(1.0 / 2) -
                                   square * (SweepReal(1.0 / 24) - square * SweepReal(1.0 / 720)));
     const Vec s = turn * (one - square * (SweepReal(1.0 / 6) - square * SweepReal(1.0 / 120)));
-    return rotated(h, c, s);
+    return rotated(heading, c, s);
+}
+/// When a height falls to a limit, as a share of the step: 0 if it is there or grows, at most 1.
+inline Vec momentOfHeight(Vec start, Vec end, Vec limit) {
+    const Vec zero{}, one = zero + SweepReal(1), falls = start - end;
+    const auto comes = (start > limit) & (falls > zero);
+    return comes ? smaller((start - limit) / larger(falls, zero + SweepReal(1e-30)), one) : zero;
+}
+/// When two points come as near as a limit, or are nearest: the first root of a quadratic.
+inline Vec momentOfPoints(const Unit& start, const Unit& way, Vec limit) {
+    const Vec zero{}, one = zero + SweepReal(1);
+    const Vec a = way.x * way.x + way.y * way.y, b = start.x * way.x + start.y * way.y;
+    const Vec c = start.x * start.x + start.y * start.y - limit * limit;
+    const auto comes = (c > zero) & (b < zero);
+    const Vec discriminant = larger(b * b - a * c, zero);
+    const Vec moment = (-b - root(discriminant)) / larger(a, zero + SweepReal(1e-30));
+    return comes ? clamped(moment, zero, one) : zero;
 }
 /// From the reference of one body to that of the other, in double until both are subtracted.
 inline Unit between(const double* reference, const std::uint32_t* from, const std::uint32_t* to) {
@@ -312,17 +343,45 @@ inline Unit between(const double* reference, const std::uint32_t* from, const st
     return d;
 }
 
+/// Two bodies when a step begins and when it is predicted to end.
+struct Pose {
+    Unit apart, headA, headB;  // from a to b; how both are turned
+};
+
+/// A corner in the frame of the side's body, before whose middle it is.
+struct Before {
+    Vec height, place;
+};
+inline Before seenFromSide(const Pose& pose, const ManifoldFeature& f, Vec owner, Mask ofB) {
+    const Unit own = choose(ofB, pose.headB, pose.headA),
+               other = choose(ofB, pose.headA, pose.headB);
+    const Unit corner = rotated(own, load(f.cornerX), load(f.cornerY));
+    const Unit in =
+        rotatedBack(other, owner * pose.apart.x + corner.x, owner * pose.apart.y + corner.y);
+    const Vec ox = load(f.outX), oy = load(f.outY);
+    return {ox * in.x + oy * in.y - load(f.offset), ox * in.y - oy * in.x - load(f.middle)};
+}
+
 std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, ManifoldBlock& block,
                               const ManifoldShape& shape) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    const Unit headA = headingOf(poses.heading, block.a, a.turn());
-    const Unit headB = headingOf(poses.heading, block.b, b.turn());
-    const Vec x = b.x() - a.x(), y = b.y() - a.y(), zero{}, one = zero + SweepReal(1);
-    Unit apart = between(poses.reference, block.a, block.b);
-    apart.x += x;
-    apart.y += y;
-    const Unit inA = rotatedBack(headA, apart.x, apart.y);
-    const Unit turned = rotatedBack(headA, headB.x, headB.y);
+    Bodies goesA = gather(poses.predictions, block.a), goesB = gather(poses.predictions, block.b);
+    const Vec zero{}, one = zero + SweepReal(1);
+    const Vec spinA = goesA.spin() + a.spin(), spinB = goesB.spin() + b.spin();
+    const Unit way{goesB.vx() + b.vx() - goesA.vx() - a.vx(),
+                   goesB.vy() + b.vy() - goesA.vy() - a.vy()};
+    const Unit restA = headingsOf(poses.heading, block.a),
+               restB = headingsOf(poses.heading, block.b);
+    const Vec x = b.x() - a.x(), y = b.y() - a.y();
+    Pose start{between(poses.reference, block.a, block.b), turnedOn(restA, a.turn()),
+               turnedOn(restB, b.turn())};
+    start.apart.x += x;
+    start.apart.y += y;
+    const Pose end{{start.apart.x + way.x, start.apart.y + way.y},
+                   turnedOn(restA, a.turn() + spinA),
+                   turnedOn(restB, b.turn() + spinB)};
+    const Unit inA = rotatedBack(start.headA, start.apart.x, start.apart.y);
+    const Unit turned = rotatedBack(start.headA, start.headB.x, start.headB.y);
     const Vec moved = magnitude(inA.x - load(shape.lookX)) + magnitude(inA.y - load(shape.lookY)) +
                       load(shape.reach) * (magnitude(turned.x - load(shape.lookCosine)) +
                                            magnitude(turned.y - load(shape.lookSine)));
@@ -333,22 +392,32 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     for (int k = 0; k < 2; ++k) {
         ManifoldPoint& p = block.points[k];
         const ManifoldFeature& f = shape.features[k];
-        const Vec owner = load(f.owner), exists = magnitude(owner);
+        const Vec owner = load(f.owner), exists = magnitude(owner), half = load(f.half);
         const auto ofB = owner > 0;
+        // Geometry is that of the moment at which the two come to touch, as far as is predicted:
+        // before a side, or, beyond its ends, round an end.
+        const Before first = seenFromSide(start, f, owner, ofB);
+        const Before last = seenFromSide(end, f, owner, ofB);
+        const Vec height = first.height, rise = last.height - first.height;
+        const Vec place = first.place, run = last.place - first.place;
+        const Vec flat = momentOfHeight(height, last.height, thickness);
+        const Vec there = place + flat * run, nearest = clamped(there, -half, half);
+        const auto round = (there != nearest) & (height + flat * rise > zero);
+        const Vec curved = momentOfPoints({place - nearest, height}, {run, rise}, thickness);
+        const Vec moment = round ? curved : flat;
+        const Vec up1 = height + moment * rise, aside1 = place + moment * run - nearest;
+        const Vec far = root(aside1 * aside1 + up1 * up1);
+        const Vec safe = larger(far, zero + SweepReal(1e-30));
+        const Vec distance = round ? far : up1;
+        const Vec up = round ? up1 / safe : one, aside = round ? aside1 / safe : zero;
+        const Unit headA = turnedOn(restA, a.turn() + moment * spinA);
+        const Unit headB = turnedOn(restB, b.turn() + moment * spinB);
         const Unit own = choose(ofB, headB, headA), other = choose(ofB, headA, headB);
+        const Vec ox = load(f.outX), oy = load(f.outY);
         // The corner from its own body's centre, and from that of the side.
         const Unit corner = rotated(own, load(f.cornerX), load(f.cornerY));
-        const Vec fromX = owner * apart.x + corner.x, fromY = owner * apart.y + corner.y;
-        const Unit in = rotatedBack(other, fromX, fromY);
-        const Vec ox = load(f.outX), oy = load(f.outY);
-        const Vec height = ox * in.x + oy * in.y - load(f.offset);
-        const Vec place = ox * in.y - oy * in.x - load(f.middle), half = load(f.half);
-        const Vec beyond = place - clamped(place, -half, half);
-        const auto round = (beyond != zero) & (height > zero);
-        const Vec far = root(beyond * beyond + height * height);
-        const Vec safe = larger(far, zero + SweepReal(1e-30));
-        const Vec distance = round ? far : height;
-        const Vec up = round ? height / safe : one, aside = round ? beyond / safe : zero;
+        const Vec fromX = owner * (start.apart.x + moment * way.x) + corner.x;
+        const Vec fromY = owner * (start.apart.y + moment * way.y) + corner.y;
         const Unit outward = rotated(other, up * ox - aside * oy, up * oy + aside * ox);
         const Vec nx = outward.x * owner, ny = outward.y * owner;  // from a to b
         // Both sides act where the surfaces meet.
@@ -360,7 +429,8 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec armA = exists * cross(ax, ay, nx, ny), armB = exists * cross(bx, by, nx, ny);
         const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
         store(p.normalMass, mobility > zero ? exists / mobility : zero);
-        const Vec since = nx * x + ny * y + armB * b.turn() - armA * a.turn();
+        const Vec since = nx * (x + moment * way.x) + ny * (y + moment * way.y) +
+                          armB * (b.turn() + moment * spinB) - armA * (a.turn() + moment * spinA);
         const Vec farAway = zero + SweepReal(1e18);
         store(p.gap, exists > zero ? distance - thickness - since : farAway);
         // Impulses stay what they are and act along the new directions.
@@ -502,7 +572,7 @@ inline Jacobian tangentOf(const TouchBlock& t) {
 
 template <bool first, bool places>
 inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
-                       const SweepSettings& settings) {
+                       const SweepSettings& settings, Vec& change) {
     const Jacobian tangent = tangentOf(t), normal = normalOf(t);
     if constexpr (first) {
         Bodies p = gather(predictions, t.p), a = gather(predictions, t.a),
@@ -528,61 +598,109 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
+    change = larger(change, magnitude(pressing - pressed) /
+                                larger(load(t.normalMass), zero + SweepReal(1e-30)));
 }
 
 template <bool first, bool places>
-void sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                    std::size_t count, const SweepSettings& settings) {
+SweepReal sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                         std::size_t count, const SweepSettings& settings) {
+    Vec change{};
     for (std::size_t i = 0; i < count; ++i)
-        sweepTouch<first, places>(bodies, predictions, blocks[i], settings);
+        sweepTouch<first, places>(bodies, predictions, blocks[i], settings, change);
+    return largest(change);
 }
 
-void sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                  std::size_t count, const SweepSettings& settings) {
+SweepReal sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                       std::size_t count, const SweepSettings& settings) {
     if (settings.first)
-        settings.last ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
-    else
-        settings.last ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
-                      : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
+        return settings.last
+                   ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
+                   : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
+    return settings.last
+               ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
+               : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
+}
+
+/// A corner and the ends of a side, from the reference of the corner's body.
+struct Corners {
+    Unit armP, armA, armB;  // from the centres of their bodies
+    Unit p, a, b;
+};
+inline Unit sum(const Unit& a, const Unit& b) {
+    return {a.x + b.x, a.y + b.y};
+}
+inline Unit difference(const Unit& a, const Unit& b) {
+    return {a.x - b.x, a.y - b.y};
+}
+inline Unit scaled(Vec s, const Unit& a) {
+    return {s * a.x, s * a.y};
+}
+inline Unit blend(const Unit& a, const Unit& b, Vec share) {
+    return sum(a, scaled(share, difference(b, a)));
 }
 
 std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock& t,
                            const TouchShape& shape) {
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
+    Bodies goesP = gather(poses.predictions, t.p), goesA = gather(poses.predictions, t.a),
+           goesB = gather(poses.predictions, t.b);
     const Vec zero{}, one = zero + SweepReal(1), tiny = zero + SweepReal(1e-30);
     const auto same = load(shape.sameBody) > zero, free = load(shape.free) > zero;
-    const Unit headP = headingOf(poses.heading, t.p, p.turn());
-    const Unit headA = headingOf(poses.heading, t.a, a.turn());
-    const Unit headB = choose(same, headA, headingOf(poses.heading, t.b, b.turn()));
-    // From the reference of p: centres, then arms.
-    Unit centreA = between(poses.reference, t.p, t.a), centreB = between(poses.reference, t.p, t.b);
-    centreA.x += a.x();
-    centreA.y += a.y();
-    centreB.x += b.x();
-    centreB.y += b.y();
-    centreB = choose(same, centreA, centreB);
-    const Unit armP = rotated(headP, load(shape.cornerX), load(shape.cornerY));
-    const Unit armA = rotated(headA, load(shape.aX), load(shape.aY));
-    const Unit armB = rotated(headB, load(shape.bX), load(shape.bY));
-    const Vec cornerX = p.x() + armP.x, cornerY = p.y() + armP.y;
-    const Vec startX = centreA.x + armA.x, startY = centreA.y + armA.y;
-    const Vec wayX = centreB.x + armB.x - startX, wayY = centreB.y + armB.y - startY;
-    const Vec length = root(wayX * wayX + wayY * wayY);
-    const auto disc = length <= tiny;
-    const Vec perLength = disc ? zero : one / larger(length, tiny);
-    const Vec ux = wayX * perLength, uy = wayY * perLength;
-    const Vec fromX = cornerX - startX, fromY = cornerY - startY;
-    const Vec place = (fromX * ux + fromY * uy) * perLength;
-    const Vec share = clamped(place, zero, one);
-    const Vec dx = fromX - share * wayX, dy = fromY - share * wayY;
-    const Vec outward = load(shape.outward);
+    const Unit restP = headingsOf(poses.heading, t.p), restA = headingsOf(poses.heading, t.a),
+               restB = headingsOf(poses.heading, t.b);
+    const Unit toA = between(poses.reference, t.p, t.a), toB = between(poses.reference, t.p, t.b);
+    const Unit wayP{goesP.vx() + p.vx(), goesP.vy() + p.vy()};
+    const Unit wayA{goesA.vx() + a.vx(), goesA.vy() + a.vy()};
+    const Unit wayB{goesB.vx() + b.vx(), goesB.vy() + b.vy()};
+    const Vec spinP = goesP.spin() + p.spin(), spinA = goesA.spin() + a.spin(),
+              spinB = goesB.spin() + b.spin();
+    const Unit localP{load(shape.cornerX), load(shape.cornerY)};
+    const Unit localA{load(shape.aX), load(shape.aY)}, localB{load(shape.bX), load(shape.bY)};
+    const auto cornersAt = [&](Vec when) {
+        const Unit headA = turnedOn(restA, a.turn() + when * spinA);
+        const Unit headB = choose(same, headA, turnedOn(restB, b.turn() + when * spinB));
+        Corners c;
+        c.armP = rotated(turnedOn(restP, p.turn() + when * spinP), localP.x, localP.y);
+        c.armA = rotated(headA, localA.x, localA.y);
+        c.armB = rotated(headB, localB.x, localB.y);
+        const Unit centreA = sum(sum(toA, Unit{a.x(), a.y()}), scaled(when, wayA));
+        const Unit centreB = sum(sum(toB, Unit{b.x(), b.y()}), scaled(when, wayB));
+        c.p = sum(sum(Unit{p.x(), p.y()}, scaled(when, wayP)), c.armP);
+        c.a = sum(centreA, c.armA);
+        c.b = sum(choose(same, centreA, centreB), c.armB);
+        return c;
+    };
+    const Vec outward = load(shape.outward), thickness = load(shape.thickness);
+    const auto heightOf = [&](const Corners& c) {
+        const Unit way = difference(c.b, c.a), from = difference(c.p, c.a);
+        const Vec length = root(way.x * way.x + way.y * way.y);
+        return outward * cross(from.x, from.y, way.x, way.y) / larger(length, tiny);
+    };
+    // Geometry is that of the moment at which the two come to touch, as far as is predicted.
+    const Corners start = cornersAt(zero), end = cornersAt(one);
+    const auto isEnd = outward == zero;
+    const Vec endShare = load(shape.endShare);
+    const Unit fromEnd = difference(start.p, blend(start.a, start.b, endShare));
+    const Unit toEnd = difference(end.p, blend(end.a, end.b, endShare));
+    const Vec moment = isEnd ? momentOfPoints(fromEnd, difference(toEnd, fromEnd), thickness)
+                             : momentOfHeight(heightOf(start), heightOf(end), thickness);
+    const Corners then = cornersAt(moment);
+    const Unit armP = then.armP, armA = then.armA, armB = then.armB;
+    const Unit way = difference(then.b, then.a), from = difference(then.p, then.a);
+    const Vec length = root(way.x * way.x + way.y * way.y);
+    const Vec perLength = length <= tiny ? zero : one / larger(length, tiny);
+    const Vec ux = way.x * perLength, uy = way.y * perLength;
+    const Vec place = (from.x * ux + from.y * uy) * perLength;
+    const Vec share = isEnd ? endShare : clamped(place, zero, one);
+    const Vec dx = from.x - share * way.x, dy = from.y - share * way.y;
     const Vec ox = outward * uy, oy = -outward * ux;
-    const Vec height = dx * ox + dy * oy, far = root(dx * dx + dy * dy);
-    const auto inside = (place > zero) & (place < one) & !disc;
-    const Vec safe = larger(far, tiny);
-    const Vec distance = inside ? height : far;
-    const Vec nx = inside ? ox : dx / safe, ny = inside ? oy : dy / safe;
+    const Vec far = root(dx * dx + dy * dy), safe = larger(far, tiny);
+    // Two corners in one place part upwards.
+    const auto apart = far > tiny;
+    const Vec distance = isEnd ? far : dx * ox + dy * oy;
+    const Vec nx = isEnd ? (apart ? dx / safe : zero) : ox;
+    const Vec ny = isEnd ? (apart ? dy / safe : one) : oy;
     const Vec tx = -ny, ty = nx;
     // Both sides act at one point: where the surfaces meet, or at a particle, which cannot turn.
     const Vec back = free ? zero : distance * load(shape.share), rest = distance - back;
@@ -590,8 +708,8 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     const Vec rod = same ? zero : rest * perLength;
     const Vec sideX = -uy, sideY = ux;
     const Vec atX = armP.x - nx * back, atY = armP.y - ny * back;
-    const Vec atAX = same ? p.x() + atX - centreA.x : armA.x;
-    const Vec atAY = same ? p.y() + atY - centreA.y : armA.y;
+    const Vec atAX = same ? atX + (then.p.x - armP.x) - (then.a.x - armA.x) : armA.x;
+    const Vec atAY = same ? atY + (then.p.y - armP.y) - (then.a.y - armA.y) : armA.y;
     const Vec atBX = same ? zero : armB.x, atBY = same ? zero : armB.y;
     // Impulses stay what they are and act along the new directions.
     const Jacobian oldNormal = normalOf(t), oldTangent = tangentOf(t);
@@ -610,6 +728,7 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     store(t.tangentArmA, cross(atAX, atAY, weightA * tx - rod * sideX, weightA * ty - rod * sideY));
     store(t.tangentArmB, cross(atBX, atBY, weightB * tx + rod * sideX, weightB * ty + rod * sideY));
     const Jacobian normal = normalOf(t), tangent = tangentOf(t);
+    const Vec ahead = moment * (along(normal, goesP, goesA, goesB) + along(normal, p, a, b));
     push(oldNormal, -pressing, p, a, b);
     push(oldTangent, -rubbing, p, a, b);
     push(normal, pressing, p, a, b);
@@ -617,7 +736,7 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     const Vec normalK = mobility(normal, p, a, b), tangentK = mobility(tangent, p, a, b);
     store(t.normalMass, normalK > zero ? one / normalK : zero);
     store(t.tangentMass, tangentK > zero ? one / tangentK : zero);
-    store(t.gap, distance - load(shape.thickness) - placeAlong(normal, p, a, b));
+    store(t.gap, distance - thickness - placeAlong(normal, p, a, b) - ahead);
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);

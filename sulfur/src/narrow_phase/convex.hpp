@@ -25,11 +25,12 @@ struct Manifold {
     Real x = 0, y = 0, cosine = 1, sine = 0;  // b in the frame of a
 };
 
-/// `near`: the gap up to which features count, m.
+/// `closing`: how far the surfaces may come towards each other in this step, m. Two that are fast
+/// are looked at where they come to touch in it.
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
-                      Real near);
+                      Real closing);
 
-/// How a body is turned now.
-Heading headingNow(const Movers& movers, std::uint32_t mover);
+/// How a body is turned, when a share of the step is over.
+Heading headingNow(const Movers& movers, std::uint32_t mover, Real moment = 0);
 
 }  // namespace sulfur::detail

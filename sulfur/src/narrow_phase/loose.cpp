@@ -1,9 +1,10 @@
 // Two segments that do not cross are closest at an end of one of them, so that corners before sides
 // are all that can touch. A corner counts
 // - before a side, where the foot of its perpendicular is between the ends;
-// - before a corner, where each is the nearest point of all capsules that end in the other.
-// So seams of a floor, of one body or of many, make no bump. An outline pushes outwards only: what
-// is inside leaves through the nearest side.
+// - before a corner, where each is the nearest point of all capsules that end in the other;
+// each at the moment at which the two come to touch in this step, as far as is predicted. So what
+// is fast meets what is in its way, and seams of a floor make no bump. An outline pushes outwards
+// only: what is inside leaves through the nearest side.
 #include "narrow_phase/loose.hpp"
 
 #include <algorithm>
@@ -20,6 +21,10 @@ namespace {
 /// together and never touch.
 constexpr Real togetherWithin = Real(1.2);
 
+/// The foot of a perpendicular may be so far beyond the end of a side, in its length, so that
+/// nothing slips through where two sides meet.
+constexpr Real beyondEnds = Real(1e-5);
+
 struct Xy {
     Real x = 0, y = 0;
 };
@@ -35,53 +40,74 @@ Xy operator*(Real s, Xy a) {
 Real dot(Xy a, Xy b) {
     return a.x * b.x + a.y * b.y;
 }
+Real cross(Xy a, Xy b) {
+    return a.x * b.y - a.y * b.x;
+}
 Real norm(Xy a) {
     return std::sqrt(dot(a, a));
 }
+Xy at(const CornerWay& c, Real moment = 0) {
+    return {c.x + moment * c.wayX, c.y + moment * c.wayY};
+}
+Xy way(const CornerWay& c) {
+    return {c.wayX, c.wayY};
+}
 
-/// Where a corner is, from the origin of the look, and where it goes in this step.
-struct Place {
-    Xy at, way;
-};
+/// When a height falls to a limit, as a share of the step: 0 if it is there or grows, at most 1.
+Real momentOfHeight(Real start, Real end, Real limit) {
+    return start > limit && end < start ? std::min<Real>((start - limit) / (start - end), 1) : 0;
+}
+/// When two points come as near as a limit, or are nearest.
+Real momentOfPoints(Xy start, Xy way, Real limit) {
+    const Real a = dot(way, way), b = dot(start, way), c = dot(start, start) - limit * limit;
+    if (!(c > 0 && b < 0)) return 0;
+    return std::clamp<Real>((-b - std::sqrt(std::max<Real>(b * b - a * c, 0))) / a, 0, 1);
+}
 
 class Looker {
 public:
-    Looker(const State& state, const Chunk& a, const Chunk& b, LooseLook& result)
+    Looker(const State& state, const Chunk& a, const Chunk& b, const std::vector<KnownSide>& known,
+           LooseLook& result)
         : state_(state),
           shapes_(state.core.shapes),
           movers_(state.core.movers),
           a_(a),
           b_(b),
+          known_(known),
           result_(result) {
         origin_ = movers_.reference[shapes_.corners[a.firstCorner].mover];
-        thickness_ = a.radius + b.radius;
         finest_ = a.fineness + b.fineness;
     }
 
     void run() {
         result_.near.clear();
-        spare_ = Real(1e30);
-        againstSides(a_, b_);
-        if (&a_ != &b_) againstSides(b_, a_);
+        spare_ = entrance_ = Real(1e30);
+        place(a_, result_.cornersA);
+        place(b_, result_.cornersB);
+        againstSides(a_, result_.cornersA, b_, result_.cornersB);
+        if (&a_ != &b_) againstSides(b_, result_.cornersB, a_, result_.cornersA);
         againstCorners();
-        result_.slack = std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_);
-        if (anyCorner_) result_.slack = std::min(result_.slack, Real(0.2) * finest_);
+        result_.slack =
+            std::min(entrance_, std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_));
     }
 
 private:
-    Place placeOf(std::uint32_t corner) const {
+    void place(const Chunk& chunk, std::vector<CornerWay>& corners) const {
+        corners.resize(chunk.corners);
+        for (std::uint32_t k = 0; k < chunk.corners; ++k) corners[k] = wayOf(chunk.firstCorner + k);
+    }
+    CornerWay wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
         const Point from = movers_.reference[c.mover] - origin_;
         const Motion3 motion = motionNow(movers_, c.mover);
-        Place place{{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y},
-                    {motion.x, motion.y}};
-        if (c.x == 0 && c.y == 0) return place;
+        CornerWay w{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y,
+                    motion.x, motion.y};
+        if (c.x == 0 && c.y == 0) return w;
         const Heading h = headingNow(movers_, c.mover);
         const Xy arm{h.cosine * c.x - h.sine * c.y, h.sine * c.x + h.cosine * c.y};
-        place.at = place.at + arm;
-        place.way = place.way + Xy{-motion.turn * arm.y, motion.turn * arm.x};
-        return place;
+        return {w.x + arm.x, w.y + arm.y, w.wayX - motion.turn * arm.y,
+                w.wayY + motion.turn * arm.x};
     }
 
     // --- who may touch whom -----------------------------------------------------------------
@@ -109,80 +135,151 @@ private:
         if (own != body) return false;
         const auto& rest = state_.particles.rest;
         const Vec2 from = rest[denseParticle(sideA)], to = rest[denseParticle(sideB)];
-        const Vec2 way = to - from, v = rest[i] - from;
-        const Real length2 = way.squaredNorm();
-        const Real t = length2 > 0 ? std::clamp(v.dot(way) / length2, Real(0), Real(1)) : Real(0);
-        return (v - t * way).norm() < togetherWithin * (p.radius + radius);
+        const Vec2 along = to - from, v = rest[i] - from;
+        const Real length2 = along.squaredNorm();
+        const Real t = length2 > 0 ? std::clamp(v.dot(along) / length2, Real(0), Real(1)) : Real(0);
+        return (v - t * along).norm() < togetherWithin * (p.radius + radius);
     }
 
     // --- corners before sides ----------------------------------------------------------------
 
-    /// A side as one corner sees it.
-    struct View {
-        std::uint32_t side = none;
-        Real height = 0;  // m, above the side that is outside; either way where both are
-        Real far = 0;     // m, to the nearest point of the segment
-        std::int32_t outward = 0;
-        Real near = 0;  // m, up to which it counts
-    };
-
-    void againstSides(const Chunk& own, const Chunk& other) {
-        for (auto c = own.firstCorner; c < own.firstCorner + own.corners; ++c)
-            if (shapes_.corners[c].owned) againstSides(c, other);
+    void againstSides(const Chunk& own, const std::vector<CornerWay>& corners, const Chunk& other,
+                      const std::vector<CornerWay>& ends) {
+        for (std::uint32_t k = 0; k < own.corners; ++k)
+            if (shapes_.corners[own.firstCorner + k].owned)
+                againstSides(own.firstCorner + k, corners[k], other, ends);
     }
 
-    void againstSides(std::uint32_t corner, const Chunk& other) {
-        const Place p = placeOf(corner);
-        const Corner& self = shapes_.corners[corner];
-        views_.clear();
-        View nearest;
-        nearest.far = Real(1e30);
+    void againstSides(std::uint32_t corner, const CornerWay& p, const Chunk& other,
+                      const std::vector<CornerWay>& ends) {
+        const Real radius = shapes_.corners[corner].radius;
+        auto& before = result_.before;
+        before.clear();
+        Real nearest = Real(1e30), depth = 0;
+        std::uint32_t nearestSide = none;
         for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
             const Side& side = shapes_.sides[s];
             if (side.a == side.b || isBarred(corner, side.a, side.b, other.body, side.radius))
                 continue;
-            const Place a = placeOf(side.a), b = placeOf(side.b);
-            const Xy way = b.at - a.at, v = p.at - a.at;
-            const Real length = norm(way);
-            if (!(length > 0)) continue;
-            const Real t = dot(v, way) / (length * length);
-            const Real share = std::clamp(t, Real(0), Real(1));
-            const Real right = (v.x * way.y - v.y * way.x) / length;
-            const Xy foot = a.at + share * way;
-            View view{s, right, norm(p.at - foot), side.outward, 0};
-            if (side.outward == 0) view.outward = right < 0 ? -1 : 1;
-            view.height = static_cast<Real>(view.outward) * right;
-            const Xy closing = p.way - (a.way + share * (b.way - a.way));
-            const Real thickness = self.radius + side.radius;
-            view.near = Real(0.5) * thickness + 2 * norm(closing);
-            if (view.far - thickness > view.near) {
-                spare_ = std::min(spare_, view.far - thickness);
+            const CornerWay &a = ends[side.a - other.firstCorner],
+                            &b = ends[side.b - other.firstCorner];
+            const Xy along = at(b) - at(a), from = at(p) - at(a);
+            const Real length2 = dot(along, along);
+            if (!(length2 > 0)) continue;
+            const Real share = std::clamp<Real>(dot(from, along) / length2, 0, 1);
+            const Real far = norm(from - share * along);
+            const Xy closing = way(p) - (way(a) + share * (way(b) - way(a)));
+            const Real thickness = radius + side.radius;
+            const Real right = cross(from, along) / std::sqrt(length2);
+            auto outward = side.outward != 0 ? side.outward : sideSoFar(corner, s);
+            if (outward == 0) outward = right < 0 ? -1 : 1;
+            const Real height = static_cast<Real>(outward) * right;
+            if (far < nearest) {
+                nearest = far;
+                nearestSide = s;
+                depth = side.outward != 0 ? -height : 0;
+            }
+            const Real reach = Real(0.5) * thickness + 2 * norm(closing);
+            if (far - thickness > reach) {
+                spare_ = std::min(spare_, far - thickness);
                 continue;
             }
-            if (view.far < nearest.far) nearest = view;
-            if (t > 0 && t < 1)
-                views_.push_back(view);
+            const Real beside = besides(p, a, b, outward, height, thickness);
+            if (beside <= 0)
+                before.push_back({corner, s, height < 0 ? 1u : 0u, outward});
             else
-                spare_ = std::min(spare_, Real(0.5) * finest_);
+                entrance_ = std::min(entrance_, beside);
         }
-        if (nearest.side == none) return;
-        const bool inside = nearest.height < 0;
-        for (const View& view : views_) {
-            if (inside && view.side != nearest.side) continue;
-            if (!inside && view.height < 0) continue;
-            result_.near.push_back({corner, view.side, 0, view.outward,
-                                    view.height - self.radius - shapes_.sides[view.side].radius});
+        if (nearestSide == none) return;
+        if (depth > radius) {
+            leaveThroughNearest(corner, at(p), other);
+            return;
+        }
+        // Behind the nearest side, it counts before that alone.
+        const bool behind = std::any_of(before.begin(), before.end(), [&](const Nearness& n) {
+            return n.side == nearestSide && n.end == 1;
+        });
+        for (const Nearness& n : before)
+            if (behind ? n.side == nearestSide : n.end == 0)
+                result_.near.push_back({n.corner, n.side, 0, n.outward});
+    }
+
+    std::int32_t sideSoFar(std::uint32_t corner, std::uint32_t side) const {
+        for (const KnownSide& k : known_)
+            if (k.corner == corner && k.side == side) return k.outward;
+        return 0;
+    }
+
+    /// m, by which the foot of the perpendicular is beside a side when the two touch.
+    static Real besides(const CornerWay& p, const CornerWay& a, const CornerWay& b,
+                        std::int32_t outward, Real height, Real thickness) {
+        const Xy alongEnd = at(b, 1) - at(a, 1), fromEnd = at(p, 1) - at(a, 1);
+        const Real lengthEnd = norm(alongEnd);
+        const Real turned = static_cast<Real>(outward) * cross(fromEnd, alongEnd);
+        const Real end = lengthEnd > 0 ? turned / lengthEnd : height;
+        const Real moment = momentOfHeight(height, end, thickness);
+        const Xy along = at(b, moment) - at(a, moment), from = at(p, moment) - at(a, moment);
+        const Real length = norm(along);
+        if (!(length > 0)) return norm(from);
+        const Real foot = dot(from, along) / length;
+        return std::max(-foot, foot - length) - beyondEnds * length;
+    }
+
+    /// Deep in a body a corner counts before the nearest side of all its outline, if that is of
+    /// this chunk.
+    void leaveThroughNearest(std::uint32_t corner, Xy p, const Chunk& other) {
+        Real nearest = Real(1e30);
+        std::uint32_t nearestSide = none;
+        int turns = 0;
+        forEachOutlineSide(other.body, [&](std::uint32_t s, Xy a, Xy b, const Side& side) {
+            const Xy along = b - a, from = p - a;
+            // Walking with the body to the left.
+            const bool forth = side.outward > 0;
+            const Xy u = forth ? a : b, v = forth ? b : a;
+            const bool above = u.y > p.y;
+            if (above != (v.y > p.y)) {
+                const Real turn = cross(v - u, p - u);
+                if (above ? turn < 0 : turn > 0) turns += above ? -1 : 1;
+            }
+            const Real length2 = dot(along, along);
+            if (!(length2 > 0)) return;
+            const Real share = std::clamp<Real>(dot(from, along) / length2, 0, 1);
+            const Real far = norm(from - share * along);
+            if (far < nearest) {
+                nearest = far;
+                nearestSide = s;
+            }
+        });
+        entrance_ = std::min(entrance_, Real(0.25) * finest_);
+        if (turns <= 0 || nearestSide == none) return;
+        if (nearestSide < other.firstSide || nearestSide >= other.firstSide + other.sides) return;
+        result_.near.push_back({corner, nearestSide, 0, shapes_.sides[nearestSide].outward});
+    }
+    template <class Function>
+    void forEachOutlineSide(std::uint32_t body, Function&& f) const {
+        for (auto c = shapes_.firstChunk[body]; c != none; c = shapes_.chunks[c].nextOfBody) {
+            const Chunk& chunk = shapes_.chunks[c];
+            for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
+                const Side& side = shapes_.sides[s];
+                if (side.outward != 0 && side.a != side.b)
+                    f(s, at(wayOf(side.a)), at(wayOf(side.b)), side);
+            }
         }
     }
 
     // --- corners before corners ---------------------------------------------------------------
 
-    /// Whether `p` is before the corner and not before a capsule that ends there.
-    bool isBeyond(std::uint32_t corner, Xy at, Xy p) const {
+    /// m, by which `p` is before a capsule that ends in the corner; not above 0 where it is before
+    /// the corner alone.
+    Real beforeSpokes(std::uint32_t corner, Xy place, Xy p, Real moment) const {
         const Corner& c = shapes_.corners[corner];
-        for (auto k = c.firstSpoke; k < c.firstSpoke + c.spokes; ++k)
-            if (dot(p - at, placeOf(shapes_.spokes[k]).at - at) > 0) return false;
-        return true;
+        Real most = 0;
+        for (auto k = c.firstSpoke; k < c.firstSpoke + c.spokes; ++k) {
+            const Xy spoke = at(wayOf(shapes_.spokes[k]), moment) - place;
+            const Real along = dot(p - place, spoke);
+            if (along > 0) most = std::max(most, along / norm(spoke));
+        }
+        return most;
     }
 
     void againstCorners() {
@@ -202,21 +299,27 @@ private:
     }
 
     void againstCorner(std::uint32_t corner, std::uint32_t side, std::uint32_t end) {
-        const Place q = placeOf(corner);
+        const CornerWay& q = result_.cornersB[corner - b_.firstCorner];
         for (auto c = a_.firstCorner; c < a_.firstCorner + a_.corners; ++c) {
             if (!shapes_.corners[c].owned || (&a_ == &b_ && c >= corner)) continue;
             if (isBarred(c, corner, corner, b_.body, shapes_.corners[corner].radius)) continue;
-            const Place p = placeOf(c);
+            const CornerWay& p = result_.cornersA[c - a_.firstCorner];
             const Real thickness = shapes_.corners[c].radius + shapes_.corners[corner].radius;
-            const Real far = norm(p.at - q.at);
-            const Real near = Real(0.5) * thickness + 2 * norm(p.way - q.way);
+            const Xy from = at(p) - at(q), closing = way(p) - way(q);
+            const Real far = norm(from);
+            const Real near = Real(0.5) * thickness + 2 * norm(closing);
             if (far - thickness > near) {
                 spare_ = std::min(spare_, far - thickness);
                 continue;
             }
-            anyCorner_ = true;
-            if (!isBeyond(corner, q.at, p.at) || !isBeyond(c, p.at, q.at)) continue;
-            result_.near.push_back({c, side, end, 0, far - thickness});
+            const Real moment = momentOfPoints(from, closing, thickness);
+            const Xy pAt = at(p, moment), qAt = at(q, moment);
+            const Real beside =
+                std::max(beforeSpokes(corner, qAt, pAt, moment), beforeSpokes(c, pAt, qAt, moment));
+            if (beside > 0)
+                entrance_ = std::min(entrance_, beside);
+            else
+                result_.near.push_back({c, side, end, 0});
         }
     }
 
@@ -224,17 +327,19 @@ private:
     const Shapes& shapes_;
     const Movers& movers_;
     const Chunk &a_, &b_;
+    const std::vector<KnownSide>& known_;
     LooseLook& result_;
     Point origin_{0, 0};
-    Real thickness_ = 0, finest_ = 0, spare_ = 0;
-    bool anyCorner_ = false;
-    std::vector<View> views_;
+    Real finest_ = 0;
+    Real spare_ = 0;     // m, to what is farther than what counts
+    Real entrance_ = 0;  // m, until something that is as near comes before a side or a corner
 };
 
 }  // namespace
 
-void lookLoosely(const State& state, const Chunk& a, const Chunk& b, LooseLook& result) {
-    Looker(state, a, b, result).run();
+void lookLoosely(const State& state, const Chunk& a, const Chunk& b,
+                 const std::vector<KnownSide>& known, LooseLook& result) {
+    Looker(state, a, b, known, result).run();
 }
 
 }  // namespace sulfur::detail

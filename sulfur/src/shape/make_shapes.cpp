@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "collision/materials.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/clusters.hpp"
 #include "shape/make_shapes.hpp"
@@ -13,6 +14,9 @@ namespace sulfur::detail {
 namespace {
 
 constexpr std::size_t mostConvexCorners = 32;
+
+/// Sine of the angle below which two edges go on in one line.
+constexpr double straight = 1e-6;
 
 template <class Id>
 std::uint32_t slotOf(Id id) {
@@ -268,23 +272,39 @@ private:
             const Point u = (rest[edge.to] - rest[edge.from]).cast<double>();
             const Point v = (rest[next.to] - rest[next.from]).cast<double>();
             const double turn = cross(u, v) / (u.norm() * v.norm());
-            if (!(turn > -1e-6) || u.dot(v) < -0.999999 * u.norm() * v.norm()) return false;
+            if (!(turn > -straight) || u.dot(v) < -0.999999 * u.norm() * v.norm()) return false;
+            if (turn < straight &&
+                !(surfaceOf(state_, edge.joint, body_) == surfaceOf(state_, next.joint, body_)))
+                return false;
             turns += std::atan2(cross(u, v), u.dot(v));
         }
         return turns < 1.5 * fullTurn;  // once round, not twice
     }
 
+    /// Edges that go on in one line make one side.
     void addConvex(const std::vector<RimEdge>& loop) {
         begin();
-        for (const RimEdge& edge : loop) addCorner(edge.from);
-        for (const RimEdge& edge : loop) {
-            Side side = sideOf(edge.joint);
-            side.a = corners_.at(edge.from);
-            side.b = corners_.at(edge.to);
+        std::vector<RimEdge> edges;
+        for (std::size_t k = 0; k < loop.size(); ++k)
+            if (isCorner(loop[(k + loop.size() - 1) % loop.size()], loop[k]))
+                edges.push_back(loop[k]);
+        for (const RimEdge& edge : edges) addCorner(edge.from);
+        for (std::size_t k = 0; k < edges.size(); ++k) {
+            Side side;
+            side.a = corners_.at(edges[k].from);
+            side.b = corners_.at(edges[(k + 1) % edges.size()].from);
+            side.joint = slotOf(state_.joints.id[edges[k].joint]);
+            side.radius = state_.joints.radius[edges[k].joint];
             side.outward = 1;
             newSides_.push_back(side);
         }
         finish(ChunkKind::convex);
+    }
+    bool isCorner(const RimEdge& edge, const RimEdge& next) const {
+        const auto& rest = state_.particles.rest;
+        const Point u = (rest[edge.to] - rest[edge.from]).cast<double>();
+        const Point v = (rest[next.to] - rest[next.from]).cast<double>();
+        return cross(u, v) >= straight * u.norm() * v.norm();
     }
 
     /// What is inside of a convex outline is never touched.

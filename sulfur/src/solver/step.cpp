@@ -84,6 +84,7 @@ void runStages(State& state) {
             updateShapes(s);
             takeMotion(s);
             updateBoxes(s);
+            leadApart(s);
         });
         timed(state, Stage::narrowPhase, [](State& s) {
             lookAtPairs(s);

@@ -1,0 +1,200 @@
+// What sticks to each other at two points moves as one, as far as rigid bodies go. Warm starting
+// with few sweeps leaves long waves in piles, which nothing else would damp: the deviation from the
+// motion as one decays. What stands on something that the rows cannot push moves with that;
+// anything else keeps its momentum, also the angular one.
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/contact_core.hpp"
+#include "contacts/stages.hpp"
+#include "core/disjoint_sets.hpp"
+#include "rigid/grip.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Deviations decay at this rate. Waves in a pyramid of base 100 take about a second.
+constexpr double decayRate = 5;  // 1/s
+/// What slides faster does not stick.
+constexpr Real stickingSpeed = Real(0.01);  // m/s
+/// Steps from one time to the next: piles change slowly.
+constexpr std::uint64_t interval = 8;
+
+/// Bodies that move as one.
+struct Rigid {
+    double mass = 0, inertia = 0;   // kg, kg m^2
+    Point centre{0, 0}, way{0, 0};  // m; m in a step
+    double turn = 0;                // rad in a step
+    std::uint32_t stand = none;     // mover on which they stand, or none
+    bool isTorn = false;            // they stand on several
+    std::uint32_t bodies = 0;
+};
+
+class Damper {
+public:
+    explicit Damper(State& state)
+        : state_(state), core_(state.core), movers_(core_.movers), sets_(movers_.size()) {
+        stands_.assign(movers_.size(), none);
+        corners_.assign(movers_.size(), {none, 0});
+    }
+
+    void run() {
+        linkManifolds();
+        countTouches();
+        sum();
+        damp();
+    }
+
+private:
+    bool isPushed(std::uint32_t m) const {
+        const SolverBody& b = movers_.bodies[m];
+        return b.inverseMass > 0 && b.inverseInertia > 0;
+    }
+    void stand(std::uint32_t m, std::uint32_t on) {
+        // On the world or a fixed body nothing moves: all of them are one.
+        const SolverBody& b = movers_.bodies[on];
+        const Prediction& p = movers_.predictions[on];
+        const bool rests = p.vx == 0 && p.vy == 0 && p.spin == 0 && b.vx == 0;
+        const auto what = rests ? 0 : on;
+        stands_[m] = stands_[m] == none || stands_[m] == what ? what : torn;
+    }
+
+    void linkManifolds() {
+        for (const ManifoldList& list : core_.rows.manifolds)
+            for (const ManifoldBlock& r : list.blocks)
+                for (std::size_t l = 0; l < rowLanes; ++l) {
+                    const Real one = r.points[0].pressing[l], other = r.points[1].pressing[l];
+                    if (!(one > 0 && other > 0) || r.slip[l] != 0) continue;
+                    if (!(std::abs(r.rubbing[l]) < r.staticFriction[l] * (one + other))) continue;
+                    const auto a = r.a[l], b = r.b[l];
+                    const Motion3 va = motionNow(movers_, a), vb = motionNow(movers_, b);
+                    const Real slides = r.tangentX[l] * (vb.x - va.x) +
+                                        r.tangentY[l] * (vb.y - va.y) + r.tangentArmB[l] * vb.turn -
+                                        r.tangentArmA[l] * va.turn;
+                    if (std::abs(slides) > stickingSpeed * state_.h) continue;
+                    if (isPushed(a) && isPushed(b))
+                        sets_.unite(a, b);
+                    else if (isPushed(a))
+                        stand(a, b);
+                    else if (isPushed(b))
+                        stand(b, a);
+                }
+    }
+
+    /// Two corners of a body on sides that nothing pushes.
+    void countTouches() {
+        for (const TouchList& list : core_.rows.touches)
+            for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+                const TouchBlock& t = list.blocks[k];
+                const TouchShape& shape = list.shapes[k];
+                for (std::size_t l = 0; l < rowLanes; ++l) {
+                    if (!(t.pressing[l] > 0) || t.slip[l] != 0 || !(shape.sameBody[l] > 0))
+                        continue;
+                    if (!(std::abs(t.rubbing[l]) < t.staticFriction[l] * t.pressing[l])) continue;
+                    const bool cornerMoves = isPushed(t.p[l]), sideMoves = isPushed(t.a[l]);
+                    if (cornerMoves == sideMoves) continue;
+                    const auto m = cornerMoves ? t.p[l] : t.a[l];
+                    const auto on = cornerMoves ? t.a[l] : t.p[l];
+                    auto& [what, count] = corners_[m];
+                    if (what != on) {
+                        what = on;
+                        count = 0;
+                    }
+                    const Motion3 vp = motionNow(movers_, t.p[l]), va = motionNow(movers_, t.a[l]);
+                    const Real slides = -t.normalY[l] * (vp.x - va.x) +
+                                        t.normalX[l] * (vp.y - va.y) + t.tangentArmP[l] * vp.turn -
+                                        t.tangentArmA[l] * va.turn;
+                    if (std::abs(slides) > stickingSpeed * state_.h) continue;
+                    if (++count == 2) stand(m, on);
+                }
+            }
+    }
+
+    Point placeOf(std::uint32_t m) const {
+        const SolverBody& b = movers_.bodies[m];
+        return movers_.reference[m] + Vec2(b.x, b.y).cast<double>();
+    }
+
+    void sum() {
+        rigids_.assign(movers_.size(), {});
+        for (const auto m : core_.awakeMovers) {
+            if (!isPushed(m)) continue;
+            const SolverBody& b = movers_.bodies[m];
+            Rigid& r = rigids_[sets_.find(m)];
+            const double mass = 1 / static_cast<double>(b.inverseMass);
+            const Motion3 v = motionNow(movers_, m);
+            r.mass += mass;
+            r.centre += mass * placeOf(m);
+            r.way += mass * Vec2(v.x, v.y).cast<double>();
+            ++r.bodies;
+            if (stands_[m] == none) continue;
+            r.isTorn = r.isTorn || stands_[m] == torn || (r.stand != none && r.stand != stands_[m]);
+            r.stand = stands_[m];
+        }
+        for (const auto m : core_.awakeMovers) {
+            if (!isPushed(m)) continue;
+            const SolverBody& b = movers_.bodies[m];
+            Rigid& r = rigids_[sets_.find(m)];
+            const double mass = 1 / static_cast<double>(b.inverseMass);
+            const double inertia = 1 / static_cast<double>(b.inverseInertia);
+            const Motion3 v = motionNow(movers_, m);
+            const Point arm = placeOf(m) - r.centre / r.mass;
+            r.inertia += inertia + mass * arm.squaredNorm();
+            r.turn += inertia * static_cast<double>(v.turn) +
+                      mass * cross(arm, Vec2(v.x, v.y).cast<double>());
+        }
+    }
+
+    void damp() {
+        const double share = 1 - std::exp(-decayRate * static_cast<double>(interval) *
+                                          static_cast<double>(state_.h));
+        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
+            const auto m = core_.awakeMovers[k];
+            if (!isPushed(m)) continue;
+            const Rigid& r = rigids_[sets_.find(m)];
+            if (r.isTorn || (r.stand == none && r.bodies < 2)) continue;
+            Point centre = r.centre / r.mass, way = r.way / r.mass;
+            double turn = r.turn / r.inertia;
+            if (r.stand != none) {
+                const Motion3 v = motionNow(movers_, r.stand);
+                centre = placeOf(r.stand);
+                way = Vec2(v.x, v.y).cast<double>();
+                turn = static_cast<double>(v.turn);
+            }
+            const Point arm = placeOf(m) - centre;
+            const Point wanted = way + turn * Point(-arm[1], arm[0]);
+            const Motion3 v = motionNow(movers_, m);
+            const Vec2 change = (share * (wanted - Vec2(v.x, v.y).cast<double>())).cast<Real>();
+            const Real spin = static_cast<Real>(share * (turn - static_cast<double>(v.turn)));
+            movers_.predictions[m].vx += change[0];
+            movers_.predictions[m].vy += change[1];
+            movers_.predictions[m].spin += spin;
+            Cluster& c = state_.clusters.list[core_.awakeDense[k]];
+            c.displacement += change;
+            c.angle += static_cast<double>(spin);
+            updateTurn(c);
+        }
+    }
+
+    static constexpr std::uint32_t torn = none - 1;
+
+    State& state_;
+    ContactCore& core_;
+    Movers& movers_;
+    DisjointSets sets_;
+    std::vector<std::uint32_t> stands_;  // by mover: what it stands on, or none, or torn
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
+    std::vector<Rigid> rigids_;
+};
+
+}  // namespace
+
+void dampSticking(State& state) {
+    ContactCore& core = state.core;
+    if (core.dampedAfter++ % interval != 0) return;
+    Damper(state).run();
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,281 @@
+// Bodies that are made or put by hand into each other are led apart as wholes: along the shortest
+// way on which their outlines, taken as convex, come free, not faster than any overlap is pushed
+// apart, and without leaving velocity behind. Until then no rows act between them.
+#include <algorithm>
+#include <limits>
+
+#include "contacts/contact_core.hpp"
+#include "contacts/stages.hpp"
+#include "rigid/clusters.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr double leadingSpeed = 0.9;  // m/s, of a body
+/// Share of the thickness from which on the rows push apart what is left.
+constexpr double tolerated = 0.9;
+
+/// A capsule or disc of a body: where its ends are now.
+struct Thick {
+    Point a{0, 0}, b{0, 0};
+    double radius = 0;
+    std::int32_t outward = 0;
+    bool disc = false;
+};
+
+Point placeOf(const ContactCore& core, std::uint32_t corner) {
+    const Corner& c = core.shapes.corners[corner];
+    const SolverBody& body = core.movers.bodies[c.mover];
+    const Heading& h = core.movers.heading[c.mover];
+    const Real cosine = h.cosine - h.sine * body.turn, sine = h.sine + h.cosine * body.turn;
+    return core.movers.reference[c.mover] +
+           Vec2(body.x + cosine * c.x - sine * c.y, body.y + sine * c.x + cosine * c.y)
+               .cast<double>();
+}
+
+std::vector<Thick> surfacesOfBody(const ContactCore& core, std::uint32_t bodySlot) {
+    std::vector<Thick> list;
+    for (auto c = core.shapes.firstChunk[bodySlot]; c != none;
+         c = core.shapes.chunks[c].nextOfBody) {
+        const Chunk& chunk = core.shapes.chunks[c];
+        for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
+            const Side& side = core.shapes.sides[s];
+            list.push_back({placeOf(core, side.a), placeOf(core, side.b),
+                            static_cast<double>(side.radius), side.outward, side.a == side.b});
+        }
+    }
+    return list;
+}
+
+/// Whether a point is within the outline that one-sided capsules make, by its winding number.
+bool encloses(const std::vector<Thick>& outline, const Point& p) {
+    int turns = 0;
+    for (const Thick& t : outline) {
+        if (t.outward == 0 || t.disc) continue;
+        const Point& from = t.outward > 0 ? t.a : t.b;
+        const Point& to = t.outward > 0 ? t.b : t.a;
+        const bool above = from[1] > p[1];
+        if (above == (to[1] > p[1])) continue;
+        const double turn = cross(to - from, p - from);
+        if (above ? turn < 0 : turn > 0) turns += above ? -1 : 1;
+    }
+    return turns > 0;
+}
+
+bool cross(const Thick& s, const Thick& t) {
+    const auto side = [](const Point& a, const Point& b, const Point& p) {
+        return sulfur::cross(b - a, p - a);
+    };
+    return side(s.a, s.b, t.a) * side(s.a, s.b, t.b) < 0 &&
+           side(t.a, t.b, s.a) * side(t.a, t.b, s.b) < 0;
+}
+
+/// Deeper than their surfaces are thick: an end of one is within the other's outline, or two lines
+/// cross of which one is part of an outline. Two discs, when each has the other's centre in it.
+bool areInEachOther(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+    if (one.size() == 1 && other.size() == 1 && one[0].disc && other[0].disc)
+        return (one[0].a - other[0].a).norm() < std::min(one[0].radius, other[0].radius);
+    const auto holds = [](const std::vector<Thick>& outer, const std::vector<Thick>& inner) {
+        return std::any_of(inner.begin(), inner.end(), [&](const Thick& t) {
+            return encloses(outer, t.a) || encloses(outer, t.b);
+        });
+    };
+    if (holds(one, other) || holds(other, one)) return true;
+    for (const Thick& s : one)
+        for (const Thick& t : other)
+            if ((s.outward != 0 || t.outward != 0) && !s.disc && !t.disc && cross(s, t))
+                return true;
+    return false;
+}
+
+double distanceToSegment(const Point& p, const Thick& t) {
+    const Point along = t.b - t.a;
+    const double square = along.squaredNorm();
+    const double share = square > 0 ? std::clamp((p - t.a).dot(along) / square, 0.0, 1.0) : 0.0;
+    return (p - t.a - share * along).norm();
+}
+
+/// Whether the surfaces still overlap by a good part of their thickness.
+bool overlap(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+    for (const Thick& s : one)
+        for (const Thick& t : other) {
+            const double near = tolerated * (s.radius + t.radius);
+            if (distanceToSegment(s.a, t) < near || distanceToSegment(s.b, t) < near ||
+                distanceToSegment(t.a, s) < near || distanceToSegment(t.b, s) < near)
+                return true;
+        }
+    return false;
+}
+
+/// A way out: the first body moves by `depth` along `direction` against the second.
+struct WayOut {
+    Point direction{0, 1};
+    double depth = std::numeric_limits<double>::max();  // m
+};
+
+double extentOf(const std::vector<Thick>& body, const Point& direction) {
+    double most = -std::numeric_limits<double>::max();
+    for (const Thick& t : body)
+        most = std::max(most, std::max(direction.dot(t.a), direction.dot(t.b)) + t.radius);
+    return most;
+}
+
+WayOut shortestWayOut(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+    WayOut best;
+    const auto consider = [&](const Point& way) {
+        const double length = way.norm();
+        if (!(length > 1e-9)) return;
+        const Point direction = way / length;
+        const double depth = extentOf(other, direction) + extentOf(one, -direction);
+        // A way that is as short as one before it to rounding does not take its place.
+        if (depth < best.depth * (1 - 1e-9) - 1e-9) best = {direction, depth};
+    };
+    consider(one.front().a - other.front().a);
+    for (const auto& [body, sign] : {std::pair(&one, -1.0), std::pair(&other, 1.0)})
+        for (const Thick& t : *body) {
+            if (t.outward == 0 || t.disc) continue;
+            const Point along = (t.outward > 0 ? 1.0 : -1.0) * (t.b - t.a);
+            consider(sign * Point(along[1], -along[0]));
+        }
+    if (best.depth == std::numeric_limits<double>::max()) consider(Point(0, 1));
+    return best;
+}
+
+/// A body as a whole.
+struct Whole {
+    std::uint32_t body = 0;  // dense index
+    double inverseMass = 0;  // 1/kg; 0 if anything holds it
+    Point way{0, 0};         // m, mean displacement in this step
+};
+
+Whole wholeOf(const State& state, std::uint32_t body) {
+    const BodyRecord& record = state.bodies[body];
+    Whole whole{body};
+    double mass = 0;
+    bool isHeld = record.kind != BodyKind::dynamic;
+    const auto last = record.firstParticle + record.particles.size();
+    for (auto i = record.firstParticle; i < last; ++i) {
+        const double m = static_cast<double>(state.particles.mass[i]);
+        const auto c = state.particles.cluster[i];
+        mass += m;
+        isHeld = isHeld || state.particles.pinned[i];
+        whole.way +=
+            m * (c == none ? state.particles.displacement[i] : state.clusters.list[c].displacement)
+                    .cast<double>();
+    }
+    whole.way /= mass;
+    whole.inverseMass = isHeld ? 0 : 1 / mass;
+    return whole;
+}
+
+template <class OfParticle, class OfCluster>
+void forEachPart(State& state, std::uint32_t body, OfParticle&& ofParticle, OfCluster&& ofCluster) {
+    const BodyRecord& record = state.bodies[body];
+    const auto last = record.firstParticle + record.particles.size();
+    for (auto i = record.firstParticle; i < last; ++i)
+        if (state.particles.cluster[i] == none) ofParticle(i);
+    for (const auto c : state.work.awakeClusters)
+        if (state.clusters.list[c].body == body) ofCluster(state.clusters.list[c]);
+}
+
+void addVelocity(State& state, std::uint32_t body, const Vec2& by) {
+    forEachPart(
+        state, body, [&](std::uint32_t i) { state.particles.displacement[i] += by; },
+        [&](Cluster& c) { c.displacement += by; });
+}
+
+/// Whoever was put somewhere is looked at once.
+void findOverlaps(State& state) {
+    ContactCore& core = state.core;
+    for (BodyRecord& body : state.bodies) {
+        if (!std::exchange(body.placed, false)) continue;
+        const auto slot = body.id.index - 1;
+        if (slot >= core.shapes.firstChunk.size()) continue;
+        for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody)
+            for (auto at = core.shapes.chunks[c].firstPair; at != none;
+                 at = core.pairs[at / 2].next[at % 2])
+                core.leading.push_back(core.pairs[at / 2].encounter);
+    }
+    std::sort(core.leading.begin(), core.leading.end());
+    core.leading.erase(std::unique(core.leading.begin(), core.leading.end()), core.leading.end());
+    state.anyPlaced = false;
+}
+
+/// Whether two bodies still are in each other; then they are led on.
+bool lead(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    Encounter& encounter = core.encounters[index];
+    if (!encounter.a || encounter.firstPair == none || encounter.a == encounter.b) return false;
+    const auto slotA = encounter.a.index - 1, slotB = encounter.b.index - 1;
+    if (std::binary_search(core.linkedBodies.begin(), core.linkedBodies.end(),
+                           std::pair(slotA, slotB)))
+        return false;
+    const auto one = surfacesOfBody(core, slotA), other = surfacesOfBody(core, slotB);
+    if (!areInEachOther(one, other) && !(encounter.overlapping != 0 && overlap(one, other)))
+        return false;
+    const Whole a = wholeOf(state, state.bodySlots.denseOf(slotA)),
+                b = wholeOf(state, state.bodySlots.denseOf(slotB));
+    const double weights = a.inverseMass + b.inverseMass;
+    if (weights == 0) return false;
+    for (const auto& whole : {a, b})
+        if (state.bodies[whole.body].asleep)
+            core.toWake.push_back(state.bodies[whole.body].id.index - 1);
+    const WayOut way = shortestWayOut(one, other);
+    const auto share = [&](double w, double by) {
+        return Vec2((w / weights * by * way.direction).cast<Real>());
+    };
+    const double closing = way.direction.dot(a.way - b.way);
+    if (closing < 0) {
+        addVelocity(state, a.body, share(a.inverseMass, -closing));
+        addVelocity(state, b.body, share(b.inverseMass, closing));
+    }
+    const double move = std::min(way.depth, leadingSpeed * static_cast<double>(state.h));
+    core.leads.push_back({a.body, share(a.inverseMass, move)});
+    core.leads.push_back({b.body, share(b.inverseMass, -move)});
+    return true;
+}
+
+}  // namespace
+
+void leadApart(State& state) {
+    ContactCore& core = state.core;
+    core.leads.clear();
+    if (state.anyPlaced) findOverlaps(state);
+    if (core.leading.empty()) return;
+    std::erase_if(core.leading, [&](std::uint32_t index) {
+        const bool goesOn = lead(state, index);
+        core.encounters[index].overlapping = goesOn ? 1 : 0;
+        return !goesOn;
+    });
+    takeMotionAgain(state);
+}
+
+void endLeads(State& state) {
+    ContactCore& core = state.core;
+    std::stable_sort(core.leads.begin(), core.leads.end(),
+                     [](const Lead& a, const Lead& b) { return a.body < b.body; });
+    for (std::size_t k = 0; k < core.leads.size();) {
+        const auto body = core.leads[k].body;
+        Vec2 move(0, 0);
+        for (; k < core.leads.size() && core.leads[k].body == body; ++k) move += core.leads[k].way;
+        const Real length = move.norm(), most = static_cast<Real>(leadingSpeed) * state.h;
+        if (length == 0) continue;
+        if (length > most) move *= most / length;
+        forEachPart(
+            state, body,
+            [&](std::uint32_t i) { state.particles.position[i] += move.cast<double>(); },
+            [&](Cluster& c) { c.shift += move; });
+        for (auto c = core.shapes.firstChunk[state.bodies[body].id.index - 1]; c != none;
+             c = core.shapes.chunks[c].nextOfBody) {
+            const Chunk& chunk = core.shapes.chunks[c];
+            if (chunk.uses > 1) core.movers.odometer[chunk.frame] += static_cast<double>(length);
+            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+                core.movers.odometer[core.shapes.uses[u].mover] += static_cast<double>(length);
+        }
+        state.bodies[body].restingTime = 0;
+    }
+}
+
+}  // namespace sulfur::detail

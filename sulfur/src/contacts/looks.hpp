@@ -1,0 +1,40 @@
+// Looking at a pair: which corners are near which sides, and what follows for its rows.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sulfur/math.hpp>
+
+#include "contacts/contact_core.hpp"
+
+namespace sulfur::detail {
+
+struct State;
+
+/// How surfaces meet.
+struct Surfaces {
+    Real staticFriction = 0, kineticFriction = 0, restitution = 0;
+    Real speed = 0;  // m/s along the tangent
+};
+/// Of a corner and a side, by their bodies' slots.
+Surfaces surfacesOf(const State& state, std::uint32_t corner, std::uint32_t bodyA,
+                    std::uint32_t side, std::uint32_t bodyB);
+
+/// What a point of a row is about: particles of corner and side.
+std::array<std::uint32_t, 3> particlesOf(const Shapes& shapes, std::uint32_t corner,
+                                         std::uint32_t side);
+
+/// Of a row about the same particles that went in this step, or null.
+const Heir* findHeir(const ContactCore& core, const std::array<std::uint32_t, 3>& particles);
+/// Leaves the impulses of a row that goes to whoever comes to stand for the same particles.
+void leaveToHeirs(ContactCore& core, const std::array<std::uint32_t, 3>& particles, Real pressing,
+                  Real rubbing);
+
+/// Both chunks are convex: one row of up to two points.
+void lookAtManifold(State& state, std::uint32_t pair);
+/// Something of either may move by itself: a row for each corner that is near a side.
+void lookAtTouches(State& state, std::uint32_t pair);
+/// Takes a touch away that is in no list of a pair.
+void dropTouch(ContactCore& core, std::uint32_t touch);
+
+}  // namespace sulfur::detail
