@@ -23,18 +23,18 @@ struct Pair {
     std::uint32_t isManifold = 0;      // both are convex, and nothing forbids corners
     /// Neighbours in the lists of pairs of a and b: the pair's number twice, plus 1 for its b.
     std::array<std::uint32_t, 2> next{none, none}, previous{none, none};
-    std::uint32_t watch = none;  // its place among the watches, or none while all sleeps
-    RowPlace row;                // of a manifold that is near
+    std::uint32_t watch = none;       // its place among the watches, or none while all sleeps
+    RowPlace row;                     // of a manifold that is near
+    std::uint32_t firstTouch = none;  // of others
+    std::uint32_t encounter = none;
     /// Of its points: the particles (slots) of corner and side, or none.
     std::array<std::array<std::uint32_t, 3>, 2> features{{{none, none, none}, {none, none, none}}};
     // While its row sleeps: kg m, impulses of its points and its friction, and its normals.
     std::array<Real, 3> kept{};
     std::array<Real, 4> keptNormal{};  // x and y of each
     Real restitution = 0;
-    Real blow = 0, approach = 0;      // N s by impacts of this step, and m/s before them
-    std::uint32_t keptPressing = 0;   // 1: the row that sleeps pressed
-    std::uint32_t firstTouch = none;  // of others
-    std::uint32_t encounter = none;
+    Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
+    std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
 };
 
@@ -57,9 +57,12 @@ struct Encounter {
     BodyId a, b;                     // a < b; null where the slot is free
     std::uint32_t firstPair = none;  // of chunks; see Pair
     std::uint32_t pressing = 0;      // rows that press, asleep or not
-    std::uint32_t touching = 0;      // 1: it was told that they touch
+    std::uint32_t touching = 0;      // 1: they did when rows were last asked
     std::uint32_t changed = 0;       // 1: it is in the list of those that may have changed
-    std::uint32_t overlapping = 0;   // 1: they were made in each other and are led apart
+    // While it is in that list:
+    std::uint32_t touched = 0;      // 1: they did when the tick began
+    std::uint32_t begun = none;     // its event in Events::contactsBegun, or none
+    std::uint32_t overlapping = 0;  // 1: they were made in each other and are led apart
     std::uint32_t nextInBucket = none;
 };
 
@@ -121,6 +124,7 @@ struct ContactCore {
 
     // Scratch of a tick.
     std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
+    std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
     std::vector<Lead> leads;
@@ -129,10 +133,12 @@ struct ContactCore {
     std::vector<Passing> passings;
     std::vector<Motion3> ways;  // by mover: how it goes in this step
     std::vector<Blow> blows;
+    std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> toWake;  // bodies by slot
     bool on = false;
     bool listsStale = true;
+    std::uint32_t listedBodies = 0;  // the first so many are in the lists, if these are not stale
     bool keepsHeirs = false;
 
     template <class Archive>

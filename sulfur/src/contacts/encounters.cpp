@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <initializer_list>
 #include <utility>
 
 #include "contacts/contact_core.hpp"
@@ -58,7 +59,10 @@ void freeEncounter(ContactCore& core, std::uint32_t e) {
 }
 
 void noteChange(ContactCore& core, std::uint32_t e) {
-    if (std::exchange(core.encounters[e].changed, 1) == 0) core.changedEncounters.push_back(e);
+    Encounter& encounter = core.encounters[e];
+    if (std::exchange(encounter.changed, 1) != 0) return;
+    encounter.touched = encounter.touching;
+    core.changedEncounters.push_back(e);
 }
 
 }  // namespace
@@ -105,34 +109,37 @@ struct Push {
     Point point{0, 0};
 };
 
+/// What begins and what ends is told of a whole tick, whose steps it follows: who touches before
+/// and after has neither begun nor ended, and impulses add up.
 class Teller {
 public:
-    explicit Teller(State& state) : state_(state), core_(state.core) {}
+    explicit Teller(State& state) : state_(state), core_(state.core), events_(state.events) {}
 
     void run() {
-        auto& inexact = core_.movers.inexact;
-        notePressing(
-            core_.rows.manifolds, rowKernels().pressingManifolds,
-            [&](const ManifoldBlock& block, const ManifoldShape& shape, std::uint32_t lane) {
-                inexact[block.a[lane]] = inexact[block.b[lane]] = 1;
-                return shape.pair[lane];
-            });
+        notePressing(core_.rows.manifolds, rowKernels().pressingManifolds,
+                     [&](const ManifoldBlock& block, const ManifoldShape& shape, std::uint32_t lane,
+                         bool presses) {
+                         if (!presses) restart({block.a[lane], block.b[lane]});
+                         return shape.pair[lane];
+                     });
         notePressing(core_.rows.touches, rowKernels().pressingTouches,
-                     [&](const TouchBlock& block, const TouchShape& shape, std::uint32_t lane) {
-                         inexact[block.p[lane]] = inexact[block.a[lane]] = inexact[block.b[lane]] =
-                             1;
+                     [&](const TouchBlock& block, const TouchShape& shape, std::uint32_t lane,
+                         bool presses) {
+                         if (!presses) restart({block.p[lane], block.a[lane], block.b[lane]});
                          return core_.touches[shape.touch[lane]].pair;
                      });
-        const std::size_t firstBegun = state_.events.contactsBegun.size();
-        const std::size_t firstEnded = state_.events.contactsEnded.size();
-        for (const auto e : core_.changedEncounters) tell(e);
-        core_.changedEncounters.clear();
-        sort(state_.events.contactsBegun, firstBegun);
-        sort(state_.events.contactsEnded, firstEnded);
-        tellPersisting();
+        for (const auto e : core_.changedEncounters) follow(core_.encounters[e]);
+        const bool last = state_.stepsLeft == 1;
+        if (state_.settings.tellPersisting) followPersisting(last);
+        if (last) endTick();
     }
 
 private:
+    /// What was added and taken away again leaves roundings.
+    void restart(std::initializer_list<std::uint32_t> movers) {
+        for (const auto m : movers) core_.movers.inexact[m] = 1;
+    }
+
     template <class Lists, class Kernel, class PairOf>
     void notePressing(Lists& lists, Kernel&& kernel, PairOf&& pairOf) {
         for (auto& list : lists)
@@ -140,54 +147,68 @@ private:
                 const std::uint32_t now = kernel(list.blocks[k]);
                 for (auto set = now ^ list.pressing[k]; set != 0; set &= set - 1) {
                     const auto lane = static_cast<std::uint32_t>(std::countr_zero(set));
-                    const auto pair = pairOf(list.blocks[k], list.shapes[k], lane);
-                    addPressing(core_, core_.pairs[pair].encounter, now >> lane & 1 ? 1 : -1);
+                    const bool presses = (now >> lane & 1) != 0;
+                    const auto pair = pairOf(list.blocks[k], list.shapes[k], lane, presses);
+                    addPressing(core_, core_.pairs[pair].encounter, presses ? 1 : -1);
                 }
                 list.pressing[k] = static_cast<std::uint8_t>(now);
             }
     }
 
-    void tell(std::uint32_t e) {
-        Encounter& encounter = core_.encounters[e];
-        encounter.changed = 0;
-        if (encounter.pressing > 0 && encounter.touching == 0) {
-            encounter.touching = 1;
-            const Push p = pushOf(encounter);
-            state_.events.contactsBegun.push_back(
-                {p.a, p.b, p.point, p.normal, std::max<Real>(p.speed, 0), p.impulse});
-            begun_.push_back(e);
-        } else if (encounter.pressing == 0 && encounter.touching == 1) {
-            encounter.touching = 0;
-            state_.events.contactsEnded.push_back({encounter.a, encounter.b});
+    void follow(Encounter& encounter) {
+        encounter.touching = encounter.pressing > 0 ? 1 : 0;
+        if (encounter.touching == 0 || encounter.touched == 1) return;
+        const Push p = pushOf(encounter);
+        if (encounter.begun != none) {
+            events_.contactsBegun[encounter.begun].impulse += p.impulse;
+            return;
         }
-        if (encounter.firstPair == none) freeEncounter(core_, e);
+        encounter.begun = static_cast<std::uint32_t>(events_.contactsBegun.size());
+        events_.contactsBegun.push_back(
+            {p.a, p.b, p.point, p.normal, std::max<Real>(p.speed, 0), p.impulse});
     }
 
-    void tellPersisting() {
-        // What began in an earlier step of the tick goes on to push: mergeSteps() adds that up.
-        if (!state_.settings.tellPersisting && stepsPerTick(state_.settings.tickRate) == 1) return;
-        std::sort(begun_.begin(), begun_.end());
-        const std::size_t first = state_.events.contactsPersisted.size();
-        state_.touching.clear();
+    void followPersisting(bool last) {
+        auto& impulses = core_.impulses;
+        impulses.resize(core_.encounters.size(), 0);
         for (std::uint32_t e = 0; e < core_.encounters.size(); ++e) {
             const Encounter& encounter = core_.encounters[e];
-            if (encounter.touching == 0) continue;
-            state_.touching.push_back({encounter.a, encounter.b});
-            if (std::binary_search(begun_.begin(), begun_.end(), e)) continue;
-            const Push p = pushOf(encounter);
-            if (p.most < 0) continue;  // of sleepers
-            state_.events.contactsPersisted.push_back({p.a, p.b, p.point, p.normal, p.impulse});
+            if (encounter.touching == 1 && encounter.begun == none) {
+                const Push p = pushOf(encounter);
+                impulses[e] += p.impulse;
+                if (last && p.most >= 0)  // not of sleepers
+                    events_.contactsPersisted.push_back({p.a, p.b, p.point, p.normal, impulses[e]});
+            }
+            if (last) impulses[e] = 0;
         }
-        std::sort(state_.touching.begin(), state_.touching.end());
-        sort(state_.events.contactsPersisted, first);
+        if (last) sort(events_.contactsPersisted);
+    }
+
+    void endTick() {
+        const auto isGone = [&](const auto& e) {
+            return !state_.bodySlots.contains(e.a) || !state_.bodySlots.contains(e.b);
+        };
+        for (const auto e : core_.changedEncounters) {
+            Encounter& encounter = core_.encounters[e];
+            // Who came and is gone has never been told of.
+            if (encounter.touching == 0 &&
+                (encounter.touched == 1 || (encounter.begun != none && !isGone(encounter))))
+                events_.contactsEnded.push_back({encounter.a, encounter.b});
+            encounter.changed = 0;
+            encounter.begun = none;
+            if (encounter.firstPair == none) freeEncounter(core_, e);
+        }
+        core_.changedEncounters.clear();
+        std::erase_if(events_.contactsBegun, isGone);
+        sort(events_.contactsBegun);
+        sort(events_.contactsEnded);
     }
 
     template <class Event>
-    static void sort(std::vector<Event>& events, std::size_t first) {
-        std::sort(events.begin() + static_cast<std::ptrdiff_t>(first), events.end(),
-                  [](const Event& x, const Event& y) {
-                      return BodyPair::of(x.a, x.b) < BodyPair::of(y.a, y.b);
-                  });
+    static void sort(std::vector<Event>& events) {
+        std::sort(events.begin(), events.end(), [](const Event& x, const Event& y) {
+            return BodyPair::of(x.a, x.b) < BodyPair::of(y.a, y.b);
+        });
     }
 
     Push pushOf(const Encounter& encounter) const {
@@ -239,7 +260,7 @@ private:
 
     State& state_;
     ContactCore& core_;
-    std::vector<std::uint32_t> begun_;
+    Events& events_;
 };
 
 }  // namespace

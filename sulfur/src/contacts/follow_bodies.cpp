@@ -79,46 +79,64 @@ void spreadStaleness(State& state) {
     }
 }
 
+/// How many surfaces bounce.
+std::uint32_t countBouncing(const State& state, const BodyRecord& body) {
+    const auto& material = state.joints.material;
+    return static_cast<std::uint32_t>(
+        (body.material.restitution > 0) +
+        std::count_if(body.joints.begin(), body.joints.end(), [&](JointId id) {
+            return material[state.jointSlots.dense(id)].restitution > 0;
+        }));
+}
+
+/// What one mover carries of an awake chunk.
+void listMover(State& state, std::uint32_t m) {
+    ContactCore& core = state.core;
+    if (core.denseOfMover[m] != none) return;
+    const auto leader = core.movers.particle[m];
+    if (leader == none) return;
+    const auto i = state.particleSlots.denseOf(leader);
+    if (!state.awake(state.particles.body[i])) return;
+    const auto cluster = state.particles.cluster[i];
+    core.awakeMovers.push_back(m);
+    core.awakeIsCluster.push_back(cluster != none);
+    core.awakeDense.push_back(cluster != none ? cluster : i);
+    core.denseOfMover[m] = core.awakeDense.back();
+    core.moverIsCluster[m] = core.awakeIsCluster.back();
+}
+
+/// Lists what is awake of the bodies that are not in the lists yet.
 void listAwake(State& state) {
     ContactCore& core = state.core;
-    Movers& movers = core.movers;
-    core.awakeMovers.clear();
-    core.awakeDense.clear();
-    core.awakeIsCluster.clear();
-    core.awakeChunks.clear();
-    core.awakeStrips.clear();
-    core.denseOfMover.assign(movers.size(), none);
-    core.moverIsCluster.assign(movers.size(), 0);
-    core.bouncingPairs = 0;
-    for (const BodyRecord& body : state.bodies)
-        if (body.material.restitution > 0) ++core.bouncingPairs;
-    for (const Material& material : state.joints.material)
-        if (material.restitution > 0) ++core.bouncingPairs;
-    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
-        const bool awake = state.awake(b);
-        const auto slot = state.bodies[b].id.index - 1;
+    core.denseOfMover.resize(core.movers.size(), none);
+    core.moverIsCluster.resize(core.movers.size(), 0);
+    for (; core.listedBodies < state.bodies.size(); ++core.listedBodies) {
+        const BodyRecord& body = state.bodies[core.listedBodies];
+        core.bouncingPairs += countBouncing(state, body);
+        const bool awake = state.awake(core.listedBodies);
+        const auto slot = body.id.index - 1;
         if (slot >= core.shapes.firstChunk.size()) continue;
         for (auto c = core.shapes.firstChunk[slot]; c != none;
              c = core.shapes.chunks[c].nextOfBody) {
             const Chunk& chunk = core.shapes.chunks[c];
             if (awake) core.awakeChunks.push_back(c);
             if (awake && chunk.uses > 1) core.awakeStrips.push_back(c);
-            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
-                const auto m = core.shapes.uses[u].mover;
-                if (core.denseOfMover[m] != none) continue;
-                const auto leader = movers.particle[m];
-                if (leader == none) continue;
-                const auto i = state.particleSlots.denseOf(leader);
-                if (!state.awake(state.particles.body[i])) continue;
-                const auto cluster = state.particles.cluster[i];
-                core.awakeMovers.push_back(m);
-                core.awakeIsCluster.push_back(cluster != none);
-                core.awakeDense.push_back(cluster != none ? cluster : i);
-                core.denseOfMover[m] = core.awakeDense.back();
-                core.moverIsCluster[m] = core.awakeIsCluster.back();
-            }
+            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+                listMover(state, core.shapes.uses[u].mover);
         }
     }
+}
+
+void clearLists(State& state) {
+    ContactCore& core = state.core;
+    for (auto* list : {&core.awakeMovers, &core.awakeDense, &core.awakeChunks, &core.awakeStrips,
+                       &core.denseOfMover})
+        list->clear();
+    core.awakeIsCluster.clear();
+    core.moverIsCluster.clear();
+    core.listedBodies = core.bouncingPairs = 0;
+    for (const auto j : state.work.tiedJoints)
+        if (state.joints.material[j].restitution > 0) ++core.bouncingPairs;
 }
 
 bool isAwake(const State& state, std::uint32_t bodySlot) {
@@ -154,7 +172,7 @@ void shapeIsStale(State& state, std::uint32_t bodySlot) {
 
 void removeShape(State& state, std::uint32_t slot) {
     ContactCore& core = state.core;
-    if (slot >= core.shapes.firstChunk.size()) return;
+    if (slot >= core.shapes.firstChunk.size() || core.shapes.firstChunk[slot] == none) return;
     for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody) {
         endPairs(state, c);
         core.grid.remove(core.shapes.chunks, c);
@@ -178,6 +196,7 @@ void updateShapes(State& state) {
         for (const auto slot : stale) {
             const auto body = state.bodySlots.denseOf(slot);
             if (body == none) continue;
+            if (body < core.listedBodies) core.listsStale = true;
             makeShape(state, body);
             for (auto c = core.shapes.firstChunk.size() > slot ? core.shapes.firstChunk[slot]
                                                                : none;
@@ -185,11 +204,10 @@ void updateShapes(State& state) {
                 core.newChunks.push_back(c);
         }
         stale.clear();
-        core.listsStale = true;
     }
-    if (!core.listsStale) return;
+    if (core.listsStale) clearLists(state);
     listAwake(state);
-    watchAwake(state);
+    if (core.listsStale) watchAwake(state);
     core.listsStale = false;
 }
 

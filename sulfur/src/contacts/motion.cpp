@@ -7,6 +7,7 @@
 #include "contacts/contact_core.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
+#include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
 #include "world/state.hpp"
 
@@ -81,7 +82,17 @@ Real stepOf(const ContactCore& core, const Chunk& chunk) {
     return most;
 }
 
+/// Whether a mover may have rows. Those of the last colour are not noted with what they push, nor
+/// any with what nothing pushes.
+bool mayHaveRows(const ContactCore& core, std::uint32_t m) {
+    const SolverBody& body = core.movers.bodies[m];
+    return core.movers.colours[m] != 0 || (body.inverseMass == 0 && body.inverseInertia == 0) ||
+           core.rows.manifolds[RowGraph::overflow].rows > 0 ||
+           core.rows.touches[RowGraph::overflow].rows > 0;
+}
+
 void markRows(ContactCore& core, std::uint32_t m) {
+    if (!mayHaveRows(core, m)) return;
     for (auto u = core.movers.firstUse[m]; u != none; u = core.shapes.uses[u].next)
         for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
             const Pair& pair = core.pairs[at / 2];
@@ -153,7 +164,8 @@ void addUpRows(ContactCore& core, std::uint32_t m) {
         push += side * Vec2(x, y);
         twist += side * arm;
     };
-    for (auto u = core.movers.firstUse[m]; u != none; u = core.shapes.uses[u].next)
+    auto u = mayHaveRows(core, m) ? core.movers.firstUse[m] : none;
+    for (; u != none; u = core.shapes.uses[u].next)
         for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
             const Pair& pair = core.pairs[at / 2];
             at = pair.next[at % 2];
@@ -329,26 +341,34 @@ Real sweepRows(State& state, bool first, bool last) {
     return change;
 }
 
-void giveMotion(State& state) {
+namespace {
+
+/// The k-th awake mover tells the state what rows have given it since it last did. `turns`:
+/// somebody asks for sines.
+void give(State& state, std::size_t k, bool turns) {
     ContactCore& core = state.core;
-    Movers& movers = core.movers;
-    for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
-        const auto m = core.awakeMovers[k];
-        const auto i = core.awakeDense[k];
-        const SolverBody& body = movers.bodies[m];
-        Motion3& given = movers.given[m];
-        const Motion3 more{body.vx - given.x, body.vy - given.y, body.spin - given.turn};
-        given = {body.vx, body.vy, body.spin};
-        if (core.awakeIsCluster[k]) {
-            Cluster& c = state.clusters.list[i];
-            c.displacement += Vec2(more.x, more.y);
-            if (more.turn == 0) continue;
-            c.angle += static_cast<double>(more.turn);
-            updateTurn(c);
-        } else if (body.inverseMass > 0) {
-            state.particles.displacement[i] += Vec2(more.x, more.y);
-        }
+    const auto m = core.awakeMovers[k];
+    const auto i = core.awakeDense[k];
+    const SolverBody& body = core.movers.bodies[m];
+    Motion3& given = core.movers.given[m];
+    const Motion3 more{body.vx - given.x, body.vy - given.y, body.spin - given.turn};
+    given = {body.vx, body.vy, body.spin};
+    if (core.awakeIsCluster[k]) {
+        Cluster& c = state.clusters.list[i];
+        c.displacement += Vec2(more.x, more.y);
+        if (more.turn == 0) return;
+        c.angle += static_cast<double>(more.turn);
+        if (turns) updateTurn(c);
+    } else if (body.inverseMass > 0) {
+        state.particles.displacement[i] += Vec2(more.x, more.y);
     }
+}
+
+}  // namespace
+
+void giveMotion(State& state) {
+    const bool turns = !onlyContactsAsk(state);
+    for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) give(state, k, turns);
 }
 
 void takeMotionAgain(State& state) {
@@ -367,13 +387,15 @@ void takeMotionAgain(State& state) {
 void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
+    const bool turns = !onlyContactsAsk(state);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
+        give(state, k, turns);
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         const SolverBody& body = movers.bodies[m];
         movers.odometer[m] += static_cast<double>(stepOf(movers, m));
         const bool isCluster = core.awakeIsCluster[k] != 0;
-        if (!isCluster && body.inverseMass == 0) continue;
+        if (!mayHaveRows(core, m) || (!isCluster && body.inverseMass == 0)) continue;
         const Seen seen = lookAtMover(state, isCluster, i);
         const Point way = seen.at - movers.reference[m];
         Vec2 pushed(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));

@@ -3,6 +3,7 @@
 // An island is what is near each other or tied together. Who is near somebody awake is awake: what
 // sleeps never takes an impulse as if it were fixed.
 #include <algorithm>
+#include <cmath>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
@@ -30,16 +31,26 @@ bool isDriving(const State& state, std::uint32_t index) {
                        [](const Point& v) { return v.squaredNorm() > 0; });
 }
 
-void measureRest(State& state) {
-    const auto& v = state.particles.velocity;
-    for (std::uint32_t index = 0; index < state.bodies.size(); ++index) {
-        BodyRecord& body = state.bodies[index];
-        if (body.kind != BodyKind::dynamic || body.asleep) continue;
-        bool resting = true;
-        for (std::uint32_t k = 0; k < body.particles.size() && resting; ++k)
-            resting = v[body.firstParticle + k].squaredNorm() < restingSpeed * restingSpeed;
-        body.restingTime = resting ? body.restingTime + state.h : 0;
+/// Returns whether any body has been at rest for long enough. Not in a step that has changed
+/// bodies: the lists are of those before.
+bool measureRest(State& state) {
+    if (state.structure.stale) return false;
+    const auto isMoved = [&](std::uint32_t body) { state.bodies[body].restingTime = -state.h; };
+    for (const auto index : state.work.awakeClusters) {
+        const Cluster& c = state.clusters.list[index];
+        if (c.velocity.norm() + std::abs(c.spin) * c.reach >= restingSpeed) isMoved(c.body);
     }
+    for (const Range range : state.work.points)
+        for (auto i = range.first; i < range.last; ++i)
+            if (state.particles.velocity[i].squaredNorm() >= restingSpeed * restingSpeed)
+                isMoved(state.particles.body[i]);
+    bool any = false;
+    for (const auto index : state.work.bodies) {
+        BodyRecord& body = state.bodies[index];
+        body.restingTime = isDynamic(state, index) ? body.restingTime + state.h : 0;
+        any |= body.restingTime >= timeToSleep;
+    }
+    return any;
 }
 
 /// Calls f(a, b) for bodies (dense) that are near each other or tied together.
@@ -80,11 +91,7 @@ void wake(State& state) {
 void updateSleepByRows(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
-    measureRest(state);
-    const bool anyTired = std::any_of(
-        state.bodies.begin(), state.bodies.end(),
-        [](const BodyRecord& body) { return !body.asleep && body.restingTime >= timeToSleep; });
-    if (!anyTired) return;
+    if (!measureRest(state)) return;
     DisjointSets islands(state.bodies.size());
     forEachLink(state, [&](std::uint32_t a, std::uint32_t b) {
         if (isDynamic(state, a) && isDynamic(state, b)) {

@@ -82,7 +82,6 @@ void solveWithRows(State& state) {
         sweepAll(state);
     } else {
         sweepAlone(state);
-        giveMotion(state);
     }
     dampSticking(state);
     endMotion(state);

@@ -39,7 +39,7 @@ void tellContacts(State& state);
 void giveMotion(State& state);
 /// And the other way, when somebody else has changed it.
 void takeMotionAgain(State& state);
-/// Places take up what the rows have pushed.
+/// The same at the end of the step; places take up what the rows have pushed.
 void endMotion(State& state);
 
 /// What the stages together do to displacements: contacts and all that is swept beside them.

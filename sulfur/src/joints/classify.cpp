@@ -58,28 +58,30 @@ namespace {
 /// while they are much softer.
 constexpr Real weightOfLinks = 16;
 
+/// Of each particle that was not there `before`, as all that follows.
 std::vector<Real> weightsOf(const State& state, const Counts& before) {
     const Joints& joints = state.joints;
-    std::vector<Real> weights(state.particles.size(), 1);
+    std::vector<Real> weights(state.particles.size() - before.particles, 1);
     for (auto j = before.joints; j < joints.size(); ++j)
         if (isRigid(joints, j))
             for (const auto p : {joints.a[j], joints.b[j]})
-                if (state.particles.cluster[p] == none) weights[p] = weightOfLinks;
+                if (state.particles.cluster[p] == none)
+                    weights[p - before.particles] = weightOfLinks;
     return weights;
 }
 
-/// Of each particle that was not there `before`.
 std::vector<Load> loadsOf(const State& state, const Counts& before) {
     const Joints& joints = state.joints;
     const Real h = state.h;
-    std::vector<Real> w(state.particles.size());
-    for (auto i = before.particles; i < w.size(); ++i) w[i] = mobility(state, i);
-    std::vector<Load> load(state.particles.size());
     const std::vector<Real> weight = weightsOf(state, before);
+    std::vector<Real> w(weight.size());
+    for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, before.particles + i);
+    std::vector<Load> load(weight.size());
     for (auto j = before.joints; j < joints.size(); ++j) {
         if (isRigid(joints, j)) continue;
-        const Real sum = w[joints.a[j]] + w[joints.b[j]];
-        for (const auto p : {joints.a[j], joints.b[j]}) {
+        const auto a = joints.a[j] - before.particles, b = joints.b[j] - before.particles;
+        const Real sum = w[a] + w[b];
+        for (const auto p : {a, b}) {
             load[p].stiffness += weight[p] * h * h * joints.stiffness[j] * sum;
             load[p].damping += h * joints.damping[j] * sum;
         }
@@ -93,7 +95,8 @@ void classifyJoints(State& state, const Counts& before) {
     Joints& joints = state.joints;
     const std::vector<Load> load = loadsOf(state, before);
     for (auto j = before.joints; j < joints.size(); ++j) {
-        const Load &a = load[joints.a[j]], &b = load[joints.b[j]];
+        const Load &a = load[joints.a[j] - before.particles],
+                   &b = load[joints.b[j] - before.particles];
         const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);
         const Real damping = explicitShare(std::max(a.damping, b.damping), dampedLimit);
         joints.explicitStiffness[j] = isRigid(joints, j) ? 0 : stiffness * joints.stiffness[j];

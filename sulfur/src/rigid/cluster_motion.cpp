@@ -161,7 +161,7 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
     const Point weight = c.mass * state.settings.gravity.cast<double>();
     Point force = weight;
     double torque = cross(turned(c.heading, c.massCentre), weight);
-    for (std::uint32_t k = c.first; k < c.last; ++k) {
+    for (std::uint32_t k = c.first; k < c.last && state.anyForced; ++k) {
         const auto i = state.clusters.members[k];
         const Point& f = p.force[i];
         force += f;
@@ -180,18 +180,29 @@ void adoptStirredClusters(State& state) {
 
 void predictClusters(State& state) {
     const AirFriction air(state);
+    const bool turns = !onlyContactsAsk(state);
     forEachBlock(state, state.work.clusters, [&](const Block& block) {
         for (std::size_t k = 0; k < block.size(); ++k) predictCluster(state, block[k], air);
-        updateTurns(block);
+        if (turns) updateTurns(block);
     });
 }
 
+bool onlyContactsAsk(const State& state) {
+    const WorkLists& work = state.work;
+    return state.core.on && work.implicitJoints.empty() && work.rigidJoints.empty() &&
+           work.attachments.empty() && work.hinges.empty() && work.lines.empty() &&
+           work.lonelyTrees.empty() && work.watchedClusters.empty() &&
+           state.triangles.awake.count == 0 && state.influences.grabs.empty();
+}
+
 void spreadDisplacements(State& state) {
+    if (!state.anyForced && onlyContactsAsk(state)) return;
     forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
         PerCluster<ClusterWay> ways;
         for (std::size_t k = 0; k < block.size(); ++k) ways[k] = wayOf(block[k]);
         clusterKernels().spread(membersOf(state), ways.data(), block.size());
     });
+    state.anyForced = false;
 }
 
 void updateClusterVelocities(State& state) {

@@ -18,8 +18,11 @@ ClusterLoad loadOf(const State& state, const Cluster& cluster);
 void adoptStirredClusters(State& state);
 /// Velocity, spin and displacement of this tick, for the clusters of the work list.
 void predictClusters(State& state);
+/// Whether nobody but contacts asks where clusters go in this step: then their members need no
+/// displacements, and the angles no sines.
+bool onlyContactsAsk(const State& state);
 /// Displacements of the members from those of their clusters, for the stages that look at
-/// particles.
+/// particles; forgets the forces on them.
 void spreadDisplacements(State& state);
 /// Velocities and spins take up what the constraints have changed.
 void updateClusterVelocities(State& state);

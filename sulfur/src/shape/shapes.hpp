@@ -54,6 +54,8 @@ struct Chunk {
     std::uint32_t firstSide = 0, sides = 0;
     std::uint32_t firstUse = 0, uses = 0;
     std::uint32_t nextOfBody = none;
+    double leaveAt = 0;                         // m, of its frame's odometer, when it may leave
+                                                // its box of the broad phase
     Real radius = 0;                            // m, the largest
     Real fineness = 0;                          // m, the least radius
     std::uint32_t firstPair = none, pairs = 0;  // in the pair table
@@ -61,7 +63,6 @@ struct Chunk {
     std::array<double, 2> low{0, 0}, high{0, 0};  // m, the box that it stays in
     std::uint32_t cell = none, nextInCell = none, previousInCell = none;
     std::uint32_t level = 0;
-    double leaveAt = 0;  // m, of its frame's odometer, when it may leave the box
 };
 
 /// All colliders of a world. What is derived of one body comes and goes with it.

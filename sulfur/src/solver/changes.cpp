@@ -21,12 +21,22 @@ void append(std::vector<Range>& ranges, std::uint32_t i) {
         ranges.push_back({i, i + 1});
 }
 
-void listClusters(State& state) {
+/// The first cluster of a body, or of the next one that has any.
+std::uint32_t firstCluster(const State& state, std::uint32_t body) {
+    const auto& list = state.clusters.list;
+    return static_cast<std::uint32_t>(
+        std::partition_point(list.begin(), list.end(),
+                             [&](const Cluster& c) { return c.body < body; }) -
+        list.begin());
+}
+
+/// This and other lists go on from what was listed `before`.
+void listClusters(State& state, const Counts& before) {
     WorkLists& work = state.work;
-    work.awakeClusters.clear();
-    work.clusters.clear();
-    work.watchedClusters.clear();
-    for (std::uint32_t c = 0; c < state.clusters.list.size(); ++c) {
+    if (before.bodies == 0)
+        for (auto* list : {&work.awakeClusters, &work.clusters, &work.watchedClusters})
+            list->clear();
+    for (auto c = firstCluster(state, before.bodies); c < state.clusters.list.size(); ++c) {
         if (!state.awake(state.clusters.list[c].body)) continue;
         work.awakeClusters.push_back(c);
         if (state.clusters.list[c].watched) work.watchedClusters.push_back(c);
@@ -77,8 +87,7 @@ std::uint32_t countSurfaces(const State& state, const BodyRecord& body) {
                       [](Real reach) { return reach > 0; }));
 }
 
-void listAwakeParticles(State& state) {
-    WorkLists& work = state.work;
+void clearAwake(const State& state, WorkLists& work) {
     work.bodies.clear();
     work.kinematic.clear();
     work.sleepers = 0;
@@ -90,8 +99,13 @@ void listAwakeParticles(State& state) {
     }
     work.awakeParticles = work.awakeSurfaces = 0;
     work.heldNodes.clear();
-    const std::vector<std::uint8_t>& held = heldByTrees(state);
-    for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
+}
+
+void listAwakeParticles(State& state, const Counts& before) {
+    WorkLists& work = state.work;
+    if (before.bodies == 0) clearAwake(state, work);
+    const auto* held = before.bodies == 0 ? &heldByTrees(state) : nullptr;
+    for (std::uint32_t b = before.bodies; b < state.bodies.size(); ++b) {
         const BodyRecord& body = state.bodies[b];
         if (body.asleep) ++work.sleepers;
         if (!state.awake(b)) continue;
@@ -106,7 +120,7 @@ void listAwakeParticles(State& state) {
             if (state.particles.cluster[i] != none) continue;
             append(work.points, i);
             if (state.trees.ofParticle[i] != none) continue;
-            if (held[i] != 0 && body.kind == BodyKind::dynamic)
+            if (held && (*held)[i] != 0 && body.kind == BodyKind::dynamic)
                 work.heldNodes.push_back(i);
             else
                 append(work.free, i);
@@ -135,16 +149,22 @@ void listStiffRuns(State& state) {
     }
 }
 
+void listBreakable(State& state, const Counts& before) {
+    const Joints& joints = state.joints;
+    for (auto j = before.joints; j < joints.size(); ++j)
+        if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
+            state.work.breakableJoints.push_back(j);
+}
+
 void listJoints(State& state) {
     WorkLists& work = state.work;
     const Joints& joints = state.joints;
     for (auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints,
                        &work.stiffJoints, &work.breakableJoints, &work.tiedJoints})
         list->clear();
+    listBreakable(state, {});
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
         if (joints.body[j] == none) work.tiedJoints.push_back(j);
-        if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
-            work.breakableJoints.push_back(j);
         if (!takesPart(state, j)) continue;
         if (joints.kind[j] != JointKind::rigid &&
             (joints.explicitStiffness[j] > 0 || joints.explicitDamping[j] > 0))
@@ -161,13 +181,15 @@ void listJoints(State& state) {
     batchJoints(state, work.rigidJoints, work.rigidSweep);
 }
 
-void listSprings(State& state) {
+void listSprings(State& state, const Counts& before) {
     auto& springs = state.work.springs;
     auto& start = state.work.springStart;
-    springs.clear();
-    start.assign(1, 0);
-    for (const BodyRecord& body : state.bodies) {
-        for (const JointId id : body.joints)
+    if (before.bodies == 0) {
+        springs.clear();
+        start.assign(1, 0);
+    }
+    for (auto b = before.bodies; b < state.bodies.size(); ++b) {
+        for (const JointId id : state.bodies[b].joints)
             if (const auto j = state.jointSlots.dense(id); !isRigid(state.joints, j))
                 springs.push_back(j);
         start.push_back(static_cast<std::uint32_t>(springs.size()));
@@ -195,7 +217,7 @@ void watchStrain(State& state) {
         state.bodies[i].clustersStale = true;
         state.structure.changed();
     };
-    if (!state.work.stale && !state.structure.stale) {
+    if (state.work.onlyAdded || (!state.work.stale && !state.structure.stale)) {
         state.looked(Stage::changes, state.work.strained.size());
         for (const auto i : state.work.strained) watch(i);
         return;
@@ -211,14 +233,32 @@ void listStrained(State& state) {
         if (state.bodies[i].strained) strained.push_back(i);
 }
 
+/// Whether all that was added is single particles and whole rigid components: no joint of it has to
+/// be solved.
+bool addedAreRigid(const State& state, const Counts& before) {
+    const auto& hinges = state.clusters.hinges;
+    const bool hinged =
+        !hinges.empty() && hinges.back().cluster >= firstCluster(state, before.bodies);
+    return !hinged && std::all_of(state.joints.inCluster.begin() + before.joints,
+                                  state.joints.inCluster.end(), [](auto in) { return in != 0; });
+}
+
 /// Bodies that were added are tied to nothing, so that all but the trees, whose order is that of
 /// all particles, stays for the others.
 void deriveStructure(State& state) {
     const bool onlyAdded = state.structure.onlyAdded;
     const Counts before = onlyAdded ? state.structure.before : Counts{};
-    dissolveTrees(state);
+    if (!onlyAdded) dissolveTrees(state);
     updateClusters(state, before);
     classifyJoints(state, before);
+    if (onlyAdded && state.core.on && addedAreRigid(state, before)) {
+        state.trees.ofParticle.resize(state.particles.size(), none);
+        state.trees.ofCluster.resize(state.clusters.list.size(), none);
+        state.structure.colours.resize(state.joints.size(), 0);
+        state.structure.stale = state.structure.onlyAdded = false;
+        return;
+    }
+    if (onlyAdded) dissolveTrees(state);
     buildTrees(state);
     if (!onlyAdded) {
         state.broad.plansStale = true;
@@ -226,7 +266,7 @@ void deriveStructure(State& state) {
     }
     if (!onlyAdded) state.structureChanged = true;
     state.structure.stale = state.structure.onlyAdded = false;
-    state.work.stale = true;
+    state.work.changed();
 }
 
 std::uint32_t sizeOf(const auto& list) {
@@ -265,22 +305,32 @@ void updateStructure(State& state) {
 
 void applyChanges(State& state) {
     updateStructure(state);
-    if (!state.work.stale) return;
+    WorkLists& work = state.work;
+    if (!work.stale) return;
+    const Counts before = work.onlyAdded ? work.listed : Counts{};
     // The broad phase derives it later in the tick; the lists need it now.
-    if (state.broad.collidersStale)
+    if (state.core.on)
+        updateReach(state, before);
+    else if (state.broad.collidersStale)
         updateReach(state, state.broad.onlyAdded ? state.broad.listed : Counts{});
-    listTrees(state);
-    listAwakeParticles(state);
-    listClusters(state);
-    listJoints(state);
-    listSprings(state);
-    listAttachments(state);
-    listStrained(state);
-    listTriangles(state);
+    if (!work.onlyAdded) listTrees(state);
+    listAwakeParticles(state, before);
+    listClusters(state, before);
+    listSprings(state, before);
+    if (work.onlyAdded) {
+        listBreakable(state, before);
+    } else {
+        listJoints(state);
+        listAttachments(state);
+        listStrained(state);
+        listTriangles(state);
+        state.core.listsStale = true;
+    }
     count(state);
     state.touchingFrozen = false;
-    state.core.listsStale = true;
-    state.work.stale = false;
+    state.anyForced = true;  // of who woke, too
+    work.listed = countsOf(state);
+    work.stale = work.onlyAdded = false;
 }
 
 }  // namespace sulfur::detail

@@ -92,6 +92,7 @@ bool actsOn(const State& state, const Field& field, std::uint32_t index) {
 
 void applyFields(State& state) {
     const auto& fields = state.influences.fields;
+    if (!fields.empty()) state.anyForced = true;
     for (const FieldRecord& record : fields) {
         if (const auto* uniform = std::get_if<UniformField>(&record.field)) push(state, *uniform);
         if (const auto* radial = std::get_if<RadialField>(&record.field)) push(state, *radial);

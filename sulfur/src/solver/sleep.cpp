@@ -207,7 +207,7 @@ void wakeBody(State& state, std::uint32_t index) {
         body->restingTime = 0;
         restoreInverseMass(state, index);
         body = &state.bodies[state.bodySlots.dense(body->nextAsleep)];
-        state.work.stale = true;
+        state.work.changed();
         state.broad.pairsStale = true;
     }
 }
@@ -239,7 +239,7 @@ void sleepBody(State& state, std::uint32_t index) {
         state.particles.inverseMass[i] = 0;
     }
     restoreClusterMasses(state, index);
-    state.work.stale = true;
+    state.work.changed();
     state.broad.pairsStale = true;
 }
 

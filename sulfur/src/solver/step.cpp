@@ -133,19 +133,20 @@ void forEachStart(const State& state, Function&& f) {
 void runSteps(State& state, std::uint32_t count) {
     Particles& p = state.particles;
     noteStart(state);
+    const bool forced = state.anyForced;
     for (std::uint32_t i = 0; i < count; ++i) {
         state.stepsLeft = count - i;
         runStages(state);
-        if (i + 1 < count)
-            forEachStart(state, [&](const ParticleStart& start, std::uint32_t k) {
-                p.force[k] += start.force;
-            });
+        if (!forced || i + 1 == count) continue;
+        state.anyForced = true;
+        forEachStart(
+            state, [&](const ParticleStart& start, std::uint32_t k) { p.force[k] += start.force; });
     }
     forEachStart(state, [&](const ParticleStart& start, std::uint32_t k) {
         if (state.awake(p.body[k]))
             p.displacement[k] = (p.position[k] - start.position).cast<Real>();
     });
-    mergeSteps(state);
+    if (!state.core.on) mergeSteps(state);
 }
 
 }  // namespace

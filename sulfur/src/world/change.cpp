@@ -272,6 +272,7 @@ void World::applyForce(ParticleId id, Vec2 force) {
     if (force.isZero(0)) return;
     wakeOwner(state, i);
     const Point sum = state.particles.force[i] + force.cast<double>();
+    state.anyForced = true;
     state.particles.force[i] = sum.cwiseMax(-maxForce).cwiseMin(maxForce);
 }
 

@@ -172,7 +172,7 @@ void restoreInverseMass(State& state, std::uint32_t index) {
 
 void bodyChanged(State& state) {
     state.structure.changed();
-    state.work.stale = true;
+    state.work.changed();
     state.broad.bodiesChanged();
 }
 
@@ -237,7 +237,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);
     state.structure.bodyAdded(before);
-    state.work.stale = true;
+    state.core.on ? state.work.bodyAdded() : state.work.changed();
     state.broad.bodyAdded();
     // What is fixed looks for nobody: a sleeper in its place must notice by itself.
     if (plan.kind == BodyKind::fixed) detail::wakeNear(state, index);

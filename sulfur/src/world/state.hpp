@@ -119,6 +119,17 @@ struct WorkLists {
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
     bool stale = true;
+    bool onlyAdded = false;  // by bodies that were added to those `listed`, and in no other way
+    Counts listed;
+
+    void bodyAdded() {
+        onlyAdded = onlyAdded || !stale;
+        stale = true;
+    }
+    void changed() {
+        stale = true;
+        onlyAdded = false;
+    }
 };
 
 /// A particle when the present tick began.
@@ -194,6 +205,7 @@ struct State {
     Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
     bool anyPlaced = true;   // a body was made or moved by hand since the last tick
     bool anyStirred = true;  // some cluster is stirred
+    bool anyForced = true;   // members of awake clusters may have forces that are still to act
     /// What follows from who is awake, found at the end of a tick and void after any change: no
     /// tick would change anything; all that touches sleeps or never moves.
     bool idle = false, touchingFrozen = false;
