@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "contacts/touch_rows.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "solver/contact_motion.hpp"
@@ -192,6 +193,7 @@ private:
         const auto at = state_.trees.contact[tree_.first + i];
         auto& link = solver_.links[i];
         if (at == none || link.rows != 1) return;
+        if (state_.core.on) return addTouch(i, at);
         const Contact& c = state_.contacts[at];
         const double gap = static_cast<double>(gapLeft(state_, c));
         if (c.normalLambda <= 0 && gap >= 0) return;
@@ -209,6 +211,36 @@ private:
         held_.push_back(static_cast<std::uint32_t>(i));
     }
 
+    void addTouch(std::size_t i, std::uint32_t touch) {
+        auto& link = solver_.links[i];
+        const TouchView t = viewOfTouch(state_, touch);
+        if (t.pressing <= 0 && t.gap >= 0) return;
+        const Point n = t.normal.template cast<double>();
+        const double here = sideOf(t, node(i).particle),
+                     there = sideOf(t, node(node(i).parent).particle);
+        link.rows = 2;
+        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(Point(here * n), Point(0, 0));
+        link.rowThere[1] = link.columnThere[1] = rowAlong<N>(Point(there * n), Point(0, 0));
+        // What overlaps already is pushed apart elsewhere.
+        link.value[1] =
+            static_cast<double>(t.gap) - std::min(static_cast<double>(t.gapBefore), 0.0);
+        const double own = here * here * solver_.nodes[i].inverseMass[0] +
+                           there * there * solver_.nodes[link.parent].inverseMass[0];
+        const double other = static_cast<double>(t.inverseMass) - own;
+        link.compliance[1] = touching_ * std::max(other, 0.0) + softest * own;
+        held_.push_back(static_cast<std::uint32_t>(i));
+    }
+    static double sideOf(const TouchView& t, std::uint32_t particle) {
+        double share = 0;
+        for (std::size_t k = 0; k < 3 && particle != none; ++k)
+            if (t.particles[k] == particle) share += static_cast<double>(t.shares[k]);
+        return share;
+    }
+    double pressingAt(std::uint32_t at) const {
+        return static_cast<double>(state_.core.on ? viewOfTouch(state_, at).pressing
+                                                  : state_.contacts[at].normalLambda);
+    }
+
     /// With what share, and which sign, the contact moves with a particle.
     static double sideOf(const Contact& c, std::uint32_t particle) {
         if (particle == none) return 0;
@@ -220,8 +252,8 @@ private:
     /// Contacts that would have to pull are let go. Returns whether there were any.
     bool releaseContacts() {
         const auto pulls = [&](std::uint32_t i) {
-            const Contact& c = state_.contacts[state_.trees.contact[tree_.first + i]];
-            return static_cast<double>(c.normalLambda) + solver_.links[i].lambda[1] < 0;
+            return pressingAt(state_.trees.contact[tree_.first + i]) + solver_.links[i].lambda[1] <
+                   0;
         };
         const auto kept =
             std::partition(held_.begin(), held_.end(), [&](std::uint32_t i) { return !pulls(i); });
@@ -233,6 +265,7 @@ private:
 
     /// What the tree's side of the contact got with the links' impulses, the other side gets here.
     void pushContact(std::size_t i, double lambda) {
+        if (state_.core.on) return pushTouch(i, lambda);
         Contact& c = state_.contacts[state_.trees.contact[tree_.first + i]];
         const double change = std::max(lambda, -static_cast<double>(c.normalLambda));
         c.normalLambda += static_cast<Real>(change);
@@ -243,6 +276,14 @@ private:
         } else {
             push(state_, c.gripOfParticle, impulse);
         }
+    }
+
+    void pushTouch(std::size_t i, double lambda) {
+        const auto touch = state_.trees.contact[tree_.first + i];
+        const TouchView t = viewOfTouch(state_, touch);
+        const double change = std::max(lambda, -static_cast<double>(t.pressing));
+        const bool isCorner = t.particles[0] == node(i).particle;
+        pressFromOutside(state_, touch, static_cast<Real>(change), isCorner, !isCorner);
     }
 
     double whip(std::uint32_t joint, double length) const {
@@ -343,15 +384,57 @@ std::uint32_t nodeFor(const State& state, const Contact& c) {
     return none;
 }
 
+/// The same for a touch.
+std::uint32_t nodeFor(const State& state, const TouchView& t) {
+    const Trees& trees = state.trees;
+    const auto treeOf = [&](std::uint32_t i) {
+        const auto c = state.particles.cluster[i];
+        return c == none ? trees.ofParticle[i] : trees.ofCluster[c];
+    };
+    const auto p = treeOf(t.particles[0]), a = treeOf(t.particles[1]), b = treeOf(t.particles[2]);
+    if (p == none ? a == none : (p == a || p == b)) return none;
+    const auto nodeOf = [&](std::uint32_t i) {
+        return state.particles.cluster[i] == none ? trees.nodeOfParticle[i] : none;
+    };
+    const auto heldByJoint = [&](std::uint32_t k) {
+        return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
+    };
+    if (p != none) return heldByJoint(nodeOf(t.particles[0])) ? nodeOf(t.particles[0]) : none;
+    if (a != b) return none;
+    const auto first = nodeOf(t.particles[1]), second = nodeOf(t.particles[2]);
+    if (first == none || second == none) return none;
+    const auto root = trees.list[a].first;
+    for (const auto& [child, parent] : {std::pair(first, second), std::pair(second, first)})
+        if (heldByJoint(child) && (first == second || trees.nodes[child].parent + root == parent))
+            return child;
+    return none;
+}
+
+void giveTouches(State& state) {
+    const auto& touches = state.core.touches;
+    std::vector<Real> gaps(state.trees.nodes.size(), 0);
+    for (std::uint32_t i = 0; i < touches.size(); ++i) {
+        if (touches[i].pair == none || !touches[i].row) continue;
+        const TouchView view = viewOfTouch(state, i);
+        const auto k = nodeFor(state, view);
+        if (k == none) continue;
+        auto& held = state.trees.contact[k];
+        if (held != none && !(gaps[k] > view.gap)) continue;
+        held = i;
+        gaps[k] = view.gap;
+    }
+}
+
 /// Gives each node the contact that pushes most on it.
 void giveContacts(State& state) {
     Trees& trees = state.trees;
     trees.contact.assign(trees.nodes.size(), none);
-    if (state.contacts.empty()) return;
+    if (state.contacts.empty() && !state.core.on) return;
     trees.nodeOfParticle.assign(state.particles.size(), none);
     for (std::uint32_t k = 0; k < trees.nodes.size(); ++k)
         if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
             trees.nodeOfParticle[trees.nodes[k].particle] = k;
+    if (state.core.on) return giveTouches(state);
     for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
         const auto k = nodeFor(state, state.contacts[i]);
         if (k == none) continue;

@@ -1,0 +1,75 @@
+#include "contacts/touch_rows.hpp"
+
+#include "contacts/contact_core.hpp"
+#include "rigid/clusters.hpp"
+#include "world/state.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// How a mover goes in this step, by the state.
+Motion3 motionOf(const State& state, std::uint32_t m) {
+    const ContactCore& core = state.core;
+    const auto i = core.denseOfMover[m];
+    if (i == none) return {};
+    if (core.moverIsCluster[m] != 0) {
+        const Cluster& c = state.clusters.list[i];
+        return {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
+    }
+    const Vec2& d = state.particles.displacement[i];
+    return {d[0], d[1], 0};
+}
+
+}  // namespace
+
+TouchView viewOfTouch(const State& state, std::uint32_t index) {
+    const ContactCore& core = state.core;
+    const Touch& touch = core.touches[index];
+    const TouchBlock& t = core.rows.touch(touch.row);
+    const auto l = RowGraph::laneOf(touch.row);
+    const Side& side = core.shapes.sides[touch.side];
+    TouchView view;
+    const std::array<std::uint32_t, 3> corners{touch.corner, side.a, side.b};
+    for (std::size_t k = 0; k < 3; ++k)
+        view.particles[k] = state.particleSlots.denseOf(core.shapes.corners[corners[k]].particle);
+    view.shares = {1, -t.weightA[l], -t.weightB[l]};
+    view.normal = Vec2(t.normalX[l], t.normalY[l]);
+    view.pressing = t.pressing[l];
+    view.inverseMass = t.normalMass[l] > 0 ? 1 / t.normalMass[l] : 0;
+    view.gapBefore = view.gap = t.gap[l];
+    const std::array<std::uint32_t, 3> movers{t.p[l], t.a[l], t.b[l]};
+    const std::array<Real, 3> arms{t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const SolverBody& body = core.movers.bodies[movers[k]];
+        const Motion3 way = motionOf(state, movers[k]);
+        const auto along = [&](Real x, Real y, Real turn) {
+            return view.shares[k] * view.normal.dot(Vec2(x, y)) + arms[k] * turn;
+        };
+        view.gapBefore += along(body.x, body.y, body.turn);
+        view.gap += along(body.x + way.x, body.y + way.y, body.turn + way.turn);
+    }
+    return view;
+}
+
+void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool cornerHas,
+                      bool sideHas) {
+    Movers& movers = state.core.movers;
+    const Touch& touch = state.core.touches[index];
+    TouchBlock& t = state.core.rows.touch(touch.row);
+    const auto l = RowGraph::laneOf(touch.row);
+    const std::array<std::uint32_t, 3> list{t.p[l], t.a[l], t.b[l]};
+    std::array<SolverBody, 3> before;
+    for (std::size_t k = 0; k < 3; ++k) before[k] = movers.bodies[list[k]];
+    RowGraph::pressTouch(movers, t, l, impulse, 0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(k == 0 ? cornerHas : sideHas)) continue;
+        const SolverBody& now = movers.bodies[list[k]];
+        Motion3& given = movers.given[list[k]];
+        given.x += now.vx - before[k].vx;
+        given.y += now.vy - before[k].vy;
+        given.turn += now.spin - before[k].spin;
+    }
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,28 @@
+// Rows of touches as somebody else sees them who solves them together with rows of his own.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <sulfur/math.hpp>
+
+namespace sulfur::detail {
+
+struct State;
+
+/// A corner before a side, in the middle of the sweeps.
+struct TouchView {
+    std::array<std::uint32_t, 3> particles{};  // dense: corner, ends of the side
+    std::array<Real, 3> shares{};              // of the motion of each in how the gap grows
+    Vec2 normal{0, 0};                         // from the side towards the corner
+    Real gapBefore = 0, gap = 0;               // m, when the step begins and when it ends
+    Real pressing = 0;                         // kg m
+    Real inverseMass = 0;                      // 1/kg, of all bodies
+};
+TouchView viewOfTouch(const State& state, std::uint32_t touch);
+
+/// Adds to what a touch presses. The corner or the side have the impulse in their displacements
+/// already.
+void pressFromOutside(State& state, std::uint32_t touch, Real impulse, bool cornerHas,
+                      bool sideHas);
+
+}  // namespace sulfur::detail
