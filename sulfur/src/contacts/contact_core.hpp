@@ -122,7 +122,7 @@ struct ContactCore {
     std::vector<std::uint32_t> newChunks;  // in no grid yet
 
     // Scratch of a tick.
-    std::vector<double> ahead;  // m, odometers at the end of this step as predicted; by mover
+    std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
