@@ -91,16 +91,24 @@ bool mayHaveRows(const ContactCore& core, std::uint32_t m) {
            core.rows.touches[RowGraph::overflow].rows > 0;
 }
 
-void markRows(ContactCore& core, std::uint32_t m) {
-    if (!mayHaveRows(core, m)) return;
-    for (auto u = core.movers.firstUse[m]; u != none; u = core.shapes.uses[u].next)
-        for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
-            const Pair& pair = core.pairs[at / 2];
-            if (pair.row) core.rows.markManifold(pair.row);
-            for (auto t = pair.firstTouch; t != none; t = core.touches[t].next)
-                if (core.touches[t].row) core.rows.markTouch(core.touches[t].row);
-            at = pair.next[at % 2];
+/// Blocks with a row of somebody who has moved are to be refreshed.
+void markMoved(ContactCore& core) {
+    const std::uint8_t* moved = core.moved.data();
+    const auto markIn = [&](auto& list, auto&& hasMoved) {
+        for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+            std::uint64_t any = 0;
+            for (std::size_t l = 0; l < rowLanes; ++l) any |= hasMoved(list.blocks[k], l);
+            list.dirty[k / 64] |= any << k % 64;
         }
+    };
+    for (auto& list : core.rows.manifolds)
+        markIn(list, [&](const ManifoldBlock& r, std::size_t l) {
+            return static_cast<std::uint64_t>(moved[r.a[l]] | moved[r.b[l]]);
+        });
+    for (auto& list : core.rows.touches)
+        markIn(list, [&](const TouchBlock& r, std::size_t l) {
+            return static_cast<std::uint64_t>(moved[r.p[l]] | moved[r.a[l]] | moved[r.b[l]]);
+        });
 }
 
 /// Where and how a mover is, its masses, and how it moves in this step.
@@ -211,6 +219,7 @@ void takeMotion(State& state) {
     Movers& movers = core.movers;
     scaleImpulses(core, static_cast<double>(state.h));
     core.ahead = movers.odometer;
+    core.moved.assign(movers.size(), 0);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
@@ -228,7 +237,7 @@ void takeMotion(State& state) {
         if (core.ahead[m] < movers.refreshAt[m]) continue;
         movers.refreshAt[m] =
             core.ahead[m] + static_cast<double>(refreshWithin * movers.fineness[m]);
-        markRows(core, m);
+        core.moved[m] = 1;
     }
     for (const auto c : core.awakeStrips) {
         const Chunk& chunk = core.shapes.chunks[c];
@@ -300,6 +309,7 @@ void refreshRows(State& state) {
                     tell(list, k, static_cast<std::uint32_t>(std::countr_zero(lanes)));
             }
     };
+    markMoved(core);
     for (int round = 0; round < 2; ++round) {
         core.again.clear();
         for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {

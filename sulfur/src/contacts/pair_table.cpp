@@ -38,17 +38,6 @@ void unlink(ContactCore& core, std::uint32_t pair, std::uint32_t side) {
     --core.shapes.chunks[chunk].pairs;
 }
 
-std::uint32_t findPair(const ContactCore& core, std::uint32_t a, std::uint32_t b) {
-    const auto& chunks = core.shapes.chunks;
-    const auto [few, other] = chunks[a].pairs < chunks[b].pairs ? std::pair(a, b) : std::pair(b, a);
-    for (auto at = chunks[few].firstPair; at != none;) {
-        const Pair& p = core.pairs[at / 2];
-        if ((at % 2 == 0 ? p.b : p.a) == other) return at / 2;
-        at = p.next[at % 2];
-    }
-    return none;
-}
-
 bool isVetoed(const State& state, BodyId a, BodyId b) {
     return !state.vetoes.empty() &&
            std::binary_search(state.vetoes.begin(), state.vetoes.end(), BodyPair::of(a, b));
@@ -147,23 +136,29 @@ void endPairs(State& state, std::uint32_t chunk) {
 void updatePairs(State& state, std::uint32_t index) {
     ContactCore& core = state.core;
     const auto& chunks = core.shapes.chunks;
+    auto& known = core.again;  // chunks
+    known.clear();
     for (auto at = chunks[index].firstPair; at != none;) {
         const Pair& p = core.pairs[at / 2];
         const auto next = p.next[at % 2];
-        if (!meet(chunks[p.a], chunks[p.b])) endPair(state, at / 2);
+        if (meet(chunks[p.a], chunks[p.b]))
+            known.push_back(at % 2 == 0 ? p.b : p.a);
+        else
+            endPair(state, at / 2);
         at = next;
     }
+    std::sort(known.begin(), known.end());
     const Chunk& own = chunks[index];
     core.grid.forEachIn(chunks, own.low, own.high, [&](std::uint32_t other) {
-        const Chunk& c = chunks[other];
+        if (std::binary_search(known.begin(), known.end(), other)) return;
         if (other == index) {
             // The parts of one chunk may touch each other, where they can move.
             const BodyRecord& body = state.bodies[state.bodySlots.denseOf(own.body)];
             if (!body.selfCollision || own.uses < 2 || body.kind != BodyKind::dynamic) return;
-        } else if (!mayTouch(state, own, c)) {
+        } else if (!mayTouch(state, own, chunks[other])) {
             return;
         }
-        if (findPair(core, index, other) == none) makePair(state, index, other);
+        makePair(state, index, other);
     });
 }
 
