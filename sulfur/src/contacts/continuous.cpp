@@ -20,7 +20,7 @@ namespace {
 
 /// What comes nearer in a step by more than this share of the thickness is fast. It may overlap by
 /// as much.
-constexpr Real fast = Real(0.15);
+constexpr Real fast = Real(0.125);
 constexpr int mostRounds = 8;
 
 class Keeper {

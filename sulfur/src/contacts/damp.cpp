@@ -148,8 +148,10 @@ private:
     }
 
     void damp() {
-        const double share = 1 - std::exp(-decayRate * static_cast<double>(interval) *
-                                          static_cast<double>(state_.h));
+        // Implicit Euler.
+        const double decay =
+            decayRate * static_cast<double>(interval) * static_cast<double>(state_.h);
+        const double share = decay / (1 + decay);
         for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
             const auto m = core_.awakeMovers[k];
             if (!isPushed(m)) continue;

@@ -13,7 +13,10 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr double leadingSpeed = 0.9;  // m/s, of a body
+/// Slower than rows push, so that nobody is led through a floor.
+constexpr double leadingSpeed = 0.4;  // m/s, of a body
+/// Of the way out, in a step: who is in several others follows the deepest.
+constexpr double leadingShare = 0.2;
 /// Share of the thickness from which on the rows push apart what is left.
 constexpr double tolerated = 0.9;
 
@@ -231,7 +234,7 @@ bool lead(State& state, std::uint32_t index) {
         addVelocity(state, a.body, share(a.inverseMass, -closing));
         addVelocity(state, b.body, share(b.inverseMass, closing));
     }
-    const double move = std::min(way.depth, leadingSpeed * static_cast<double>(state.h));
+    const double move = leadingShare * way.depth;
     core.leads.push_back({a.body, share(a.inverseMass, move)});
     core.leads.push_back({b.body, share(b.inverseMass, -move)});
     return true;

@@ -313,17 +313,16 @@ std::vector<ContactInfo> World::contacts() const {
     std::vector<ContactInfo> found;
     std::vector<detail::Contact> points;
     if (state.core.on) detail::exportContacts(state, points, true);
-    if (state.core.on)
-        for (const auto& c : points)
-            found.push_back(
-                {state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
-                 p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(), c.normal,
-                 c.normalLambda / state.h, c.tangentLambda / state.h});
+    // The last step of the tick stands for all.
+    const Real ofTick = tickDuration() / (state.h * state.h);
+    for (const auto& c : points)
+        found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
+                         p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(),
+                         c.normal, c.normalLambda * ofTick, c.tangentLambda * ofTick});
     for (const auto& c : state.contactMemory) {
         if (c.normalLambda <= 0) continue;
         const Point point =
             p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
-        // The last step of the tick stands for all.
         const Real perTick = tickDuration() / (c.step * c.step);
         found.push_back({state.bodies[p.body[c.particle]].id, state.bodies[p.body[c.a]].id, point,
                          c.normal, c.normalLambda * perTick, c.tangentLambda * perTick});
