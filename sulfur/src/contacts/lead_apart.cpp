@@ -14,7 +14,7 @@ namespace sulfur::detail {
 namespace {
 
 /// Slower than rows push, so that nobody is led through a floor.
-constexpr double leadingSpeed = 0.4;  // m/s, of a body
+constexpr double leadingSpeed = 0.49;  // m/s, of a body
 /// Of the way out, in a step: who is in several others follows the deepest.
 constexpr double leadingShare = 0.2;
 /// Share of the thickness from which on the rows push apart what is left.

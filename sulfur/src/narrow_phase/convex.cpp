@@ -309,7 +309,7 @@ Real timeOfImpact(const ContactCore& core, const Chunk& a, const Chunk& b, Real 
     const Ways ways{a.frame, b.frame, core.ways[a.frame], core.ways[b.frame]};
     const Real thickness = a.radius + b.radius;
     return advance(core.movers, core.shapes, a, b, ways,
-                   [&](Real gap) { return std::min(left * thickness, gap / 2); });
+                   [&](Real gap) { return left * std::min(thickness, gap); });
 }
 
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,

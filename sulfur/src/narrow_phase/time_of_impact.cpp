@@ -95,7 +95,7 @@ private:
         end *= outward;
         if (!(start > 0)) return;
         const Real thickness = shapes_.corners[corner].radius + side.radius;
-        const Real limit = std::min(left_ * thickness, start / 2);
+        const Real limit = left_ * std::min(thickness, start);
         if (!(end < limit)) return;
         // The height of what turns is no line: its first fall below the limit by halving.
         Real low = 0, high = 1;

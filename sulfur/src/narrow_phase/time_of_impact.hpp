@@ -20,7 +20,7 @@ struct Passing {
 };
 
 /// Two convex chunks: the share of the step after which less than `left` of their thickness keeps
-/// their axes apart, or 1. Those that are nearer already may close half of what is left.
+/// their axes apart, or 1. Those that are nearer already keep as much of what is left.
 Real timeOfImpact(const ContactCore& core, const Chunk& a, const Chunk& b, Real left);
 
 /// The same for corners before sides, each by itself.
