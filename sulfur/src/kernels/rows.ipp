@@ -308,29 +308,34 @@ inline Unit headingsOf(const Heading* headings, const std::uint32_t* at) {
     }
     return h;
 }
-/// A heading turned on by a small angle.
-inline Unit turnedOn(const Unit& heading, Vec turn) {
-    const Vec square = turn * turn, one = Vec{} + SweepReal(1);
+/// A heading turned on by a small angle; a larger one counts as the largest for which the series is
+/// good.
+inline Unit turnedOn(const Unit& heading, Vec angle) {
+    const Vec one = Vec{} + SweepReal(1), largest = Vec{} + SweepReal(0.7);
+    const Vec turn = clamped(angle, -largest, largest), square = turn * turn;
     const Vec c = one - square * (SweepReal(1.0 / 2) -
                                   square * (SweepReal(1.0 / 24) - square * SweepReal(1.0 / 720)));
     const Vec s = turn * (one - square * (SweepReal(1.0 / 6) - square * SweepReal(1.0 / 120)));
     return rotated(heading, c, s);
 }
-/// When a height falls to a limit, as a share of the step: 0 if it is there or grows, at most 1.
+/// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
+/// not come so far.
 inline Vec momentOfHeight(Vec start, Vec end, Vec limit) {
     const Vec zero{}, one = zero + SweepReal(1), falls = start - end;
-    const auto comes = (start > limit) & (falls > zero);
-    return comes ? smaller((start - limit) / larger(falls, zero + SweepReal(1e-30)), one) : zero;
+    const auto comes = falls > start - limit;
+    const Vec moment = comes ? (start - limit) / larger(falls, zero + SweepReal(1e-30)) : one;
+    return start > limit ? moment : zero;
 }
-/// When two points come as near as a limit, or are nearest: the first root of a quadratic.
+/// When two points come as near as a limit, by the first root of a quadratic; or when they are
+/// nearest, or 1 if that is later.
 inline Vec momentOfPoints(const Unit& start, const Unit& way, Vec limit) {
     const Vec zero{}, one = zero + SweepReal(1);
     const Vec a = way.x * way.x + way.y * way.y, b = start.x * way.x + start.y * way.y;
     const Vec c = start.x * start.x + start.y * start.y - limit * limit;
-    const auto comes = (c > zero) & (b < zero);
     const Vec discriminant = larger(b * b - a * c, zero);
     const Vec moment = (-b - root(discriminant)) / larger(a, zero + SweepReal(1e-30));
-    return comes ? clamped(moment, zero, one) : zero;
+    const Vec coming = b < zero ? clamped(moment, zero, one) : one;
+    return c > zero ? coming : zero;
 }
 /// From the reference of one body to that of the other, in double until both are subtracted.
 inline Unit between(const double* reference, const std::uint32_t* from, const std::uint32_t* to) {

@@ -308,8 +308,10 @@ Real advance(const Movers& movers, const Shapes& shapes, const Chunk& a, const C
 Real timeOfImpact(const ContactCore& core, const Chunk& a, const Chunk& b, Real left) {
     const Ways ways{a.frame, b.frame, core.ways[a.frame], core.ways[b.frame]};
     const Real thickness = a.radius + b.radius;
-    return advance(core.movers, core.shapes, a, b, ways,
-                   [&](Real gap) { return left * std::min(thickness, gap); });
+    return advance(
+        core.movers, core.shapes, a, b, ways,
+        // What is in each other already is not held back.
+        [&](Real gap) { return gap > 0 ? left * std::min(thickness, gap) : Real(-1e30); });
 }
 
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,

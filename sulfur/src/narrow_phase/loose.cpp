@@ -53,14 +53,17 @@ Xy way(const CornerWay& c) {
     return {c.wayX, c.wayY};
 }
 
-/// When a height falls to a limit, as a share of the step: 0 if it is there or grows, at most 1.
+/// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
+/// not come so far.
 Real momentOfHeight(Real start, Real end, Real limit) {
-    return start > limit && end < start ? std::min<Real>((start - limit) / (start - end), 1) : 0;
+    if (!(start > limit)) return 0;
+    return start - end > start - limit ? (start - limit) / (start - end) : 1;
 }
-/// When two points come as near as a limit, or are nearest.
+/// When two points come as near as a limit; or when they are nearest, or 1 if that is later.
 Real momentOfPoints(Xy start, Xy way, Real limit) {
     const Real a = dot(way, way), b = dot(start, way), c = dot(start, start) - limit * limit;
-    if (!(c > 0 && b < 0)) return 0;
+    if (!(c > 0)) return 0;
+    if (!(b < 0)) return 1;
     return std::clamp<Real>((-b - std::sqrt(std::max<Real>(b * b - a * c, 0))) / a, 0, 1);
 }
 
