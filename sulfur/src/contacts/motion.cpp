@@ -232,7 +232,6 @@ void takeMotion(State& state) {
         movers.bodies[m].inverseInertia = seen.inverseInertia;
         if (movers.inexact[m] != 0) addUpRows(core, m);
         movers.inexact[m] = (state.tick + m) % 64 == 0 ? 1 : 0;
-        movers.given[m] = {};
         core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
         if (core.ahead[m] < movers.refreshAt[m]) continue;
         movers.refreshAt[m] =
@@ -362,15 +361,22 @@ void give(State& state, std::size_t k, bool turns) {
     const SolverBody& body = core.movers.bodies[m];
     Motion3& given = core.movers.given[m];
     const Motion3 more{body.vx - given.x, body.vy - given.y, body.spin - given.turn};
-    given = {body.vx, body.vy, body.spin};
+    // What rounding keeps back is given the next time, so that no momentum is lost.
+    const auto addTo = [&](Vec2& displacement) {
+        const Vec2 before = displacement;
+        displacement += Vec2(more.x, more.y);
+        given.x += displacement[0] - before[0];
+        given.y += displacement[1] - before[1];
+    };
     if (core.awakeIsCluster[k]) {
         Cluster& c = state.clusters.list[i];
-        c.displacement += Vec2(more.x, more.y);
+        addTo(c.displacement);
         if (more.turn == 0) return;
+        given.turn = body.spin;
         c.angle += static_cast<double>(more.turn);
         if (turns) updateTurn(c);
     } else if (body.inverseMass > 0) {
-        state.particles.displacement[i] += Vec2(more.x, more.y);
+        addTo(state.particles.displacement[i]);
     }
 }
 
@@ -403,6 +409,9 @@ void endMotion(State& state) {
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         const SolverBody& body = movers.bodies[m];
+        // What the next step begins with is given anew, with what has been kept back.
+        Motion3& given = movers.given[m];
+        given = {given.x - body.vx, given.y - body.vy, given.turn - body.spin};
         movers.odometer[m] += static_cast<double>(stepOf(movers, m));
         const bool isCluster = core.awakeIsCluster[k] != 0;
         if (!mayHaveRows(core, m) || (!isCluster && body.inverseMass == 0)) continue;

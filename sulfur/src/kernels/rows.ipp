@@ -318,13 +318,16 @@ inline Unit turnedOn(const Unit& heading, Vec angle) {
     const Vec s = turn * (one - square * (SweepReal(1.0 / 6) - square * SweepReal(1.0 / 120)));
     return rotated(heading, c, s);
 }
+/// What is so near to a limit is there: so that what lies does not seem to come and go.
+constexpr SweepReal reached = SweepReal(1 + 1.0 / 64);
+
 /// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
 /// not come so far.
 inline Vec momentOfHeight(Vec start, Vec end, Vec limit) {
     const Vec zero{}, one = zero + SweepReal(1), falls = start - end;
     const auto comes = falls > start - limit;
     const Vec moment = comes ? (start - limit) / larger(falls, zero + SweepReal(1e-30)) : one;
-    return start > limit ? moment : zero;
+    return start > reached * limit ? moment : zero;
 }
 /// When two points come as near as a limit, by the first root of a quadratic; or when they are
 /// nearest, or 1 if that is later.
@@ -335,7 +338,8 @@ inline Vec momentOfPoints(const Unit& start, const Unit& way, Vec limit) {
     const Vec discriminant = larger(b * b - a * c, zero);
     const Vec moment = (-b - root(discriminant)) / larger(a, zero + SweepReal(1e-30));
     const Vec coming = b < zero ? clamped(moment, zero, one) : one;
-    return c > zero ? coming : zero;
+    const Vec square = start.x * start.x + start.y * start.y;
+    return square > reached * reached * limit * limit ? coming : zero;
 }
 /// From the reference of one body to that of the other, in double until both are subtracted.
 inline Unit between(const double* reference, const std::uint32_t* from, const std::uint32_t* to) {

@@ -53,16 +53,19 @@ Xy way(const CornerWay& c) {
     return {c.wayX, c.wayY};
 }
 
+/// What is so near to a limit is there: so that what lies does not seem to come and go.
+constexpr Real reached = Real(1 + 1.0 / 64);
+
 /// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
 /// not come so far.
 Real momentOfHeight(Real start, Real end, Real limit) {
-    if (!(start > limit)) return 0;
+    if (!(start > reached * limit)) return 0;
     return start - end > start - limit ? (start - limit) / (start - end) : 1;
 }
 /// When two points come as near as a limit; or when they are nearest, or 1 if that is later.
 Real momentOfPoints(Xy start, Xy way, Real limit) {
     const Real a = dot(way, way), b = dot(start, way), c = dot(start, start) - limit * limit;
-    if (!(c > 0)) return 0;
+    if (!(dot(start, start) > reached * reached * limit * limit)) return 0;
     if (!(b < 0)) return 1;
     return std::clamp<Real>((-b - std::sqrt(std::max<Real>(b * b - a * c, 0))) / a, 0, 1);
 }
