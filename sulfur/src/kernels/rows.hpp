@@ -55,7 +55,7 @@ struct ManifoldPoint {
 /// face that lies on another has the same tangent in both, and what the two can hold together is
 /// Coulomb's limit of their sum. The tangent is the normal turned counter-clockwise by a right
 /// angle.
-struct alignas(64) ManifoldBlock {
+struct alignas(sizeof(Lane)) ManifoldBlock {
     Places a, b;  // bodies
     Lane staticFriction, kineticFriction;
     Lane tangentX, tangentY;
@@ -84,8 +84,9 @@ struct ManifoldFeature {
 };
 
 /// The part of a block that only refreshes read.
-struct alignas(64) ManifoldShape {
-    Places pair;                // whose row it is, or none
+struct alignas(sizeof(Lane)) ManifoldShape {
+    Places pair;  // whose row it is, or none
+    Places unused;
     Lane thickness;             // m, radii of both sides together
     Lane lookX, lookY;          // m, where b was in the frame of a when the pair was looked at
     Lane lookCosine, lookSine;  // and how it was turned
@@ -97,8 +98,9 @@ struct alignas(64) ManifoldShape {
 /// A corner of one body held off a side whose ends may be two bodies more. Along the normal the
 /// side moves with the weights of its ends; along the tangent it also turns like a rod, so that
 /// both sides act at one point and no angular momentum is made.
-struct alignas(64) TouchBlock {
+struct alignas(sizeof(Lane)) TouchBlock {
     Places p, a, b;  // bodies; b is the world where a has both ends
+    Places unused;   // no block has padding, because its bytes are hashed
     Lane staticFriction, kineticFriction;
     Lane normalX, normalY;  // from the side towards the corner
     Lane weightA, weightB;  // of the side's ends, adding up to 1
@@ -113,8 +115,9 @@ struct alignas(64) TouchBlock {
     Lane pressing, rubbing;
 };
 
-struct alignas(64) TouchShape {
-    Places touch;           // whose row it is, or none
+struct alignas(sizeof(Lane)) TouchShape {
+    Places touch;  // whose row it is, or none
+    Places unused;
     Lane thickness;         // m
     Lane cornerX, cornerY;  // m, in the frame of p
     Lane aX, aY, bX, bY;    // m, the side's ends in the frames of their bodies

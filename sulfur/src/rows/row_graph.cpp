@@ -35,7 +35,7 @@ void giveColourBack(Movers& movers, const std::array<std::uint32_t, count>& bodi
 }
 
 // Blocks and shapes are made of lanes only, each of them eight numbers of one size.
-static_assert(sizeof(ManifoldBlock) % (rowLanes * 4) == 0 && sizeof(TouchBlock) % 64 == 0);
+static_assert(sizeof(ManifoldBlock) % sizeof(Lane) == 0 && sizeof(TouchBlock) % sizeof(Lane) == 0);
 
 /// Copies one lane of everything from `from` to `to`. Numbers of 4 bytes come first (`places` of
 /// them), then Reals.
@@ -52,7 +52,7 @@ void copyLane(const T& from, std::uint32_t f, T& to, std::uint32_t t, std::size_
         std::memcpy(target + at + t * sizeof(Real), source + at + f * sizeof(Real), sizeof(Real));
 }
 
-constexpr std::size_t manifoldPlaces = 2, touchPlaces = 3, shapePlaces = 1;
+constexpr std::size_t manifoldPlaces = 2, touchPlaces = 4, shapePlaces = 2;
 
 template <class List>
 RowPlace append(List& list, std::uint32_t colour) {

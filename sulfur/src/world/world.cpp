@@ -91,9 +91,6 @@ World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     impl_->state.settings = settings;
     impl_->state.h = detail::stepDuration(settings.tickRate);
     impl_->state.lastStep = static_cast<double>(impl_->state.h);
-#ifdef SULFUR_NEW_CONTACTS
-    impl_->state.core.on = true;
-#endif
 }
 
 World::~World() = default;
