@@ -1,0 +1,205 @@
+// The contact core that keeps its rows, beside the one that is in use.
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/contact_core.hpp"
+#include "helpers.hpp"
+#include "kernels/joint_sweep.hpp"
+
+namespace sulfur {
+namespace {
+
+/// Worlds of these tests run on rows.
+class Rows : public testing::Test {
+protected:
+    Rows() { detail::contactsByRows = true; }
+    ~Rows() override { detail::contactsByRows = before_; }
+
+private:
+    bool before_ = detail::contactsByRows;
+};
+
+Blueprint crate(double size = 1, Real mass = 1, const Material& material = {}) {
+    return shapes::box({.size = Vec2(static_cast<Real>(size), static_cast<Real>(size)),
+                        .mass = mass,
+                        .material = material});
+}
+
+std::vector<Body> stackOf(World& world, int count) {
+    world.add(
+        shapes::ground({.points = {{-20, Real(-0.05)}, {20, Real(-0.05)}}, .radius = Real(0.05)}));
+    std::vector<Body> crates;
+    for (int i = 0; i < count; ++i)
+        crates.push_back(world.add(crate(), {.position = {0, 0.5 + i}}));
+    return crates;
+}
+
+TEST_F(Rows, AStackOfTwentyStandsAtAnyRate) {
+    for (const int rate : {60, 240, 500, 1000}) {
+        World world({.tickRate = rate, .sleeping = false});
+        const auto crates = stackOf(world, 20);
+        test::run(world, 5);
+        for (int i = 0; i < 20; ++i) {
+            const Point at = world.centreOfMass(crates[static_cast<std::size_t>(i)]);
+            EXPECT_NEAR(at.y(), 0.5 + i, 0.001) << rate << " Hz, crate " << i;
+            EXPECT_NEAR(at.x(), 0, 0.001) << rate << " Hz, crate " << i;
+        }
+    }
+}
+
+TEST_F(Rows, AHeavyTopStands) {
+    World world;
+    auto crates = stackOf(world, 9);
+    crates.push_back(world.add(crate(1, 100), {.position = {0, 9.5}}));
+    test::run(world, 5);
+    for (std::size_t i = 0; i < crates.size(); ++i)
+        EXPECT_NEAR(world.centreOfMass(crates[i]).y(), 0.5 + static_cast<double>(i), 0.01);
+}
+
+/// Slides with g (sin a - mu cos a) from rest beyond the static angle, and holds below it.
+TEST_F(Rows, ASlopeHoldsToTheStaticAngle) {
+    constexpr double g = 9.81, mu = 0.6, kinetic = 0.5;
+    const Material rough{.staticFriction = Real(mu), .kineticFriction = Real(kinetic)};
+    const auto way = [&](double angle) {
+        World world({.gravity = {static_cast<Real>(g * std::sin(angle)),
+                                 static_cast<Real>(-g * std::cos(angle))},
+                     .sleeping = false});
+        world.add(shapes::ground({.points = {{-20, Real(-0.05)}, {40, Real(-0.05)}},
+                                  .radius = Real(0.05),
+                                  .material = rough}));
+        const Body body = world.add(crate(1, 1, rough), {.position = {0, 0.5}});
+        test::run(world, 2);
+        return world.centreOfMass(body).x();
+    };
+    EXPECT_LT(way(0.97 * std::atan(mu)), 0.001);
+    const double steep = 1.1 * std::atan(mu);
+    const double exact = g * (std::sin(steep) - kinetic * std::cos(steep)) * 2 * 2 / 2;
+    EXPECT_NEAR(way(steep), exact, 0.02 * exact);
+}
+
+TEST_F(Rows, NothingPassesThroughAThinWall) {
+    for (const double speed : {30.0, 100.0, 300.0})
+        for (const Blueprint& plan :
+             {crate(0.3), shapes::ball({.radius = Real(0.05)}),
+              shapes::jelly({.size = {Real(0.4), Real(0.4)}, .columns = 3, .rows = 3}),
+              shapes::rope({.from = {Real(-0.2), 0}, .to = {Real(0.2), 0}, .links = 1})}) {
+            World world({.gravity = {0, 0}});
+            world.add(shapes::ground({.points = {{3, -20}, {3, 20}}, .radius = Real(0.01)}));
+            const Body body = world.add(plan, {.angle = 0.4});
+            world.setVelocity(body, {static_cast<Real>(speed), 0});
+            for (int tick = 0; tick < 250; ++tick) {
+                world.step();
+                ASSERT_LT(world.centreOfMass(body).x(), 3) << speed << " m/s, tick " << tick;
+            }
+        }
+}
+
+/// Its ends come down along a circle that never reaches the floor, although their velocity points
+/// through it.
+TEST_F(Rows, WhatSpinsBesideAFloorIsNotBraked) {
+    World world({.gravity = {0, 0}});
+    world.add(
+        shapes::ground({.points = {{-20, Real(-0.5)}, {20, Real(-0.5)}}, .radius = Real(0.02)}));
+    const Body rod =
+        world.add(shapes::rope({.from = {Real(-0.3), 0}, .to = {Real(0.3), 0}, .links = 1}));
+    for (const ParticleId id : rod.particles())
+        world.setVelocity(id, {0, static_cast<Real>(500 * world.position(id).x())});
+    world.step();
+    const double energy = world.energy();
+    test::run(world, 1);
+    EXPECT_NEAR(world.energy(), energy, 1e-4 * energy);
+}
+
+TEST_F(Rows, SeamsOfOneLineAreNotFelt) {
+    std::vector<Vec2> line;
+    for (int i = 0; i <= 100; ++i) line.emplace_back(static_cast<Real>(-2 + 0.25 * i), Real(-0.05));
+    const Material slick{.staticFriction = 0, .kineticFriction = 0};
+    for (const Blueprint& plan :
+         {crate(1, 1, slick), shapes::ball({.radius = Real(0.5), .material = slick})}) {
+        World world;
+        world.add(shapes::ground({.points = line, .radius = Real(0.05), .material = slick}));
+        const Body body = world.add(plan, {.position = {0, 0.5}});
+        test::run(world, 1);
+        world.setVelocity(body, {2, 0});
+        for (int tick = 0; tick < 2500; ++tick) {
+            world.step();
+            ASSERT_NEAR(static_cast<double>(world.meanVelocity(body).y()), 0, 0.002)
+                << world.centreOfMass(body).x();
+        }
+    }
+}
+
+TEST_F(Rows, WhatIsMadeInEachOtherComesApartGently) {
+    World world({.sleeping = false});
+    stackOf(world, 0);
+    std::vector<Body> discs;
+    for (int i = 0; i < 10; ++i)
+        discs.push_back(world.add(shapes::ball({.radius = Real(0.25)}),
+                                  {.position = {0.004 * i, 0.3 + 0.003 * (i % 3)}}));
+    test::run(world, 4);
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        EXPECT_GT(world.centreOfMass(discs[i]).y(), 0.24);
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_GT((world.centreOfMass(discs[i]) - world.centreOfMass(discs[j])).norm(), 0.49);
+    }
+}
+
+TEST_F(Rows, ALandingIsToldOnceAtAnyRate) {
+    for (const int rate : {60, 240, 500}) {
+        World world({.tickRate = rate, .sleeping = false});
+        stackOf(world, 0);
+        const Body body = world.add(crate(), {.position = {0, 1}});
+        std::size_t begun = 0, ended = 0;
+        double impulse = 0;
+        for (int tick = 0; tick < rate; ++tick) {
+            world.step();
+            begun += world.events().contactsBegun.size();
+            ended += world.events().contactsEnded.size();
+            for (const auto& e : world.events().contactsBegun)
+                impulse += static_cast<double>(e.impulse);
+        }
+        EXPECT_EQ(begun, 1u) << rate;
+        EXPECT_EQ(ended, 0u) << rate;
+        // sqrt(2 g s), and the weight in the tick of the landing.
+        EXPECT_NEAR(impulse, std::sqrt(2 * 9.81 * 0.5), 0.2) << rate;
+        EXPECT_TRUE(world.contains(body));
+    }
+}
+
+/// Crates, a jelly and a rope in a heap.
+void addHeap(World& world) {
+    world.add(shapes::ground(
+        {.points = {{-5, 3}, {-3, Real(-0.05)}, {3, Real(-0.05)}, {5, 3}}, .radius = Real(0.05)}));
+    for (int i = 0; i < 12; ++i)
+        world.add(crate(0.5), {.position = {0.3 * (i % 4) - 0.5, 0.5 + 0.7 * i}, .angle = 0.3 * i});
+    world.add(shapes::jelly({.size = {1, 1}}), {.position = {0.2, 10}});
+    world.add(shapes::rope({.from = {-1, 0}, .to = {1, 0}}), {.position = {0, 9}});
+}
+
+TEST_F(Rows, ARestoredWorldGoesOnToTheBit) {
+    World world;
+    addHeap(world);
+    test::run(world, 1.5);
+    World other;
+    other.restore(world.snapshot());
+    for (int tick = 0; tick < 500; ++tick) {
+        world.step();
+        other.step();
+        ASSERT_EQ(world.hash(), other.hash()) << tick;
+    }
+}
+
+TEST_F(Rows, EveryProcessorGivesTheSameBits) {
+    const auto hashAfter = [](detail::Instructions most) {
+        detail::useKernelsUpTo(most);
+        World world;
+    addHeap(world);
+        test::run(world, 2);
+        detail::useKernelsUpTo(detail::Instructions::avx512);
+        return world.hash();
+    };
+    EXPECT_EQ(hashAfter(detail::Instructions::baseline), hashAfter(detail::Instructions::avx2));
+}
+
+}  // namespace
+}  // namespace sulfur
