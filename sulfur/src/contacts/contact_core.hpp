@@ -58,6 +58,7 @@ struct Encounter {
     BodyId a, b;                     // a < b; null where the slot is free
     std::uint32_t firstPair = none;  // of chunks; see Pair
     std::uint32_t pressing = 0;      // rows that press, asleep or not
+    std::uint32_t struck = 0;        // 1: by an impact of this step
     std::uint32_t touching = 0;      // 1: they did when rows were last asked
     std::uint32_t changed = 0;       // 1: it is in the list of those that may have changed
     // While it is in that list:
@@ -144,6 +145,7 @@ struct ContactCore {
     std::vector<Blow> blows;
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
+    std::vector<std::uint32_t> struckEncounters;
     std::vector<std::uint32_t> toWake;  // bodies by slot
     bool on = contactsByRows;
     bool listsStale = true;
@@ -166,6 +168,7 @@ struct ContactCore {
         a(buckets);
         a(changedEncounters);
         a(leading);
+        a(struckEncounters);
         a(linked);
         a(linkedBodies);
         a(staleShapes);

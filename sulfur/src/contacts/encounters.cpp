@@ -98,6 +98,21 @@ void addPressing(ContactCore& core, std::uint32_t e, int more) {
     noteChange(core, e);
 }
 
+void noteStruck(ContactCore& core, std::uint32_t e) {
+    if (std::exchange(core.encounters[e].struck, 1) != 0) return;
+    core.struckEncounters.push_back(e);
+    noteChange(core, e);
+}
+
+void forgetStruck(ContactCore& core) {
+    for (const auto e : core.struckEncounters) {
+        if (core.encounters[e].struck == 0) continue;  // its place is another's now
+        core.encounters[e].struck = 0;
+        noteChange(core, e);
+    }
+    core.struckEncounters.clear();
+}
+
 namespace {
 
 /// What all rows of an encounter do together.
@@ -156,7 +171,7 @@ private:
     }
 
     void follow(Encounter& encounter) {
-        encounter.touching = encounter.pressing > 0 ? 1 : 0;
+        encounter.touching = encounter.pressing > 0 || encounter.struck != 0 ? 1 : 0;
         if (encounter.touching == 0 || encounter.touched == 1) return;
         const Push p = pushOf(encounter);
         if (encounter.begun != none) {

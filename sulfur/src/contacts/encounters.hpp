@@ -14,5 +14,8 @@ void enterEncounter(State& state, std::uint32_t pair);
 void leaveEncounter(ContactCore& core, std::uint32_t pair);
 /// So many rows more of an encounter press, or less.
 void addPressing(ContactCore& core, std::uint32_t encounter, int more);
+/// An impact of this step has struck an encounter; call the other when the next step begins.
+void noteStruck(ContactCore& core, std::uint32_t encounter);
+void forgetStruck(ContactCore& core);
 
 }  // namespace sulfur::detail

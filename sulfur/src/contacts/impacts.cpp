@@ -8,9 +8,11 @@
 // places.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "contacts/contact_core.hpp"
+#include "contacts/encounters.hpp"
 #include "contacts/stages.hpp"
 #include "rigid/grip.hpp"
 #include "world/state.hpp"
@@ -56,21 +58,42 @@ public:
     }
 
 private:
+    /// All rows that rebound, because a blow may go through them, and those of others that come to
+    /// touch in this step.
     void collect() {
+        const RowKernels& kernels = rowKernels();
+        const bool anyBounces = core_.bouncingPairs > 0;
+        const Real slow = slowestRebound * h_;
+        const auto look = [&](auto& list, std::uint32_t c, auto&& kernel, auto&& pairOf,
+                              auto&& add) {
+            for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+                std::uint32_t lanes =
+                    kernel(movers_.bodies.data(), movers_.predictions.data(), list.blocks[k], slow);
+                const auto rows = std::min(RowGraph::rowsIn(list, c, k), std::uint32_t{rowLanes});
+                for (std::uint32_t lane = 0; anyBounces && lane < rows; ++lane)
+                    if (core_.pairs[pairOf(list.shapes[k], lane)].restitution > 0)
+                        lanes |= 1u << lane;
+                for (; lanes != 0; lanes &= lanes - 1) {
+                    const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+                    const auto first = static_cast<std::uint32_t>(k);
+                    const RowPlace place{c, c == RowGraph::overflow ? first
+                                                                    : static_cast<std::uint32_t>(
+                                                                          first * rowLanes + lane)};
+                    add(place, pairOf(list.shapes[k], lane));
+                }
+            }
+        };
         for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {
-            const ManifoldList& manifolds = core_.rows.manifolds[c];
-            for (std::uint32_t i = 0; i < manifolds.rows; ++i) {
-                const RowPlace place{c, i};
-                const auto pair = core_.rows.manifoldShape(place).pair[RowGraph::laneOf(place)];
-                if (core_.pairs[pair].restitution > 0) addManifold(place, pair);
-            }
-            const TouchList& touches = core_.rows.touches[c];
-            for (std::uint32_t i = 0; i < touches.rows; ++i) {
-                const RowPlace place{c, i};
-                const auto touch = core_.rows.touchShape(place).touch[RowGraph::laneOf(place)];
-                if (core_.pairs[core_.touches[touch].pair].restitution > 0)
-                    addTouch(place, core_.touches[touch].pair);
-            }
+            look(
+                core_.rows.manifolds[c], c, kernels.meetingManifolds,
+                [](const ManifoldShape& s, std::uint32_t lane) { return s.pair[lane]; },
+                [&](RowPlace place, std::uint32_t pair) { addManifold(place, pair); });
+            look(
+                core_.rows.touches[c], c, kernels.meetingTouches,
+                [&](const TouchShape& s, std::uint32_t lane) {
+                    return core_.touches[s.touch[lane]].pair;
+                },
+                [&](RowPlace place, std::uint32_t pair) { addTouch(place, pair); });
         }
     }
 
@@ -203,6 +226,7 @@ private:
             push(m.tangent[i], std::clamp(-m.tangent[i].mass * motion(m.tangent[i]), -most, most),
                  when[i]);
             core_.struck.push_back(m.pair);
+            noteStruck(core_, core_.pairs[m.pair].encounter);
             core_.pairs[m.pair].blow += impulse[i] / h_;
             auto& approach = core_.pairs[m.pair].approach;
             approach = std::max(approach, -closing[i] / h_);
@@ -235,7 +259,7 @@ void strikeRows(State& state) {
     for (const auto pair : state.core.struck)
         state.core.pairs[pair].blow = state.core.pairs[pair].approach = 0;
     state.core.struck.clear();
-    if (state.core.bouncingPairs == 0) return;
+    forgetStruck(state.core);
     Striker(state).run();
     // Whoever was struck has it in the predicted motion; places follow when the step ends.
     for (const Blow& blow : state.core.blows) {

@@ -159,6 +159,12 @@ struct RowKernels {
                                       ManifoldBlock& block, const ManifoldShape& shape);
     std::uint32_t (*refreshTouches)(SolverBody* bodies, const PoseView& poses, TouchBlock& block,
                                     const TouchShape& shape);
+    /// A bit for each lane that presses nothing yet and comes to touch in this step, with more than
+    /// `slow` (m in a step).
+    std::uint32_t (*meetingManifolds)(const SolverBody* bodies, const Prediction* predictions,
+                                      const ManifoldBlock& block, SweepReal slow);
+    std::uint32_t (*meetingTouches)(const SolverBody* bodies, const Prediction* predictions,
+                                    const TouchBlock& block, SweepReal slow);
     /// A bit for each lane that presses.
     std::uint32_t (*pressingManifolds)(const ManifoldBlock& block);
     std::uint32_t (*pressingTouches)(const TouchBlock& block);

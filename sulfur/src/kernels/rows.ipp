@@ -515,6 +515,28 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     return bits(moved > load(shape.margin));
 }
 
+std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predictions,
+                              const ManifoldBlock& block, SweepReal slow) {
+    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
+    Bodies goesA = gather(predictions, block.a), goesB = gather(predictions, block.b);
+    const Relative v{b.vx() - a.vx() + goesB.vx() - goesA.vx(),
+                     b.vy() - a.vy() + goesB.vy() - goesA.vy(), a.spin() + goesA.spin(),
+                     b.spin() + goesB.spin()};
+    const Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
+    const Vec zero{};
+    Mask meets{};
+    for (const ManifoldPoint& p : block.points) {
+        const Vec nx = load(p.normalX), ny = load(p.normalY), armA = load(p.normalArmA),
+                  armB = load(p.normalArmB);
+        const Vec closing = along(v, nx, ny, armA, armB);
+        const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
+        meets |= (load(p.normalMass) > zero) & (closing < zero - slow) & (gap + closing < zero);
+    }
+    const auto presses =
+        (load(block.points[0].pressing) > zero) | (load(block.points[1].pressing) > zero);
+    return bits(meets & ~presses);
+}
+
 std::uint32_t pressingManifold(const ManifoldBlock& block) {
     return bits((load(block.points[0].pressing) > Vec{}) |
                 (load(block.points[1].pressing) > Vec{}));
@@ -749,6 +771,19 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
     return bits((place < load(shape.low)) | (place > load(shape.high)));
+}
+
+std::uint32_t meetingTouch(const SolverBody* bodies, const Prediction* predictions,
+                           const TouchBlock& t, SweepReal slow) {
+    const Jacobian normal = normalOf(t);
+    Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
+    Bodies goesP = gather(predictions, t.p), goesA = gather(predictions, t.a),
+           goesB = gather(predictions, t.b);
+    const Vec zero{};
+    const Vec closing = along(normal, p, a, b) + along(normal, goesP, goesA, goesB);
+    const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
+    return bits((load(t.normalMass) > zero) & (load(t.pressing) <= zero) & (closing < zero - slow) &
+                (gap + closing < zero));
 }
 
 std::uint32_t pressingTouch(const TouchBlock& block) {

@@ -5,7 +5,7 @@
 
 namespace sulfur::detail {
 
-const RowKernels baselineRows = {sweepManifolds, sweepTouches,     refreshManifold,
-                                 refreshTouch,   pressingManifold, pressingTouch};
+const RowKernels baselineRows = {sweepManifolds,  sweepTouches, refreshManifold,  refreshTouch,
+                                 meetingManifold, meetingTouch, pressingManifold, pressingTouch};
 
 }  // namespace sulfur::detail
