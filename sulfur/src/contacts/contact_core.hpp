@@ -76,6 +76,13 @@ struct Blow {
     Real when = 0;        // share of the step that was over
 };
 
+/// The impulse of an impact, beside those of the rows.
+struct Knock {
+    std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
+    Vec2 normal{0, 0};                                         // from the side towards the corner
+    Real pressing = 0, rubbing = 0;                            // kg m
+};
+
 /// Where a body as a whole goes when the step ends.
 struct Lead {
     std::uint32_t body = 0;  // dense index
@@ -143,6 +150,7 @@ struct ContactCore {
     std::vector<Passing> passings;
     std::vector<Motion3> ways;  // by mover: how it goes in this step
     std::vector<Blow> blows;
+    std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> struckEncounters;

@@ -27,6 +27,15 @@ public:
                 addTouch(core_.touches[t], sleepers);
         }
     }
+    void addKnocks() {
+        for (const Knock& knock : core_.knocks) {
+            Contact c;
+            c.normal = knock.normal;
+            c.normalLambda = knock.pressing;
+            c.tangentLambda = knock.rubbing;
+            add(c, knock.particles);
+        }
+    }
 
 private:
     void addManifold(const Pair& pair) {
@@ -103,6 +112,12 @@ private:
 
 void exportContacts(const State& state, std::vector<Contact>& contacts, bool sleepers) {
     Exporter(state, contacts).run(sleepers);
+}
+
+void exportLoads(const State& state, std::vector<Contact>& contacts) {
+    Exporter exporter(state, contacts);
+    exporter.run(false);
+    exporter.addKnocks();
 }
 
 }  // namespace sulfur::detail

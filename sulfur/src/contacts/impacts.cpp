@@ -13,6 +13,7 @@
 
 #include "contacts/contact_core.hpp"
 #include "contacts/encounters.hpp"
+#include "contacts/looks.hpp"
 #include "contacts/stages.hpp"
 #include "rigid/grip.hpp"
 #include "world/state.hpp"
@@ -38,6 +39,7 @@ struct Strike {
 /// The points of one pair, with their tangents.
 struct Meeting {
     std::array<Strike, 2> normal, tangent;
+    std::array<Knock, 2> knock;  // what it is about, without impulses
     int points = 0;
     Real restitution = 0, friction = 0;
     std::uint32_t pair = none;
@@ -115,6 +117,10 @@ private:
             if (!(p.normalMass[l] > 0)) continue;
             Strike s = strikeOf(p.normalX[l], p.normalY[l], p.normalArmA[l], p.normalArmB[l]);
             s.gap = gapNow(s, p.gap[l]);
+            const auto k = static_cast<std::size_t>(&p - block.points);
+            const Real owner = core_.rows.manifoldShape(place).features[k].owner[l];
+            m.knock[static_cast<std::size_t>(m.points)] = {
+                core_.pairs[pair].features[k], owner * Vec2(p.normalX[l], p.normalY[l]), 0, 0};
             m.normal[static_cast<std::size_t>(m.points)] = s;
             m.tangent[static_cast<std::size_t>(m.points)] = strikeOf(
                 block.tangentX[l], block.tangentY[l], block.tangentArmA[l], block.tangentArmB[l]);
@@ -126,6 +132,7 @@ private:
     void addTouch(RowPlace place, std::uint32_t pair) {
         const TouchBlock& t = core_.rows.touch(place);
         const auto l = RowGraph::laneOf(place);
+        const Touch& touch = core_.touches[core_.rows.touchShape(place).touch[l]];
         if (!(t.normalMass[l] > 0)) return;
         Meeting m;
         m.pair = pair;
@@ -133,6 +140,7 @@ private:
         m.restitution = core_.pairs[pair].restitution;
         m.friction = t.kineticFriction[l];
         const Vec2 n(t.normalX[l], t.normalY[l]), tangent(-n[1], n[0]);
+        m.knock[0] = {particlesOf(core_.shapes, touch.corner, touch.side), n, 0, 0};
         const Vec2 rod = t.rod[l] * Vec2(t.sideX[l], t.sideY[l]);
         Strike& s = m.normal[0];
         s.body = {t.p[l], t.a[l], t.b[l]};
@@ -223,8 +231,11 @@ private:
             if (!(impulse[i] > 0)) continue;
             push(m.normal[i], impulse[i], when[i]);
             const Real most = m.friction * impulse[i];
-            push(m.tangent[i], std::clamp(-m.tangent[i].mass * motion(m.tangent[i]), -most, most),
-                 when[i]);
+            const Real rubs = std::clamp(-m.tangent[i].mass * motion(m.tangent[i]), -most, most);
+            push(m.tangent[i], rubs, when[i]);
+            core_.knocks.push_back(m.knock[i]);
+            core_.knocks.back().pressing = impulse[i];
+            core_.knocks.back().rubbing = rubs;
             core_.struck.push_back(m.pair);
             noteStruck(core_, core_.pairs[m.pair].encounter);
             core_.pairs[m.pair].blow += impulse[i] / h_;
@@ -259,6 +270,7 @@ void strikeRows(State& state) {
     for (const auto pair : state.core.struck)
         state.core.pairs[pair].blow = state.core.pairs[pair].approach = 0;
     state.core.struck.clear();
+    state.core.knocks.clear();
     forgetStruck(state.core);
     Striker(state).run();
     // Whoever was struck has it in the predicted motion; places follow when the step ends.

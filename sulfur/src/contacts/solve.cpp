@@ -88,7 +88,7 @@ void solveWithRows(State& state) {
     endBlows(state);
     holdBackFast(state);
     endLeads(state);
-    if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
+    if (!state.work.watchedClusters.empty()) exportLoads(state, state.contacts);
     recoverAreas(state);
     recordTreeForces(state);
     recordForces(state);

@@ -46,6 +46,8 @@ void endMotion(State& state);
 void solveWithRows(State& state);
 /// Points that push, into State::contacts; with those of sleepers where it is asked for.
 void exportContacts(const State& state, std::vector<Contact>& contacts, bool sleepers);
+/// The same of those that are awake, with the impacts of this step.
+void exportLoads(const State& state, std::vector<Contact>& contacts);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleepByRows(State& state);
 
