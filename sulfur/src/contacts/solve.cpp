@@ -78,6 +78,7 @@ void solveWithRows(State& state) {
     touchTrees(state);
     startAreas(state);
     strikeRows(state);
+    shareBlows(state);
     if (sweepsOthers(state)) {
         sweepAll(state);
     } else {

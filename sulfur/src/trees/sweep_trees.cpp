@@ -36,6 +36,12 @@ std::vector<std::uint32_t>& heldContacts() {
     return scratch;
 }
 
+/// What impacts have given to a node.
+struct Blown {
+    Point way{0, 0};  // m
+    double turn = 0;  // rad
+};
+
 template <int N>
 class TreeSweeper {
 public:
@@ -57,6 +63,38 @@ public:
             if (solver_.links[i].rows == 2) met = solver_.links[i].value;
             if (solver_.links[i].rows == 1) met[0] = lengthNow_;
         }
+    }
+
+    /// `given`: displacement and angle of each node by impacts. Takes away by how much links have
+    /// grown longer by them, along their directions when the step begins. (At the step's end a link
+    /// that an impact has turned by much would be solved along a wrong one.)
+    void share(const std::vector<Blown>& given) {
+        for (std::size_t i = 1; i < count_; ++i) {
+            const TreeNode& n = node(i);
+            auto& link = solver_.links[i];
+            link.parent = n.parent;
+            link.rows = 0;
+            const Span span = spanOf(i, false);
+            const auto& here = given[tree_.first + i];
+            const auto& there = given[tree_.first + n.parent];
+            const auto at = [](const Blown& b, const Point& arm) {
+                return Point(b.way + b.turn * Point(-arm[1], arm[0]));
+            };
+            const Point parting = at(here, span.armHere) - at(there, span.armThere);
+            if (n.kind != LinkKind::joint) {
+                setMeeting<N>(link, span, span);
+                link.value = {parting[0], parting[1]};
+                continue;
+            }
+            const double length = span.apart.norm();
+            if (state_.joints.kind[n.link] != JointKind::rigid || !(length > 1e-12)) continue;
+            const Point direction = span.apart / length;
+            setDistance<N>(link, span, span, direction, direction);
+            link.value = {direction.dot(parting), 0};
+            link.compliance = {0, 0};
+        }
+        solver_.solve();
+        for (std::size_t i = 0; i < count_; ++i) apply(i);
     }
 
     void sweep() {
@@ -477,6 +515,31 @@ void touchTrees(State& state) {
         if (!trees.touched[i]) continue;
         trees.touchedAlone.push_back(i);
         withSweeper(state, i, [](auto& s) { s.remember(); });
+    }
+}
+
+void shareBlows(State& state) {
+    const ContactCore& core = state.core;
+    if (core.blows.empty() || state.trees.touchedAlone.empty()) return;
+    std::vector<Blown> ofParticle(state.particles.size()), ofCluster(state.clusters.list.size());
+    for (const Blow& blow : core.blows) {
+        const auto i = core.denseOfMover[blow.mover];
+        Blown& sum = core.moverIsCluster[blow.mover] != 0 ? ofCluster[i] : ofParticle[i];
+        sum.way += blow.velocity.cast<double>();
+        sum.turn += static_cast<double>(blow.spin);
+    }
+    std::vector<Blown> given(state.trees.nodes.size());
+    for (const auto tree : state.trees.touchedAlone) {
+        bool any = false;
+        for (auto k = state.trees.list[tree].first; k < state.trees.list[tree].last; ++k) {
+            const TreeNode& n = state.trees.nodes[k];
+            if (n.cluster != none)
+                given[k] = ofCluster[n.cluster];
+            else if (n.particle != none)
+                given[k] = ofParticle[n.particle];
+            any = any || given[k].turn != 0 || !given[k].way.isZero(0);
+        }
+        if (any) withSweeper(state, tree, [&](auto& s) { s.share(given); });
     }
 }
 

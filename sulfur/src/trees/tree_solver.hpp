@@ -16,6 +16,9 @@ void stepTrees(State& state);
 
 /// Before the sweeps: finds the trees that contacts or swept constraints pull on.
 void touchTrees(State& state);
+/// What impacts have given to single nodes of the touched trees is shared along their links at once:
+/// how fast these grow does not change.
+void shareBlows(State& state);
 /// One sweep: every line through a mesh, and every touched tree, is solved as a whole.
 void sweepTrees(State& state);
 /// Whether the sweeps have not yet found what contacts do to the trees that they touch.
