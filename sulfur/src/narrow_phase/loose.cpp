@@ -195,7 +195,7 @@ private:
             if (beside <= 0)
                 before.push_back({corner, s, height < 0 ? 1u : 0u, outward});
             else
-                entrance_ = std::min(entrance_, beside);
+                enter(std::min(beside, besidesAt(p, a, b, 0)));
         }
         if (nearestSide == none) return;
         if (depth > radius) {
@@ -225,12 +225,18 @@ private:
         const Real turned = static_cast<Real>(outward) * cross(fromEnd, alongEnd);
         const Real end = lengthEnd > 0 ? turned / lengthEnd : height;
         const Real moment = momentOfHeight(height, end, thickness);
+        return besidesAt(p, a, b, moment);
+    }
+    static Real besidesAt(const CornerWay& p, const CornerWay& a, const CornerWay& b, Real moment) {
         const Xy along = at(b, moment) - at(a, moment), from = at(p, moment) - at(a, moment);
         const Real length = norm(along);
         if (!(length > 0)) return norm(from);
         const Real foot = dot(from, along) / length;
         return std::max(-foot, foot - length) - beyondEnds * length;
     }
+    /// Something that is near comes before a side or a corner after so many metres, counted from
+    /// where it is: nobody knows whether it goes as is predicted.
+    void enter(Real after) { entrance_ = std::min(entrance_, std::max<Real>(after, 0)); }
 
     /// Deep in a body a corner counts before the nearest side of all its outline, if that is of
     /// this chunk.
@@ -325,7 +331,8 @@ private:
             const Real beside =
                 std::max(beforeSpokes(corner, qAt, pAt, moment), beforeSpokes(c, pAt, qAt, moment));
             if (beside > 0)
-                entrance_ = std::min(entrance_, beside);
+                enter(std::min({beside, beforeSpokes(corner, at(q), at(p), 0),
+                                beforeSpokes(c, at(p), at(q), 0)}));
             else
                 result_.near.push_back({c, side, end, 0});
         }
