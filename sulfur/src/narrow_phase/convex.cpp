@@ -330,7 +330,11 @@ Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a
     const Pose then = moment > 0 ? poseAt(movers, ways, moment) : start;
     const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, then.heading, then.at);
     Finder(a, b, outA, outB, near, movers.reach[b.frame], m).run();
-    if (isFast) m.margin = 0;
+    if (!isFast) return m;
+    // Nobody knows whether they go as is predicted.
+    m.margin = 0;
+    const Outline now(shapes, b, start.heading, start.at);
+    m.gap = std::min(m.gap, separationOf(outA, now).gap - thickness);
     return m;
 }
 

@@ -77,19 +77,38 @@ TEST_F(Rows, ASlopeHoldsToTheStaticAngle) {
     EXPECT_NEAR(way(steep), exact, 0.02 * exact);
 }
 
+/// Particles of a body that a capsule or disc covers; all others touch nothing.
+std::vector<ParticleId> surfaceOf(const Blueprint& plan, const Body& body) {
+    std::vector<bool> covered;
+    for (const ParticleSpec& p : plan.particles) covered.push_back(p.radius > 0);
+    for (const JointSpec& joint : plan.joints)
+        if (joint.radius > 0) covered[joint.a] = covered[joint.b] = true;
+    std::vector<ParticleId> ids;
+    for (std::size_t i = 0; i < covered.size(); ++i)
+        if (covered[i]) ids.push_back(body[i]);
+    return ids;
+}
+
 TEST_F(Rows, NothingPassesThroughAThinWall) {
     for (const double speed : {30.0, 100.0, 300.0})
         for (const Blueprint& plan :
              {crate(0.3), shapes::ball({.radius = Real(0.05)}),
-              shapes::jelly({.size = {Real(0.4), Real(0.4)}, .columns = 3, .rows = 3}),
+              shapes::jelly({.size = {Real(0.4), Real(0.4)}, .columns = 2, .rows = 2}),
               shapes::rope({.from = {Real(-0.2), 0}, .to = {Real(0.2), 0}, .links = 1})}) {
             World world({.gravity = {0, 0}});
             world.add(shapes::ground({.points = {{3, -20}, {3, 20}}, .radius = Real(0.01)}));
             const Body body = world.add(plan, {.angle = 0.4});
             world.setVelocity(body, {static_cast<Real>(speed), 0});
+            const auto farthest = [&] {
+                double most = -1e9;
+                for (const ParticleId id : surfaceOf(plan, body))
+                    most = std::max(most, world.position(id).x());
+                return most;
+            };
             for (int tick = 0; tick < 250; ++tick) {
                 world.step();
-                ASSERT_LT(world.centreOfMass(body).x(), 3) << speed << " m/s, tick " << tick;
+                ASSERT_LT(farthest(), 3)
+                    << plan.particles.size() << " particles, " << speed << " m/s, tick " << tick;
             }
         }
 }
@@ -193,7 +212,7 @@ TEST_F(Rows, EveryProcessorGivesTheSameBits) {
     const auto hashAfter = [](detail::Instructions most) {
         detail::useKernelsUpTo(most);
         World world;
-    addHeap(world);
+        addHeap(world);
         test::run(world, 2);
         detail::useKernelsUpTo(detail::Instructions::avx512);
         return world.hash();
