@@ -176,7 +176,9 @@ struct ContactCore {
         a(buckets);
         a(changedEncounters);
         a(leading);
+        a(struck);
         a(struckEncounters);
+        a(tiedCapsules);
         a(linked);
         a(linkedBodies);
         a(staleShapes);
