@@ -11,10 +11,10 @@ namespace sulfur {
 /// The stages of a tick, in the order in which they run.
 enum class Stage : std::uint8_t {
     changes,
-    broadPhase,
     forces,
     fields,
     predict,
+    broadPhase,
     narrowPhase,
     constraints,
     velocities,
@@ -44,18 +44,15 @@ struct Statistics {
     std::uint32_t chainFallbacks = 0;    ///< of these, those that had to give up SHAKE directions
     std::uint32_t triangles = 0;         ///< of soft bodies awake, which keep their side
     std::uint32_t pressedTriangles = 0;  ///< of these, those that were nearly flat or turned over
-    std::uint32_t candidates = 0;        ///< pairs that the narrow phase looked at
-    std::uint32_t contacts = 0;          ///< that the narrow phase found
-    std::uint32_t plannedContacts = 0;   ///< near candidates whose constants were looked up anew
-    std::uint64_t broadPhases = 0;       ///< since the world was made
-    std::uint64_t fixedRebuilds = 0;     ///< of fixed geometry in the grid, likewise
-    std::uint32_t gridCells = 0;         ///< that moving colliders cover, each counting its own
+    std::uint32_t candidates = 0;        ///< pairs of things near each other, one of them awake
+    std::uint32_t looks = 0;             ///< at such pairs in this tick
+    std::uint32_t contacts = 0;          ///< rows of contacts that this has found
+    std::uint32_t boxes = 0;             ///< of the broad phase, drawn anew in this tick
     std::uint32_t substeps = 0;          ///< equal steps of a tick, 1 from 480 Hz on
     std::uint32_t dampedJoints = 0;      ///< of the explicit ones, those that brake
     std::uint32_t breakableJoints = 0;   ///< awake ones that have a strength
-    std::uint32_t rubbingContacts = 0;   ///< of those that push, the ones that have friction
-    std::uint32_t fastBodies = 0;        ///< that crossed half their thickness, while others slept
-    std::uint32_t heldBack = 0;          ///< candidates looked at again because something is fast
+    std::uint32_t fastPairs = 0;         ///< of the candidates, those whose ways were looked at
+    std::uint32_t heldBack = 0;          ///< bodies that were kept before what is in their way
     std::uint64_t idleTicks = 0;         ///< since the world was made: all rested, no stage ran
     /// By Stage: bodies, particles, joints, candidates that it looked at; 0 had nothing to do.
     std::array<std::uint32_t, static_cast<std::size_t>(Stage::count)> items{};

@@ -40,28 +40,16 @@ enum class Friction : std::uint8_t {
     sliding,
 };
 
-/// Which cells of the grid a capsule is entered in, where the broad phase looks for its partners.
-enum class Rasterisation : std::uint8_t {
-    /// All that it touches: Bresenham's line, widened. No touching pair is missed.
-    covering,
-    /// The paper's (section 3.3): the cells of Bresenham's line between its ends, without its
-    /// thickness. It misses touching pairs whose lines share no cell: 2 to 17 % of thin ones
-    /// that are half a cell long or longer, more than half of those as thick as a cell
-    /// (`sulfur_lab broadphase`). For comparison only: things pass through each other.
-    bresenham,
-};
-
 /// What a world is made with.
 struct WorldSettings {
     Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
     Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
     int tickRate = 500;    ///< Hz, 60 to 10000; below 480 a tick takes several equal steps
     bool sleeping = true;  ///< whether islands at rest fall asleep
-    Damper damper = Damper::axial;                          ///< of all elastic joints
-    Friction friction = Friction::coulomb;                  ///< of all contacts
-    Rasterisation rasterisation = Rasterisation::covering;  ///< of all capsules
-    bool tellPersisting = false;  ///< whether Events::contactsPersisted is filled
-    int sweeps = 4;               ///< passes over the constraints in a tick, 1 to 100
+    Damper damper = Damper::axial;          ///< of all elastic joints
+    Friction friction = Friction::coulomb;  ///< of all contacts
+    bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
+    int sweeps = 4;                         ///< passes over the constraints in a tick, 1 to 100
 };
 
 /// What a particle is at the moment.

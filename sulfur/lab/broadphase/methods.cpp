@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <collision/geometry.hpp>
-#include <collision/grid.hpp>
-#include <collision/rasterise.hpp>
+#include <core/segments.hpp>
 #include <numbers>
 #include <random>
 #include <sulfur/math.hpp>
+
+#include "broadphase/grid.hpp"
+#include "broadphase/rasterise.hpp"
 
 namespace sulfur::lab {
 

@@ -60,17 +60,18 @@ std::string methodsAsText(const BroadPhaseResults& results) {
 
 std::string worldsAsText(const BroadPhaseResults& results) {
     std::string out =
-        "\nWhole worlds. Kept: a tick in which nothing has left its skin; rebuild: one in which "
-        "something has.\nMedians of the broad phase's share of the ticks, in microseconds.\n\n";
-    out += fmt::format("{:<32}{:>7}{:>9}{:>11}{:>11}{:>10}{:>8}\n", "world", "bodies", "cells",
+        "\nWhole worlds. Boxes: drawn anew in a tick. Kept: a tick in which nothing has left its "
+        "box; rebuild: one in which something has.\nMedians of the broad phase's share of the "
+        "ticks, in microseconds.\n\n";
+    out += fmt::format("{:<32}{:>7}{:>9}{:>11}{:>11}{:>10}{:>8}\n", "world", "bodies", "boxes",
                        "candidates", "rebuilds", "rebuild", "kept");
     const auto time = [](double seconds) {
         return seconds > 0 ? fmt::format("{:.1f}", 1e6 * seconds) : std::string("-");
     };
     for (const WorldResult& w : results.worlds)
-        out += fmt::format("{:<32}{:>7}{:>9}{:>11}{:>11}{:>10}{:>8}\n", w.title, w.bodies, w.cells,
-                           w.candidates, fmt::format("{}/{}", w.rebuilds, w.ticks), time(w.rebuild),
-                           time(w.kept));
+        out += fmt::format("{:<32}{:>7}{:>9.2f}{:>11}{:>11}{:>10}{:>8}\n", w.title, w.bodies,
+                           w.boxes, w.candidates, fmt::format("{}/{}", w.rebuilds, w.ticks),
+                           time(w.rebuild), time(w.kept));
     return out;
 }
 
@@ -88,7 +89,7 @@ std::string asCsv(const BroadPhaseResults& results) {
                                c.capsules.count, m.cells * c.capsules.count, m.pairs, c.touching,
                                m.missed, m.seconds * c.capsules.count);
     for (const WorldResult& w : results.worlds)
-        out += fmt::format("{},world,{},{},{},,,{},{}\n", w.key, w.bodies, w.cells, w.candidates,
+        out += fmt::format("{},world,{},{},{},,,{},{}\n", w.key, w.bodies, w.boxes, w.candidates,
                            w.rebuild, w.kept);
     return out;
 }
@@ -111,9 +112,9 @@ std::string asJson(const BroadPhaseResults& results) {
     separator = "\n";
     for (const WorldResult& w : results.worlds) {
         out += fmt::format(
-            "{}    {{\"world\": \"{}\", \"bodies\": {}, \"cells\": {}, \"candidates\": {}, "
+            "{}    {{\"world\": \"{}\", \"bodies\": {}, \"boxes\": {}, \"candidates\": {}, "
             "\"ticks\": {}, \"rebuilds\": {}, \"rebuildSeconds\": {}, \"keptSeconds\": {}}}",
-            separator, w.key, w.bodies, w.cells, w.candidates, w.ticks, w.rebuilds, w.rebuild,
+            separator, w.key, w.bodies, w.boxes, w.candidates, w.ticks, w.rebuilds, w.rebuild,
             w.kept);
         separator = ",\n";
     }

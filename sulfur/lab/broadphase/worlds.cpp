@@ -72,15 +72,16 @@ WorldResult measureWorld(const WorldCase& kind, int ticks) {
     WorldResult result{.key = kind.key, .title = kind.title, .ticks = ticks};
     world.step();  // takes memory
     std::vector<double> rebuilds, others;
+    double boxes = 0;
     for (int i = 0; i < ticks; ++i) {
-        const auto before = world.statistics().broadPhases;
         world.step();
         const Statistics& now = world.statistics();
-        (now.broadPhases > before ? rebuilds : others)
+        boxes += now.boxes;
+        (now.boxes > 0 ? rebuilds : others)
             .push_back(now.seconds[static_cast<std::size_t>(Stage::broadPhase)]);
     }
     result.bodies = world.statistics().bodies;
-    result.cells = world.statistics().gridCells;
+    result.boxes = boxes / ticks;
     result.candidates = world.statistics().candidates;
     result.rebuilds = static_cast<int>(rebuilds.size());
     result.rebuild = median(rebuilds);

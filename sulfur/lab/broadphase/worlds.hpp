@@ -20,9 +20,10 @@ struct WorldCase {
 struct WorldResult {
     std::string key, title;
     std::uint32_t bodies = 0;
-    std::uint32_t cells = 0, candidates = 0;  ///< after the last tick
+    std::uint32_t candidates = 0;  ///< pairs that are near each other, after the last tick
+    double boxes = 0;              ///< drawn anew, a tick
     int ticks = 0, rebuilds = 0;
-    double rebuild = 0;  ///< s, the median of ticks that found the candidates again; 0: none
+    double rebuild = 0;  ///< s, the median of ticks that drew boxes anew; 0: none
     double kept = 0;     ///< s, the median of the others; 0: none
 };
 

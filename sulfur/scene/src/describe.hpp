@@ -21,7 +21,6 @@ inline constexpr double largestRadius = 100;                   ///< metres
 
 /// How choices are called in files, in the order of the alternatives.
 inline constexpr std::array<const char*, 2> frictionNames{"coulomb", "sliding"};
-inline constexpr std::array<const char*, 2> rasterisationNames{"covering", "bresenham"};
 
 template <class Visitor, Is<WorldSettings> Object>
 void describe(Visitor& v, Object& o) {
@@ -32,7 +31,6 @@ void describe(Visitor& v, Object& o) {
     v.flag("sleeping", o.sleeping, d.sleeping);
     v.integer("sweeps", o.sweeps, d.sweeps, 1, 100);
     v.choice("friction", o.friction, d.friction, frictionNames);
-    v.choice("rasterisation", o.rasterisation, d.rasterisation, rasterisationNames);
 }
 
 template <class Visitor, Is<Material> Object>

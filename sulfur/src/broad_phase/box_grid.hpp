@@ -4,9 +4,11 @@
 // (Hierarchical hash grid: Eitz and Lixu 2007.)
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <sulfur/math.hpp>
 #include <vector>
 
 #include "shape/shapes.hpp"
@@ -27,6 +29,27 @@ public:
             if (count_[level] > 0) lookIn(chunks, level, low, high, f);
     }
 
+    /// The same for every chunk whose box a disc may meet on its straight way, those of large boxes
+    /// first. `enough`: the fraction of the way beyond which nothing interests; f may lessen it.
+    template <class Function>
+    void forEachAlong(const std::vector<Chunk>& chunks, const Point& from, const Point& way,
+                      double radius, const double& enough, Function&& f) const {
+        for (std::uint32_t level = levels; level-- > 0;)
+            if (count_[level] > 0)
+                lookAlong(level, {from, way, radius}, enough,
+                          [&](std::uint32_t first, const Course& course) {
+                              for (auto c = first; c != none; c = chunks[c].nextInCell)
+                                  if (course.spanIn(chunks[c].low, chunks[c].high).enter <= enough)
+                                      f(c);
+                          });
+    }
+    /// The size of the cells of the finest level in use, m; 0 where there is nothing.
+    double finestInUse() const {
+        for (std::uint32_t level = 0; level < levels; ++level)
+            if (count_[level] > 0) return sizeOf(level);
+        return 0;
+    }
+
     template <class Archive>
     void archive(Archive& a) {
         a(cells_);
@@ -42,6 +65,35 @@ private:
         std::int64_t x = 0, y = 0;
         std::uint32_t level = none;  // none: nothing was ever here
         std::uint32_t first = none;  // chunk
+    };
+
+    /// A part of a way, as fractions; wrong way round for none.
+    struct Span {
+        double enter = 0, leave = 1;
+    };
+    /// The way of a disc.
+    struct Course {
+        Point from{0, 0}, way{0, 0};  // m
+        double radius = 0;            // m
+
+        void clip(std::size_t axis, double low, double high, Span& span) const {
+            const auto k = static_cast<Eigen::Index>(axis);
+            if (way[k] == 0) {
+                if (from[k] < low - radius || from[k] > high + radius) span = {2, -1};
+                return;
+            }
+            const double a = (low - radius - from[k]) / way[k];
+            const double b = (high + radius - from[k]) / way[k];
+            span.enter = std::max(span.enter, std::min(a, b));
+            span.leave = std::min(span.leave, std::max(a, b));
+        }
+        /// Where it may be within a box; it enters beyond its end where it is not.
+        Span spanIn(const std::array<double, 2>& low, const std::array<double, 2>& high) const {
+            Span span;
+            clip(0, low[0], high[0], span);
+            clip(1, low[1], high[1], span);
+            return span.enter <= span.leave ? span : Span{2, -1};
+        }
     };
 
     static double sizeOf(std::uint32_t level) { return std::ldexp(1.0, finest + int(level)); }
@@ -82,6 +134,40 @@ private:
                 const Cell& cell = cells_[find(level, x, y)];
                 lookThrough(chunks, cell.first, low, high, f);
             }
+    }
+    /// Calls look(first chunk, course) for the cells whose boxes the course may meet: column by
+    /// column along the longer side of the way, or all cells where these are fewer.
+    template <class Function>
+    void lookAlong(std::uint32_t level, const Course& course, const double& enough,
+                   Function&& look) const {
+        const double size = sizeOf(level), around = size / 2;
+        const Eigen::Index major = std::abs(course.way[0]) >= std::abs(course.way[1]) ? 0 : 1,
+                           minor = 1 - major;
+        const double room = around + course.radius, length = course.way[major];
+        const double first = course.from[major] - std::copysign(room, length);
+        const double last = course.from[major] + length + std::copysign(room, length);
+        const double columns = std::abs(last - first) / size + 1;
+        if (columns * (2 * room / size + 3) > static_cast<double>(used_)) {
+            for (const Cell& cell : cells_)
+                if (cell.level == level) look(cell.first, course);
+            return;
+        }
+        const std::int64_t step = length < 0 ? -1 : 1, end = cellOf(last, size) + step;
+        for (auto column = cellOf(first, size); column != end; column += step) {
+            Span span;
+            const double low = static_cast<double>(column) * size;
+            course.clip(static_cast<std::size_t>(major), low - around, low + size + around, span);
+            if (span.enter > span.leave) continue;
+            if (span.enter > enough) return;
+            const double a = course.from[minor] + span.enter * course.way[minor];
+            const double b = course.from[minor] + span.leave * course.way[minor];
+            const auto top = cellOf(std::max(a, b) + room, size);
+            for (auto row = cellOf(std::min(a, b) - room, size); row <= top; ++row) {
+                const std::uint32_t at =
+                    major == 0 ? find(level, column, row) : find(level, row, column);
+                look(cells_[at].first, course);
+            }
+        }
     }
     template <class Function>
     static void lookThrough(const std::vector<Chunk>& chunks, std::uint32_t first,

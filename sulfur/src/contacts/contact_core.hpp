@@ -102,14 +102,6 @@ struct Heir {
     Real pressing = 0, rubbing = 0;                            // kg m
 };
 
-/// Whether worlds that are made from now on run on this core. Tests change it, until the old core
-/// goes.
-#ifdef SULFUR_NEW_CONTACTS
-inline bool contactsByRows = true;
-#else
-inline bool contactsByRows = false;
-#endif
-
 struct ContactCore {
     Movers movers;
     Shapes shapes;
@@ -155,7 +147,6 @@ struct ContactCore {
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> struckEncounters;
     std::vector<std::uint32_t> toWake;  // bodies by slot
-    bool on = contactsByRows;
     bool listsStale = true;
     std::uint32_t listedBodies = 0;  // the first so many are in the lists, if these are not stale
     bool keepsHeirs = false;

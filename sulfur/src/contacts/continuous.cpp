@@ -31,6 +31,7 @@ public:
         takeWays();
         collect();
         if (pairs_.empty()) return;
+        state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
@@ -130,6 +131,7 @@ private:
     void giveBack() {
         for (std::uint32_t b = 0; b < state_.bodies.size(); ++b) {
             if (shares_[b] == 1) continue;
+            ++state_.statistics.heldBack;
             const Real back = shares_[b] - 1;
             const auto first = state_.bodies[b].firstParticle;
             for (auto i = first; i < first + state_.bodies[b].particles.size(); ++i)

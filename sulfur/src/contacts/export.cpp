@@ -12,7 +12,7 @@ namespace {
 
 class Exporter {
 public:
-    Exporter(const State& state, std::vector<Contact>& contacts)
+    Exporter(const State& state, std::vector<ContactLoad>& contacts)
         : state_(state), core_(state.core), contacts_(contacts) {}
 
     void run(bool sleepers) {
@@ -29,7 +29,7 @@ public:
     }
     void addKnocks() {
         for (const Knock& knock : core_.knocks) {
-            Contact c;
+            ContactLoad c;
             c.normal = knock.normal;
             c.normalLambda = knock.pressing;
             c.tangentLambda = knock.rubbing;
@@ -46,18 +46,17 @@ private:
         for (std::size_t k = 0; k < 2; ++k) {
             const ManifoldPoint& p = block.points[k];
             if (!(p.pressing[lane] > 0)) continue;
-            Contact c;
+            ContactLoad c;
             c.normal = shape.features[k].owner[lane] * Vec2(p.normalX[lane], p.normalY[lane]);
             c.normalLambda = p.pressing[lane];
             c.tangentLambda = std::exchange(first, false) ? block.rubbing[lane] : Real(0);
-            c.staticFriction = block.staticFriction[lane];
             add(c, pair.features[k]);
         }
     }
     void addSleeping(const Pair& pair) {
         for (std::size_t k = 0; k < 2; ++k) {
             if (!(pair.kept[k] > 0)) continue;
-            Contact c;
+            ContactLoad c;
             c.normal = Vec2(pair.keptNormal[2 * k], pair.keptNormal[2 * k + 1]);
             c.normalLambda = pair.kept[k];
             c.tangentLambda = k == 0 ? pair.kept[2] : Real(0);
@@ -67,14 +66,13 @@ private:
     void addTouch(const Touch& touch, bool sleepers) {
         const Shapes& shapes = core_.shapes;
         const Side& side = shapes.sides[touch.side];
-        Contact c;
+        ContactLoad c;
         if (touch.row) {
             const TouchBlock& block = core_.rows.touch(touch.row);
             const auto lane = RowGraph::laneOf(touch.row);
             c.normal = Vec2(block.normalX[lane], block.normalY[lane]);
             c.normalLambda = block.pressing[lane];
             c.tangentLambda = block.rubbing[lane];
-            c.staticFriction = block.staticFriction[lane];
         } else if (sleepers) {
             c.normal = Vec2(touch.normalX, touch.normalY);
             c.normalLambda = touch.pressing;
@@ -85,7 +83,7 @@ private:
                 shapes.corners[side.b].particle});
     }
 
-    void add(Contact& c, const std::array<std::uint32_t, 3>& particles) {
+    void add(ContactLoad& c, const std::array<std::uint32_t, 3>& particles) {
         const Particles& p = state_.particles;
         c.particle = state_.particleSlots.denseOf(particles[0]);
         c.a = state_.particleSlots.denseOf(particles[1]);
@@ -99,22 +97,21 @@ private:
         const double t = length2 > 0 ? std::clamp(along / length2, 0.0, 1.0) : 0;
         c.weightB = static_cast<Real>(t);
         c.weightA = 1 - c.weightB;
-        c.thickness = p.reach[c.particle] + p.reach[c.a];
         contacts_.push_back(c);
     }
 
     const State& state_;
     const ContactCore& core_;
-    std::vector<Contact>& contacts_;
+    std::vector<ContactLoad>& contacts_;
 };
 
 }  // namespace
 
-void exportContacts(const State& state, std::vector<Contact>& contacts, bool sleepers) {
+void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers) {
     Exporter(state, contacts).run(sleepers);
 }
 
-void exportLoads(const State& state, std::vector<Contact>& contacts) {
+void exportLoads(const State& state, std::vector<ContactLoad>& contacts) {
     Exporter exporter(state, contacts);
     exporter.run(false);
     exporter.addKnocks();

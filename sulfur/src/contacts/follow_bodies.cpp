@@ -8,6 +8,7 @@
 #include "contacts/stages.hpp"
 #include "rigid/clusters.hpp"
 #include "shape/make_shapes.hpp"
+#include "solver/stages.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -206,6 +207,7 @@ void updateShapes(State& state) {
         stale.clear();
     }
     if (core.listsStale) clearLists(state);
+    if (core.listsStale || !core.newChunks.empty()) listSensors(state);
     listAwake(state);
     if (core.listsStale) watchAwake(state);
     core.listsStale = false;

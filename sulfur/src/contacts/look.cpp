@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "collision/materials.hpp"
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
 #include "narrow_phase/convex.hpp"
 #include "narrow_phase/loose.hpp"
+#include "shape/materials.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -103,7 +103,7 @@ void lookAtPair(State& state, std::uint32_t pair) {
     for (const auto chunk : {p.a, p.b})
         if (const auto sleeper = sleeperOf(state, chunk); sleeper != none)
             return wakeIfNear(state, pair, sleeper);
-    ++state.statistics.plannedContacts;
+    ++state.statistics.looks;
     if (state.core.pairs[pair].isManifold)
         lookAtManifold(state, pair);
     else

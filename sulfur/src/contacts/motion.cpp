@@ -270,6 +270,7 @@ void updateBoxes(State& state) {
             std::max(high[0] - low[0], high[1] - low[1]) + 2 * static_cast<double>(chunk.radius);
         const double room = isFixedChunk(state, chunk) ? 0 : 0.1 * extent + 6 * step;
         const double around = static_cast<double>(chunk.radius) + room + 0.01 * extent;
+        ++state.statistics.boxes;
         core.grid.remove(core.shapes.chunks, index);
         chunk.low = {low[0] - around, low[1] - around};
         chunk.high = {high[0] + around, high[1] + around};

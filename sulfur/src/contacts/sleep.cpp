@@ -88,7 +88,7 @@ void wake(State& state) {
 
 }  // namespace
 
-void updateSleepByRows(State& state) {
+void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
     if (!measureRest(state)) return;

@@ -72,7 +72,8 @@ void sweepAll(State& state) {
 
 }  // namespace
 
-void solveWithRows(State& state) {
+void solveConstraints(State& state) {
+    state.contacts.clear();
     clearMultipliers(state);
     startGrabs(state);
     touchTrees(state);

@@ -8,7 +8,7 @@
 namespace sulfur::detail {
 
 struct State;
-struct Contact;
+struct ContactLoad;
 
 /// Shapes, pairs and lists follow bodies that were made, changed, fell asleep or woke.
 void updateShapes(State& state);
@@ -43,13 +43,13 @@ void takeMotionAgain(State& state);
 void endMotion(State& state);
 
 /// What the stages together do to displacements: contacts and all that is swept beside them.
-void solveWithRows(State& state);
+void solveConstraints(State& state);
 /// Points that push, into State::contacts; with those of sleepers where it is asked for.
-void exportContacts(const State& state, std::vector<Contact>& contacts, bool sleepers);
+void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers);
 /// The same of those that are awake, with the impacts of this step.
-void exportLoads(const State& state, std::vector<Contact>& contacts);
+void exportLoads(const State& state, std::vector<ContactLoad>& contacts);
 /// Bodies that something comes near wake; those at rest fall asleep.
-void updateSleepByRows(State& state);
+void updateSleep(State& state);
 
 /// Takes away pairs, rows and chunks of a body, by its slot; impulses are kept for heirs.
 void removeShape(State& state, std::uint32_t bodySlot);

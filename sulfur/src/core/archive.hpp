@@ -165,13 +165,6 @@ public:
 
     std::uint64_t result = 0x9e3779b97f4a7c15u;
 
-private:
-    void mix(std::uint64_t word) {
-        result ^= word;
-        result ^= result >> 33;
-        result *= 0xff51afd7ed558ccdu;
-        result ^= result >> 33;
-    }
     void bytes(const void* from, std::size_t count) {
         const auto* at = static_cast<const unsigned char*>(from);
         for (; count >= 8; count -= 8, at += 8) {
@@ -182,6 +175,14 @@ private:
         std::uint64_t rest = count;
         for (std::size_t i = 0; i < count; ++i) rest = rest << 8 | at[i];
         if (count > 0) mix(rest);
+    }
+
+private:
+    void mix(std::uint64_t word) {
+        result ^= word;
+        result ^= result >> 33;
+        result *= 0xff51afd7ed558ccdu;
+        result ^= result >> 33;
     }
 };
 

@@ -111,32 +111,11 @@ void classifyJoints(State& state, const Counts& before) {
     }
 }
 
-namespace {
-
-/// For each body the least radius of what of it collides, also in joints with other bodies;
-/// infinite where nothing does.
-void findThinnest(const State& state, const Counts& before, std::vector<Real>& thinnest) {
-    const Particles& particles = state.particles;
-    const Joints& joints = state.joints;
-    thinnest.resize(before.bodies);
-    thinnest.resize(state.bodies.size(), infinite);
-    const auto note = [&](std::uint32_t particle, Real radius) {
-        Real& least = thinnest[particles.body[particle]];
-        if (radius > 0) least = std::min(least, radius);
-    };
-    for (auto i = before.particles; i < particles.size(); ++i) note(i, particles.radius[i]);
-    for (auto j = before.joints; j < joints.size(); ++j)
-        for (const auto p : {joints.a[j], joints.b[j]}) note(p, joints.radius[j]);
-}
-
-}  // namespace
-
 void updateReach(State& state, const Counts& before) {
     Particles& particles = state.particles;
     std::copy(particles.radius.begin() + before.particles, particles.radius.end(),
               particles.reach.begin() + before.particles);
-    findThinnest(state, before, state.broad.thinnest);
-    auto& surface = state.broad.surface;
+    auto& surface = state.surface;
     surface.resize(before.particles);
     surface.resize(particles.size(), none);
     const Joints& joints = state.joints;

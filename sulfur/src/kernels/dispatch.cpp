@@ -7,11 +7,8 @@
 #include "kernels/area_look.hpp"
 #include "kernels/chain_lanes.hpp"
 #include "kernels/cluster_motion.hpp"
-#include "kernels/contact_sweep.hpp"
 #include "kernels/joint_force.hpp"
 #include "kernels/joint_sweep.hpp"
-#include "kernels/meeting_lanes.hpp"
-#include "kernels/outings.hpp"
 #include "kernels/particle_motion.hpp"
 #include "kernels/rows.hpp"
 
@@ -94,32 +91,11 @@ const ChainKernels& chainKernels() {
     return baselineChains;
 }
 
-const MeetingKernels& meetingKernels() {
-#ifdef SULFUR_AVX2_KERNELS
-    if (mayUse(Instructions::avx2)) return avx2Meetings;
-#endif
-    return baselineMeetings;
-}
-
-const OutingKernels& outingKernels() {
-#ifdef SULFUR_AVX2_KERNELS
-    if (mayUse(Instructions::avx2)) return avx2Outings;
-#endif
-    return baselineOutings;
-}
-
 const RowKernels& rowKernels() {
 #ifdef SULFUR_AVX2_KERNELS
     if (mayUse(Instructions::avx2)) return avx2Rows;
 #endif
     return baselineRows;
-}
-
-const ContactKernels& contactKernels() {
-#ifdef SULFUR_AVX2_KERNELS
-    if (mayUse(Instructions::avx2)) return avx2Contacts;
-#endif
-    return baselineContacts;
 }
 
 }  // namespace sulfur::detail

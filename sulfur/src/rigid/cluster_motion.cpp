@@ -189,10 +189,10 @@ void predictClusters(State& state) {
 
 bool onlyContactsAsk(const State& state) {
     const WorkLists& work = state.work;
-    return state.core.on && work.implicitJoints.empty() && work.rigidJoints.empty() &&
-           work.attachments.empty() && work.hinges.empty() && work.lines.empty() &&
-           work.lonelyTrees.empty() && work.watchedClusters.empty() &&
-           state.triangles.awake.count == 0 && state.influences.grabs.empty();
+    return work.implicitJoints.empty() && work.rigidJoints.empty() && work.attachments.empty() &&
+           work.hinges.empty() && work.lines.empty() && work.lonelyTrees.empty() &&
+           work.watchedClusters.empty() && state.triangles.awake.count == 0 &&
+           state.influences.grabs.empty();
 }
 
 void spreadDisplacements(State& state) {

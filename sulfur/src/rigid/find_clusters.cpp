@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rigid/cluster_motion.hpp"
 #include "contacts/stages.hpp"
+#include "rigid/cluster_motion.hpp"
 #include "rigid/rigidity.hpp"
 
 namespace sulfur::detail {
@@ -128,7 +128,7 @@ private:
         BodyRecord& body = state_.bodies[index];
         body.clustersStale = false;
         body.strained = false;
-        if (state_.core.on) shapeIsStale(state_, body.id.index - 1);
+        shapeIsStale(state_, body.id.index - 1);
         for (const JointId id : body.joints)
             state_.joints.inCluster[state_.jointSlots.dense(id)] = 0;
         if (body.kind != BodyKind::dynamic) return;

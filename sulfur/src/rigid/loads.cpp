@@ -108,7 +108,7 @@ void load(State& state, std::uint32_t particle, const Vec2& force) {
 
 void loadByContacts(State& state) {
     const Real rate = newtonsPerMultiplier(state);
-    for (const Contact& c : state.contacts) {
+    for (const ContactLoad& c : state.contacts) {
         const Vec2 tangent(-c.normal[1], c.normal[0]);
         const Vec2 force = rate * (c.normalLambda * c.normal + c.tangentLambda * tangent);
         load(state, c.particle, force);

@@ -102,6 +102,23 @@ struct RowGraph {
         bits = static_cast<std::uint8_t>(bits | 1u << laneOf(p));
     }
 
+    std::size_t size() const {
+        std::size_t sum = 0;
+        for (const auto& list : manifolds) sum += list.rows;
+        for (const auto& list : touches) sum += list.rows;
+        return sum;
+    }
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        const auto add = [&](const auto& list) {
+            const std::size_t each = sizeof(list.blocks[0]) + sizeof(list.shapes[0]) + 1;
+            sum += list.blocks.size() * each;
+        };
+        for (const auto& list : manifolds) add(list);
+        for (const auto& list : touches) add(list);
+        return sum;
+    }
+
     template <class Archive>
     void archive(Archive& a) {
         for (auto& list : manifolds) list.archive(a);

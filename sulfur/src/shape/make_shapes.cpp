@@ -3,10 +3,10 @@
 #include <cmath>
 #include <map>
 
-#include "collision/materials.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/clusters.hpp"
 #include "shape/make_shapes.hpp"
+#include "shape/materials.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -122,7 +122,7 @@ private:
         corner.particle = slotOf(p.id[i]);
         corner.mover = moverOf(i);
         corner.radius = p.reach[i];
-        const auto surface = state_.broad.surface[i];
+        const auto surface = state_.surface[i];
         corner.surface = surface == none ? none : slotOf(state_.joints.id[surface]);
         if (const auto c = p.cluster[i]; c != none) {
             const Clusters& clusters = state_.clusters;
@@ -213,6 +213,9 @@ private:
             chunk.radius = std::max(chunk.radius, side.radius);
             chunk.fineness = k == 0 ? side.radius : std::min(chunk.fineness, side.radius);
         }
+        // An end may be thicker than its sides, by a joint to another body.
+        for (const Corner& corner : newCorners_)
+            chunk.radius = std::max(chunk.radius, corner.radius);
         giveUses(slot);
         auto& first = shapes_.firstChunk[chunk.body];
         shapes_.chunks[slot].nextOfBody = first;

@@ -71,23 +71,13 @@ struct Movers {
 
     template <class Function>
     void forEachArray(Function&& f) {
-        f(bodies);
-        f(reference);
-        f(referenceHeading);
-        f(heading);
-        f(predictions);
-        f(given);
-        f(inexact);
-        f(odometer);
-        f(deadline);
-        f(refreshAt);
-        f(reach);
-        f(fineness);
-        f(colours);
-        f(particle);
-        f(body);
-        f(firstUse);
+        visit(*this, f);
     }
+    template <class Function>
+    void forEachArray(Function&& f) const {
+        visit(*this, f);
+    }
+
     template <class Archive>
     void archive(Archive& a) {
         forEachArray(a);
@@ -102,6 +92,25 @@ struct Movers {
     }
 
 private:
+    template <class Self, class Function>
+    static void visit(Self& self, Function& f) {
+        f(self.bodies);
+        f(self.reference);
+        f(self.referenceHeading);
+        f(self.heading);
+        f(self.predictions);
+        f(self.given);
+        f(self.inexact);
+        f(self.odometer);
+        f(self.deadline);
+        f(self.refreshAt);
+        f(self.reach);
+        f(self.fineness);
+        f(self.colours);
+        f(self.particle);
+        f(self.body);
+        f(self.firstUse);
+    }
     void reset(std::uint32_t slot) {
         reference[slot] = Point(0, 0);
         referenceHeading[slot] = Point(1, 0);

@@ -182,4 +182,13 @@ std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t
     return loops;
 }
 
+std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t body) {
+    std::vector<std::uint32_t> capsules;
+    for (const JointId id : state.bodies[body].joints) {
+        const auto j = state.jointSlots.dense(id);
+        if (state.joints.radius[j] > 0) capsules.push_back(j);
+    }
+    return findOutlines(state, body, capsules);
+}
+
 }  // namespace sulfur::detail

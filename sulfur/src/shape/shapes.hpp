@@ -103,5 +103,7 @@ struct RimEdge {
 /// are in the blueprint (see outline.cpp).
 std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t body,
                                                const std::vector<std::uint32_t>& capsules);
+/// The same, by all capsules of the body.
+std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t body);
 
 }  // namespace sulfur::detail

@@ -10,7 +10,6 @@
 #include "core/pieces.hpp"
 #include "kernels/area_look.hpp"
 #include "rigid/grip.hpp"
-#include "solver/contact_recovery.hpp"
 
 namespace sulfur::detail {
 
@@ -23,6 +22,12 @@ constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare 
 /// And what a triangle that is turned over may give in a tick: neighbours that are led back in
 /// opposite directions would lock each other.
 constexpr Real givenShare = Real(0.002);
+
+/// Share of what is missing that is given back in a tick, and the speed that this may not exceed.
+constexpr Real recoveryShare = Real(0.2);
+constexpr Real recoverySpeed = Real(0.5);  // m/s
+/// And that of a particle in all.
+constexpr Real mostRecoverySpeed = Real(0.9);  // m/s
 
 /// In a microsecond: blocks of triangles that are looked at, triangles that are pressed anew,
 /// pushed, led back.
@@ -326,6 +331,30 @@ void solveAreas(State& state) {
             if (share.has(t)) t.held ? solveArea<true>(state, t) : solveArea<false>(state, t);
     });
 }
+
+namespace {
+
+Vec2 shortened(const Vec2& v, Real most) {
+    const Real length = v.norm();
+    return length > most ? Vec2(most / length * v) : v;
+}
+
+/// Moves what the grip holds by what was added up for it, within a bound of speed.
+void applyRecovery(State& state, const Grip& grip) {
+    const Real most = mostRecoverySpeed * state.h;
+    if (grip.cluster != none) {
+        Cluster& c = state.clusters.list[grip.cluster];
+        const double turn = static_cast<double>(most) / c.reach;
+        c.shift = shortened(c.shift, most);
+        c.twist = std::clamp(c.twist, -turn, turn);
+        return;
+    }
+    Vec2& shift = state.particles.shift[grip.particle];
+    state.particles.position[grip.particle] += shortened(shift, most).cast<double>();
+    shift = Vec2(0, 0);
+}
+
+}  // namespace
 
 void recoverAreas(State& state) {
     if (state.triangles.pressed.empty()) return;

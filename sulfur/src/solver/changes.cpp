@@ -251,7 +251,7 @@ void deriveStructure(State& state) {
     if (!onlyAdded) dissolveTrees(state);
     updateClusters(state, before);
     classifyJoints(state, before);
-    if (onlyAdded && state.core.on && addedAreRigid(state, before)) {
+    if (onlyAdded && addedAreRigid(state, before)) {
         state.trees.ofParticle.resize(state.particles.size(), none);
         state.trees.ofCluster.resize(state.clusters.list.size(), none);
         state.structure.colours.resize(state.joints.size(), 0);
@@ -260,10 +260,7 @@ void deriveStructure(State& state) {
     }
     if (onlyAdded) dissolveTrees(state);
     buildTrees(state);
-    if (!onlyAdded) {
-        state.broad.plansStale = true;
-        state.triangles.bodies = 0;
-    }
+    if (!onlyAdded) state.triangles.bodies = 0;
     if (!onlyAdded) state.structureChanged = true;
     state.structure.stale = state.structure.onlyAdded = false;
     state.work.changed();
@@ -308,11 +305,7 @@ void applyChanges(State& state) {
     WorkLists& work = state.work;
     if (!work.stale) return;
     const Counts before = work.onlyAdded ? work.listed : Counts{};
-    // The broad phase derives it later in the tick; the lists need it now.
-    if (state.core.on)
-        updateReach(state, before);
-    else if (state.broad.collidersStale)
-        updateReach(state, state.broad.onlyAdded ? state.broad.listed : Counts{});
+    updateReach(state, before);
     if (!work.onlyAdded) listTrees(state);
     listAwakeParticles(state, before);
     listClusters(state, before);
@@ -327,7 +320,6 @@ void applyChanges(State& state) {
         state.core.listsStale = true;
     }
     count(state);
-    state.touchingFrozen = false;
     state.anyForced = true;  // of who woke, too
     work.listed = countsOf(state);
     work.stale = work.onlyAdded = false;

@@ -1,5 +1,5 @@
 // The stages of a tick, in the order in which step() calls them. Each lives in a file of its own
-// name, beside this one or in collision/.
+// name; those of contact are in contacts/stages.hpp.
 #pragma once
 
 #include "world/state.hpp"
@@ -16,23 +16,10 @@ void gatherForces(State& state);
 void applyFields(State& state);
 /// v += h (g + w f), air friction, d = h v.
 void predict(State& state);
-/// Finds the candidates again if a collider has left its skin.
-void updateBroadPhase(State& state);
-/// Candidates to contacts.
-void findContacts(State& state);
-/// Changes displacements until contacts, attachments and stiff joints hold.
-void solveConstraints(State& state);
-/// Velocities from displacements, restitution, and the move itself.
+/// Velocities from displacements, and the move itself.
 void updateVelocities(State& state);
 /// Cuts joints that were loaded beyond their strength.
 void breakJoints(State& state);
-/// Tells which bodies began to touch, go on touching, no longer touch.
-void collectEvents(State& state);
-/// After the last step of a tick that has several: what these have told becomes what the tick
-/// tells.
-void mergeSteps(State& state);
-/// Lets islands at rest fall asleep and wakes those that were touched.
-void updateSleep(State& state);
 /// Finds out who is in which sensor, and who came and went.
 void updateSensors(State& state);
 
@@ -47,11 +34,6 @@ void wakeNear(State& state, std::uint32_t body);
 void sleepBody(State& state, std::uint32_t body);
 /// Joins the rings of two sleepers, so that they wake together.
 void joinSleepers(State& state, std::uint32_t a, std::uint32_t b);
-
-/// Makes the grid valid for the present positions (lookAhead 0) or for those that the predicted
-/// displacements lead to (1). Never changes how the simulation goes on: contacts depend on
-/// geometry alone, not on when their candidates were found.
-void refreshGrid(State& state, Real lookAhead);
 
 /// Derives the list of sensors from the bodies.
 void listSensors(State& state);

@@ -25,8 +25,8 @@ void timed(State& state, Stage stage, Function&& run) {
 void clearStatistics(Statistics& statistics) {
     statistics.items.fill(0);
     statistics.seconds.fill(0);
-    statistics.rubbingContacts = statistics.fastBodies = statistics.heldBack = 0;
-    statistics.pressedTriangles = statistics.plannedContacts = 0;
+    statistics.fastPairs = statistics.heldBack = 0;
+    statistics.pressedTriangles = statistics.looks = statistics.boxes = 0;
     statistics.chainSteps = statistics.chainFallbacks = statistics.chainsInLanes = 0;
 }
 
@@ -47,9 +47,9 @@ void noteItems(State& state) {
     std::uint32_t& pressed = state.statistics.pressedTriangles;  // the most in any step of the tick
     pressed = std::max(pressed, static_cast<std::uint32_t>(state.triangles.pressed.size()));
     state.looked(Stage::broadPhase, work.awakeSurfaces);
-    state.looked(Stage::narrowPhase, state.broad.watches.size());
+    state.looked(Stage::narrowPhase, state.core.watches.size());
     state.looked(Stage::constraints,
-                 state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +
+                 state.core.rows.size() + work.implicitJoints.size() + work.rigidJoints.size() +
                      work.attachments.size() + work.hinges.size() + work.lines.size() +
                      state.triangles.pressed.size() + state.trees.touchedAlone.size() +
                      state.influences.grabs.size());
@@ -57,10 +57,7 @@ void noteItems(State& state) {
 
 /// Whether something has been changed by hand since the lists were made.
 bool isChanged(const State& state) {
-    const BroadPhase& broad = state.broad;
-    const bool drawn = state.core.on || !(broad.collidersStale || broad.cellSizeStale ||
-                                          broad.fixedStale || broad.pairsStale || state.anyPlaced);
-    return state.structure.stale || state.work.stale || !drawn || !state.fresh.empty() ||
+    return state.structure.stale || state.work.stale || !state.fresh.empty() ||
            !state.influences.grabs.empty();
 }
 
@@ -73,44 +70,39 @@ bool allRest(const State& state) {
     return !isChanged(state) && std::none_of(movers.begin(), movers.end(), moves);
 }
 
+void updateBroadPhase(State& state) {
+    updateShapes(state);
+    takeMotion(state);
+    updateBoxes(state);
+    leadApart(state);
+}
+
+void updateNarrowPhase(State& state) {
+    lookAtPairs(state);
+    refreshRows(state);
+}
+
 void runStages(State& state) {
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
     timed(state, Stage::fields, applyFields);
     timed(state, Stage::predict, predict);
-    if (state.core.on) {
-        timed(state, Stage::broadPhase, [](State& s) {
-            s.contacts.clear();
-            updateShapes(s);
-            takeMotion(s);
-            updateBoxes(s);
-            leadApart(s);
-        });
-        timed(state, Stage::narrowPhase, [](State& s) {
-            lookAtPairs(s);
-            refreshRows(s);
-        });
-        timed(state, Stage::constraints, solveWithRows);
-    } else {
-        timed(state, Stage::broadPhase, updateBroadPhase);
-        timed(state, Stage::narrowPhase, findContacts);
-        timed(state, Stage::constraints, solveConstraints);
-    }
+    timed(state, Stage::broadPhase, updateBroadPhase);
+    timed(state, Stage::narrowPhase, updateNarrowPhase);
+    timed(state, Stage::constraints, solveConstraints);
     timed(state, Stage::velocities, updateVelocities);
     noteItems(state);
     timed(state, Stage::breakage, breakJoints);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
-    state.core.on ? tellContacts(state) : collectEvents(state);
-    timed(state, Stage::sleep, state.core.on ? updateSleepByRows : updateSleep);
-    const bool rowsRest = state.core.staleShapes.empty() && !state.core.listsStale;
-    state.idle = (state.core.on ? rowsRest : state.contacts.empty() && state.entwined.empty()) &&
-                 allRest(state);
+    tellContacts(state);
+    timed(state, Stage::sleep, updateSleep);
+    state.idle = state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);
+    state.nearby.valid = false;
     timed(state, Stage::sensors, updateSensors);
     state.lastStep = static_cast<double>(state.h);
 }
 
 void noteStart(State& state) {
-    state.touchedBefore = state.touching;
     state.starts.clear();
     const Particles& p = state.particles;
     for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
@@ -146,7 +138,6 @@ void runSteps(State& state, std::uint32_t count) {
         if (state.awake(p.body[k]))
             p.displacement[k] = (p.position[k] - start.position).cast<Real>();
     });
-    if (!state.core.on) mergeSteps(state);
 }
 
 }  // namespace

@@ -228,28 +228,6 @@ void solveRigidJoints(State& state) {
     sweep(state, work.rigidJoints, work.rigidSweep, solveRigid, sweepKernels().rigid);
 }
 
-bool touchedRigidJointsAreStrained(const State& state) {
-    const Joints& joints = state.joints;
-    const auto& swept = state.work.rigidJoints;
-    if (swept.empty()) return false;
-    thread_local std::vector<std::uint8_t> touched;  // bodies
-    touched.assign(state.bodies.size(), 0);
-    if (state.contacts.empty()) return false;
-    for (const Contact& c : state.contacts) touched[c.bodyA] = touched[c.bodyB] = 1;
-    const auto isTouched = [&](std::uint32_t particle) {
-        return touched[state.particles.body[particle]] != 0;
-    };
-    return std::any_of(swept.begin(), swept.end(), [&](std::uint32_t j) {
-        if (!isTouched(joints.a[j]) && !isTouched(joints.b[j])) return false;
-        const Ends ends(state, j);
-        const Vec2 before = apartAtStart(state, j);
-        const Real start = before.norm();
-        if (start == 0 || ends.inverseMass(state, before / start) == 0) return false;
-        const Real length = (before + ends.moved(state)).norm();
-        return std::abs(length - restOf(state, j, start)) > mostStrain * joints.restLength[j];
-    });
-}
-
 void clearMultipliers(State& state) {
     WorkLists& work = state.work;
     const auto start = [&](const std::vector<std::uint32_t>& list, SweptJoints& swept,

@@ -1,12 +1,9 @@
-// Stage: velocities follow from displacements, restitution, and the particles move.
+// Stage: velocities follow from displacements, and the particles move.
 #include <algorithm>
 
 #include "core/limits.hpp"
 #include "rigid/cluster_motion.hpp"
-#include "solver/hold_back.hpp"
-#include "solver/impacts.hpp"
 #include "solver/motion.hpp"
-#include "solver/restitution.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -37,9 +34,6 @@ void updateVelocities(State& state) {
     velocitiesFromDisplacements(state);
     updateTreeVelocities(state);
     updateClusterVelocities(state);
-    keepVelocities(state);
-    rebound(state);
-    limitRebounds(state);
     movePoints(state);
     moveClusters(state);
     state.looked(Stage::velocities, state.work.awakeClusters.size());

@@ -10,7 +10,7 @@
 #include "contacts/touch_rows.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
-#include "solver/contact_motion.hpp"
+#include "rigid/grip.hpp"
 #include "solver/motion.hpp"
 #include "trees/geometry.hpp"
 #include "trees/tree_solver.hpp"
@@ -231,22 +231,7 @@ private:
         const auto at = state_.trees.contact[tree_.first + i];
         auto& link = solver_.links[i];
         if (at == none || link.rows != 1) return;
-        if (state_.core.on) return addTouch(i, at);
-        const Contact& c = state_.contacts[at];
-        const double gap = static_cast<double>(gapLeft(state_, c));
-        if (c.normalLambda <= 0 && gap >= 0) return;
-        const Point n = c.normal.template cast<double>();
-        const double here = sideOf(c, node(i).particle),
-                     there = sideOf(c, node(node(i).parent).particle);
-        link.rows = 2;
-        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(Point(here * n), Point(0, 0));
-        link.rowThere[1] = link.columnThere[1] = rowAlong<N>(Point(there * n), Point(0, 0));
-        link.value[1] = gap;
-        const double own = here * here * solver_.nodes[i].inverseMass[0] +
-                           there * there * solver_.nodes[link.parent].inverseMass[0];
-        const double other = static_cast<double>(c.inverseEffectiveMass) - own;
-        link.compliance[1] = touching_ * std::max(other, 0.0) + softest * own;
-        held_.push_back(static_cast<std::uint32_t>(i));
+        addTouch(i, at);
     }
 
     void addTouch(std::size_t i, std::uint32_t touch) {
@@ -275,16 +260,7 @@ private:
         return share;
     }
     double pressingAt(std::uint32_t at) const {
-        return static_cast<double>(state_.core.on ? viewOfTouch(state_, at).pressing
-                                                  : state_.contacts[at].normalLambda);
-    }
-
-    /// With what share, and which sign, the contact moves with a particle.
-    static double sideOf(const Contact& c, std::uint32_t particle) {
-        if (particle == none) return 0;
-        if (c.particle == particle) return 1;
-        if (c.a == particle) return -static_cast<double>(c.weightA);
-        return c.b == particle ? -static_cast<double>(c.weightB) : 0;
+        return static_cast<double>(viewOfTouch(state_, at).pressing);
     }
 
     /// Contacts that would have to pull are let go. Returns whether there were any.
@@ -303,20 +279,6 @@ private:
 
     /// What the tree's side of the contact got with the links' impulses, the other side gets here.
     void pushContact(std::size_t i, double lambda) {
-        if (state_.core.on) return pushTouch(i, lambda);
-        Contact& c = state_.contacts[state_.trees.contact[tree_.first + i]];
-        const double change = std::max(lambda, -static_cast<double>(c.normalLambda));
-        c.normalLambda += static_cast<Real>(change);
-        const Vec2 impulse = static_cast<Real>(change) * c.normal;
-        if (c.particle == node(i).particle) {
-            push(state_, c.gripOfA, -c.shareA * impulse);
-            if (c.shareB != 0) push(state_, c.gripOfB, -c.shareB * impulse);
-        } else {
-            push(state_, c.gripOfParticle, impulse);
-        }
-    }
-
-    void pushTouch(std::size_t i, double lambda) {
         const auto touch = state_.trees.contact[tree_.first + i];
         const TouchView t = viewOfTouch(state_, touch);
         const double change = std::max(lambda, -static_cast<double>(t.pressing));
@@ -396,33 +358,8 @@ void touch(State& state, const Grip& grip) {
     if (tree != none) trees.touched[tree] = 1;
 }
 
-/// The node whose link a contact becomes a row of: that of the particle, or of the capsule's lower
-/// end; none when both sides are of one tree, or neither is.
-std::uint32_t nodeFor(const State& state, const Contact& c) {
-    const Trees& trees = state.trees;
-    const auto treeOf = [&](const Grip& g) {
-        return g.cluster != none ? trees.ofCluster[g.cluster] : trees.ofParticle[g.particle];
-    };
-    const auto p = treeOf(c.gripOfParticle), a = treeOf(c.gripOfA), b = treeOf(c.gripOfB);
-    if (p == a || p == b) return none;
-    const auto nodeOf = [&](const Grip& g) {
-        return g.cluster == none ? trees.nodeOfParticle[g.particle] : none;
-    };
-    const auto heldByJoint = [&](std::uint32_t k) {
-        return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
-    };
-    if (p != none) return heldByJoint(nodeOf(c.gripOfParticle)) ? nodeOf(c.gripOfParticle) : none;
-    if (a == none || a != b) return none;
-    const auto first = nodeOf(c.gripOfA), second = nodeOf(c.gripOfB);
-    if (first == none || second == none) return none;
-    const auto root = trees.list[a].first;
-    for (const auto& [child, parent] : {std::pair(first, second), std::pair(second, first)})
-        if (heldByJoint(child) && (c.a == c.b || trees.nodes[child].parent + root == parent))
-            return child;
-    return none;
-}
-
-/// The same for a touch.
+/// The node whose link a touch becomes a row of: that of the corner, or of the side's lower end;
+/// none when both sides are of one tree, or neither is.
 std::uint32_t nodeFor(const State& state, const TouchView& t) {
     const Trees& trees = state.trees;
     const auto treeOf = [&](std::uint32_t i) {
@@ -467,18 +404,11 @@ void giveTouches(State& state) {
 void giveContacts(State& state) {
     Trees& trees = state.trees;
     trees.contact.assign(trees.nodes.size(), none);
-    if (state.contacts.empty() && !state.core.on) return;
     trees.nodeOfParticle.assign(state.particles.size(), none);
     for (std::uint32_t k = 0; k < trees.nodes.size(); ++k)
         if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
             trees.nodeOfParticle[trees.nodes[k].particle] = k;
-    if (state.core.on) return giveTouches(state);
-    for (std::uint32_t i = 0; i < state.contacts.size(); ++i) {
-        const auto k = nodeFor(state, state.contacts[i]);
-        if (k == none) continue;
-        auto& held = trees.contact[k];
-        if (held == none || state.contacts[held].gap > state.contacts[i].gap) held = i;
-    }
+    giveTouches(state);
 }
 
 }  // namespace
@@ -489,24 +419,16 @@ void touchTrees(State& state) {
     trees.touchedAlone.reserve(state.work.lonelyTrees.size());
     if (trees.list.empty()) return;
     trees.touched.assign(trees.list.size(), 0);
-    const bool anyGrabs = !state.influences.grabs.empty();
     const auto& tied = state.work.tiedTrees;
-    const bool anyRows = state.core.on;
-    if (state.contacts.empty() && !anyRows && !anyGrabs && tied.empty() && state.work.lines.empty())
-        return;
     trees.met.assign(trees.nodes.size(), {0, 0});
     trees.lambda.assign(trees.nodes.size(), {0, 0});
     giveContacts(state);
-    for (const Contact& c : state.contacts)
-        for (const Grip& grip : {c.gripOfParticle, c.gripOfA, c.gripOfB}) touch(state, grip);
-    if (anyRows)
-        for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) {
-            if (state.core.movers.colours[state.core.awakeMovers[k]] == 0) continue;
-            const auto i = state.core.awakeDense[k];
-            const auto tree =
-                state.core.awakeIsCluster[k] ? trees.ofCluster[i] : trees.ofParticle[i];
-            if (tree != none) trees.touched[tree] = 1;
-        }
+    for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) {
+        if (state.core.movers.colours[state.core.awakeMovers[k]] == 0) continue;
+        const auto i = state.core.awakeDense[k];
+        const auto tree = state.core.awakeIsCluster[k] ? trees.ofCluster[i] : trees.ofParticle[i];
+        if (tree != none) trees.touched[tree] = 1;
+    }
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             touch(state, gripOf(state, state.particleSlots.dense(grab.support[k])));

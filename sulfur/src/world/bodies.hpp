@@ -12,6 +12,11 @@
 
 namespace sulfur::detail {
 
+/// How many there were when something was derived from them.
+struct Counts {
+    std::uint32_t particles = 0, joints = 0, bodies = 0;
+};
+
 struct BodyRecord {
     BodyId id;
     BodyKind kind = BodyKind::dynamic;

@@ -85,7 +85,6 @@ void World::setTickRate(int tickRate) {
     state.settings.tickRate = tickRate;
     state.h = detail::stepDuration(tickRate);
     state.structure.changed();
-    state.broad.pairsStale = true;
 }
 
 void World::setDamper(Damper damper) {
@@ -101,7 +100,6 @@ void World::setMaterial(BodyId id, const Material& material) {
     const auto index = indexOf(state, id);
     detail::validate(material);
     state.bodies[index].material = material;
-    state.broad.plansStale = true;
     detail::shapeIsStale(state, id.index - 1);
     detail::wakeTouching(state, index);
 }
@@ -123,7 +121,6 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
     state.joints.ownMaterial[j] = material ? 1 : 0;
     for (const auto p : {state.joints.a[j], state.joints.b[j]})
         detail::shapeIsStale(state, state.bodies[state.particles.body[p]].id.index - 1);
-    state.broad.plansStale = true;
     detail::wakeEnds(state, j);
 }
 
@@ -236,12 +233,7 @@ void World::setPosition(ParticleId id, Point position) {
     state.bodies[state.particles.body[i]].placed = state.anyPlaced = true;
     detail::shapeChanged(state, state.particles.body[i]);
     state.particles.displacement[i] = Vec2(0, 0);
-    state.broad.pairsStale = true;
     if (state.bodies[state.particles.body[i]].kind != BodyKind::fixed) return;
-    state.broad.fixedStale = true;
-    // Fixed corners that share a spot are found anew.
-    state.broad.collidersStale = true;
-    state.broad.onlyAdded = false;
     detail::wakeNear(state, state.particles.body[i]);
 }
 

@@ -110,12 +110,6 @@ void squeezeAttachments(State& state, const Removal& removal) {
         state.attachmentSlots.move(state.attachments[i].id, i);
 }
 
-/// Those that something ran into in this tick, in which something may have broken since.
-void squeezeKnocked(State& state, const std::vector<std::uint32_t>& newBody) {
-    for (auto& body : state.knocked) body = newBody[body];
-    std::erase(state.knocked, none);
-}
-
 /// Clusters of bodies that changed are dropped; they are found again with the structure.
 void squeezeClusters(State& state, const Removal& removal,
                      const std::vector<std::uint32_t>& newBody) {
@@ -163,29 +157,13 @@ void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex)
     for (Hinge& hinge : state.clusters.hinges) renumber(hinge.particle);
     std::for_each(state.fresh.begin(), state.fresh.end(), renumber);
     std::erase(state.fresh, none);
-    const auto gone = [](const auto& c) {
-        return c.particle == none || c.a == none || c.b == none;
-    };
-    for (ContactMemory& m : state.contactMemory)
-        for (auto* p : {&m.particle, &m.a, &m.b}) renumber(*p);
-    std::erase_if(state.contactMemory, gone);
-    std::stable_sort(
-        state.contactMemory.begin(), state.contactMemory.end(),
-        [](const ContactMemory& x, const ContactMemory& y) { return x.particle < y.particle; });
-    for (Contact& c : state.contacts)
-        for (auto* p : {&c.particle, &c.a, &c.b}) renumber(*p);
-    std::erase_if(state.contacts, gone);
-    for (Contact& c : state.contacts) {
-        c.bodyA = state.particles.body[c.particle];
-        c.bodyB = state.particles.body[c.a];
-    }
 }
 
 void compact(State& state, Removal& removal) {
     dissolveTrees(state);
     spreadRemoval(state, removal);
     for (std::size_t i = 0; i < removal.bodies.size(); ++i)
-        if (removal.bodies[i] && state.core.on) removeShape(state, state.bodies[i].id.index - 1);
+        if (removal.bodies[i]) removeShape(state, state.bodies[i].id.index - 1);
     markChangedBodies(state, removal);
     forgetHandles(state, removal);
     const auto newBody = renumber(removal.bodies);
@@ -196,14 +174,12 @@ void compact(State& state, Removal& removal) {
     squeezeAttachments(state, removal);
     squeezeBodies(state, removal);
     squeezeClusters(state, removal, newBody);
-    squeezeKnocked(state, newBody);
     if (particlesGo) {
         squeezeParticles(state, removal, newBody);
         renumberParticles(state, newParticle);
     }
     updateReach(state);
     state.structure.changed();
-    state.broad.bodiesChanged();
 }
 
 }  // namespace sulfur::detail

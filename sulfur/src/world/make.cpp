@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/geometry.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "core/segments.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
@@ -173,7 +173,6 @@ void restoreInverseMass(State& state, std::uint32_t index) {
 void bodyChanged(State& state) {
     state.structure.changed();
     state.work.changed();
-    state.broad.bodiesChanged();
 }
 
 void wakeEnds(State& state, std::uint32_t joint) {
@@ -237,8 +236,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);
     state.structure.bodyAdded(before);
-    state.core.on ? state.work.bodyAdded() : state.work.changed();
-    state.broad.bodyAdded();
+    state.work.bodyAdded();
     // What is fixed looks for nobody: a sleeper in its place must notice by itself.
     if (plan.kind == BodyKind::fixed) detail::wakeNear(state, index);
     return {*this, state.bodyIds.back()};

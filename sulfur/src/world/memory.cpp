@@ -79,7 +79,7 @@ MemoryUse ofWorkLists(const State& state) {
              w.bodies, w.kinematic, w.strained, w.tiedJoints, w.springs, w.springStart,
              w.explicitBatches.batches, w.explicitBatches.joint, w.explicitBatches.a,
              w.explicitBatches.b, w.explicitBatches.rest, w.explicitBatches.stiffness,
-             w.explicitBatches.damping, state.starts, state.touchedBefore)
+             w.explicitBatches.damping, state.starts)
         .as("lists of what is awake", w.awakeParticles, true);
 }
 
@@ -108,27 +108,34 @@ MemoryUse ofTrees(const State& state) {
         .as("trees and chains", t.nodes.size(), true);
 }
 
-MemoryUse ofColliders(const State& state) {
-    const auto& b = state.broad;
-    return Sum()
-        .add(b.moving, b.fixed, b.fixedCover, b.reference, b.step, b.largeMoving, b.largeFixed,
-             b.levelOfMoving, b.levelOfFixed, b.outings.ofParticle, b.outings.ofBody, b.linked,
-             b.tied, b.surface, b.thinnest)
-        .as("colliders", b.moving.size() + b.fixed.size(), true);
+MemoryUse ofMovers(const State& state) {
+    const std::size_t count = state.core.movers.size() - 1;  // without the one that never moves
+    Sum sum;
+    state.core.movers.forEachArray(
+        [&](const auto& list) { sum.addBytes(count * sizeof(list[0])); });
+    return sum.as("what contacts push", count, true);
 }
 
-MemoryUse ofCandidates(const State& state) {
-    const auto& b = state.broad;
+MemoryUse ofShapes(const State& state) {
+    const auto& s = state.core.shapes;
     return Sum()
-        .add(b.watches, b.pairs, b.watchRuns, b.pairRuns, b.looks.particle, b.looks.a, b.looks.b,
-             b.looks.spare, b.looks.thickness, b.looks.plan, b.plans)
-        .as("candidates", b.watches.size(), true);
+        .add(s.corners, s.sides, s.uses, s.spokes, s.chunks, s.firstChunk, s.moverOfParticle,
+             state.surface)
+        .as("corners and sides", s.sides.size(), true);
 }
 
-MemoryUse ofContacts(const State& state) {
+MemoryUse ofPairs(const State& state) {
+    const auto& c = state.core;
     return Sum()
-        .add(state.contacts, state.contactMemory, state.memoryStart, state.touching)
-        .as("contacts and their memory", state.contacts.size(), true);
+        .add(c.pairs, c.watches, c.encounters, c.buckets)
+        .as("pairs that are near", c.pairs.size(), true);
+}
+
+MemoryUse ofRows(const State& state) {
+    return Sum()
+        .add(state.core.touches)
+        .addBytes(state.core.rows.bytes())
+        .as("rows of contacts", state.core.rows.size(), true);
 }
 
 MemoryUse ofBodies(const State& state) {
@@ -147,7 +154,7 @@ std::vector<MemoryUse> World::memory() const {
     std::vector<MemoryUse> uses;
     for (const auto use :
          {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints, ofSweptJoints, ofWorkLists,
-          ofTriangles, ofClusters, ofTrees, ofColliders, ofCandidates, ofContacts, ofBodies})
+          ofTriangles, ofClusters, ofTrees, ofMovers, ofShapes, ofPairs, ofRows, ofBodies})
         uses.push_back(use(state));
     return uses;
 }

@@ -1,4 +1,6 @@
 // World: snapshot, restore, hash, and the check of invariants.
+#include <cstring>
+
 #include "core/archive.hpp"
 #include "world/impl.hpp"
 #include "world/validate.hpp"
@@ -11,8 +13,7 @@ namespace {
 
 constexpr std::uint64_t snapshotMark = 0x36735f7266756c53u;  // "Slfr_s6", little-endian
 
-/// Everything that decides how the world goes on. Candidates are not part of it: contacts depend
-/// on geometry alone, not on when their candidates were found.
+/// Everything that decides how the world goes on.
 template <class Archive>
 void archiveDecisive(Archive& a, State& state) {
     a(state.settings.gravity);
@@ -22,7 +23,6 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.settings.sweeps);
     a(state.settings.damper);
     a(state.settings.friction);
-    a(state.settings.rasterisation);
     a(state.lastStep);
     a(state.rateTick);
     a(state.rateTime);
@@ -34,14 +34,9 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.trees);
     a(state.structure);
     a(state.fresh);
-    a(state.contactMemory);
-    a(state.touching);
     a(state.vetoes);
-    a(state.entwined);
     a(state.anyPlaced);
-    if (state.core.on) a(state.core);
-    a(state.broad.cellSize);
-    a(state.broad.cellSizeStale);
+    a(state.core);
 }
 
 template <class Archive>
@@ -85,6 +80,33 @@ std::uint64_t buildMark() {
     return snapshotMark ^ sizeof(Real) << 56;
 }
 
+/// What it ends with: the hash of all before. So whatever was damaged on its way is refused; rows,
+/// pairs and lists name each other by numbers, of which one wrong could lead anywhere.
+std::uint64_t sealOf(const Snapshot& snapshot, std::size_t count) {
+    Hasher hasher;
+    hasher.bytes(snapshot.data(), count);
+    return hasher.result;
+}
+
+[[noreturn]] void refuseDamaged() {
+    throw Error(ErrorCode::badSnapshot,
+                "the snapshot is damaged; allowed is one that World::snapshot made");
+}
+
+/// Throws unless it is whole and of this build.
+void requireWhole(const Snapshot& snapshot) {
+    std::uint64_t mark = 0, seal = 0;
+    if (snapshot.size() < sizeof mark + sizeof seal) refuseDamaged();
+    std::memcpy(&mark, snapshot.data(), sizeof mark);
+    if (mark != buildMark())
+        throw Error(ErrorCode::badSnapshot,
+                    "the snapshot is of another version or precision of "
+                    "the library; allowed is one of this build");
+    const std::size_t count = snapshot.size() - sizeof seal;
+    std::memcpy(&seal, snapshot.data() + count, sizeof seal);
+    if (seal != sealOf(snapshot, count)) refuseDamaged();
+}
+
 }  // namespace
 
 }  // namespace detail
@@ -110,23 +132,20 @@ Snapshot World::snapshot() const {
     std::uint64_t mark = detail::buildMark();
     writer(mark);
     detail::archiveAll(writer, impl_->state);
+    std::uint64_t seal = detail::sealOf(writer.result, writer.result.size());
+    writer(seal);
     return std::move(writer.result);
 }
 
 void World::restore(const Snapshot& snapshot) {
+    detail::requireWhole(snapshot);
     detail::Reader reader(snapshot);
-    std::uint64_t mark = 0;
+    std::uint64_t mark = 0, seal = 0;
     reader(mark);
-    if (mark != detail::buildMark())
-        throw Error(ErrorCode::badSnapshot,
-                    "the snapshot is of another version or precision of "
-                    "the library; allowed is one of this build");
     auto fresh = std::make_unique<Impl>();
     detail::archiveAll(reader, fresh->state);
-    if (!reader.finished() || !detail::findBroken(fresh->state).empty())
-        throw Error(ErrorCode::badSnapshot,
-                    "the snapshot is damaged; allowed is one that "
-                    "World::snapshot made");
+    reader(seal);
+    if (!reader.finished() || !detail::findBroken(fresh->state).empty()) detail::refuseDamaged();
     fresh->state.profiling = impl_->state.profiling;
     impl_ = std::move(fresh);
 }

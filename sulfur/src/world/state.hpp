@@ -9,14 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "collision/broad_phase.hpp"
-#include "collision/contact.hpp"
 #include "contacts/contact_core.hpp"
 #include "core/slots.hpp"
 #include "joints/joints.hpp"
 #include "joints/triangles.hpp"
 #include "particles/particles.hpp"
 #include "rigid/clusters.hpp"
+#include "rigid/contact_load.hpp"
 #include "solver/explicit_joints.hpp"
 #include "solver/sensing.hpp"
 #include "solver/swept_joints.hpp"
@@ -132,6 +131,22 @@ struct WorkLists {
     }
 };
 
+/// A body whose outline no box of the broad phase covers, and the box round that.
+struct Hollow {
+    std::uint32_t body = 0;  // slot
+    Point low{0, 0}, high{0, 0};
+};
+
+/// What queries need besides the boxes of the broad phase; see queries/nearby.hpp.
+struct Nearby {
+    std::vector<std::uint32_t> apart;   // bodies (dense, ascending) that are not as boxes hold them
+    std::vector<std::uint8_t> isApart;  // the same by body slot
+    std::vector<std::uint32_t> tied;    // capsules between bodies of which one is apart
+    std::vector<Hollow> hollows;
+    bool valid = false;  // until the next step, or until something is changed by hand
+    bool hollowsListed = false;
+};
+
 /// A particle when the present tick began.
 struct ParticleStart {
     ParticleId id;
@@ -184,22 +199,16 @@ struct State {
     Structure structure;
     WorkLists work;
     Triangles triangles;
-    BroadPhase broad;
-    std::vector<Contact> contacts;
-    std::vector<Vec2> loads;                   // N on members of watched clusters in this tick
-    std::vector<ContactMemory> contactMemory;  // of the last tick, sorted
-    std::vector<std::uint32_t> memoryStart;    // in it, per particle, while contacts are solved
-    std::vector<BodyPair> touching;            // in contact, sorted
-    std::vector<BodyPair> vetoes;              // that never are, sorted
-    std::vector<BodyPair> entwined;            // put into each other and not yet apart, sorted
-    std::vector<std::uint32_t> knocked;        // sleepers that something ran into, dense indices
+    std::vector<std::uint32_t> surface;  // by particle, the joint whose surface it shows, or none
+    std::vector<ContactLoad> contacts;   // of this step, where rigid components may break
+    std::vector<Vec2> loads;             // N on members of watched clusters in this tick
+    std::vector<BodyPair> vetoes;        // that never collide, sorted
+    Nearby nearby;
     Sensing sensing;
     ContactCore core;
     bool structureChanged = true;  // since links between bodies were listed
     Events events;
-    // Of a tick of several steps, as it was when the tick began: who was awake, who touched.
-    std::vector<ParticleStart> starts;
-    std::vector<BodyPair> touchedBefore;
+    std::vector<ParticleStart> starts;  // of a tick of several steps: what was awake
     Statistics statistics;
     bool profiling = false;
     Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
@@ -207,8 +216,8 @@ struct State {
     bool anyStirred = true;  // some cluster is stirred
     bool anyForced = true;   // members of awake clusters may have forces that are still to act
     /// What follows from who is awake, found at the end of a tick and void after any change: no
-    /// tick would change anything; all that touches sleeps or never moves.
-    bool idle = false, touchingFrozen = false;
+    /// tick would change anything.
+    bool idle = false;
 
     void looked(Stage stage, std::size_t items) {
         statistics.items[static_cast<std::size_t>(stage)] += static_cast<std::uint32_t>(items);

@@ -192,25 +192,6 @@ std::string validateSleepers(const State& state) {
 }
 
 std::string validateContacts(const State& state) {
-    const auto count = state.particles.size();
-    std::uint32_t last = 0;
-    for (std::size_t i = 0; i < state.contactMemory.size(); ++i) {
-        const ContactMemory& m = state.contactMemory[i];
-        if (m.particle >= count || m.a >= count || m.b >= count)
-            return problem("contact of nothing", i);
-        if (m.particle < last) return problem("contact out of order", i);
-        if (!m.normal.allFinite() || !std::isfinite(m.normalLambda) ||
-            !std::isfinite(m.tangentLambda) || !std::isfinite(m.sustained) || m.sustained < 0 ||
-            !std::isfinite(m.drift) || !(m.step > 0))
-            return problem("contact that is not finite", i);
-        last = m.particle;
-    }
-    if (!std::is_sorted(state.touching.begin(), state.touching.end()))
-        return "touching out of order";
-    if (!state.touching.empty() && state.touching.back().a.index > state.bodySlots.slots())
-        return "touching of what never was";
-    if (!std::is_sorted(state.entwined.begin(), state.entwined.end()))
-        return "entwined bodies out of order";
     return std::is_sorted(state.vetoes.begin(), state.vetoes.end()) ? "" : "vetoes out of order";
 }
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <string>
 
-#include "collision/materials.hpp"
 #include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "shape/materials.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 #include "world/impl.hpp"
@@ -308,22 +308,14 @@ std::vector<ContactInfo> World::contacts() const {
     const State& state = impl_->state;
     const auto& p = state.particles;
     std::vector<ContactInfo> found;
-    std::vector<detail::Contact> points;
-    if (state.core.on) detail::exportContacts(state, points, true);
+    std::vector<detail::ContactLoad> points;
+    detail::exportContacts(state, points, true);
     // The last step of the tick stands for all.
     const Real ofTick = tickDuration() / (state.h * state.h);
     for (const auto& c : points)
         found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
                          p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(),
                          c.normal, c.normalLambda * ofTick, c.tangentLambda * ofTick});
-    for (const auto& c : state.contactMemory) {
-        if (c.normalLambda <= 0) continue;
-        const Point point =
-            p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>();
-        const Real perTick = tickDuration() / (c.step * c.step);
-        found.push_back({state.bodies[p.body[c.particle]].id, state.bodies[p.body[c.a]].id, point,
-                         c.normal, c.normalLambda * perTick, c.tangentLambda * perTick});
-    }
     return found;
 }
 

@@ -1,4 +1,4 @@
-// The contact core that keeps its rows, beside the one that is in use.
+// Rows of contacts: stacks, rebounds, friction, corners, what is made in each other.
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +8,6 @@
 
 namespace sulfur {
 namespace {
-
-/// Worlds of these tests run on rows.
-class Rows : public testing::Test {
-protected:
-    Rows() { detail::contactsByRows = true; }
-    ~Rows() override { detail::contactsByRows = before_; }
-
-private:
-    bool before_ = detail::contactsByRows;
-};
 
 Blueprint crate(double size = 1, Real mass = 1, const Material& material = {}) {
     return shapes::box({.size = Vec2(static_cast<Real>(size), static_cast<Real>(size)),
@@ -34,7 +24,7 @@ std::vector<Body> stackOf(World& world, int count) {
     return crates;
 }
 
-TEST_F(Rows, AStackOfTwentyStandsAtAnyRate) {
+TEST(Rows, AStackOfTwentyStandsAtAnyRate) {
     for (const int rate : {60, 240, 500, 1000}) {
         World world({.tickRate = rate, .sleeping = false});
         const auto crates = stackOf(world, 20);
@@ -47,7 +37,7 @@ TEST_F(Rows, AStackOfTwentyStandsAtAnyRate) {
     }
 }
 
-TEST_F(Rows, AHeavyTopStands) {
+TEST(Rows, AHeavyTopStands) {
     World world;
     auto crates = stackOf(world, 9);
     crates.push_back(world.add(crate(1, 100), {.position = {0, 9.5}}));
@@ -57,7 +47,7 @@ TEST_F(Rows, AHeavyTopStands) {
 }
 
 /// Slides with g (sin a - mu cos a) from rest beyond the static angle, and holds below it.
-TEST_F(Rows, ASlopeHoldsToTheStaticAngle) {
+TEST(Rows, ASlopeHoldsToTheStaticAngle) {
     constexpr double g = 9.81, mu = 0.6, kinetic = 0.5;
     const Material rough{.staticFriction = Real(mu), .kineticFriction = Real(kinetic)};
     const auto way = [&](double angle) {
@@ -89,7 +79,7 @@ std::vector<ParticleId> surfaceOf(const Blueprint& plan, const Body& body) {
     return ids;
 }
 
-TEST_F(Rows, NothingPassesThroughAThinWall) {
+TEST(Rows, NothingPassesThroughAThinWall) {
     for (const double speed : {30.0, 100.0, 300.0})
         for (const Blueprint& plan :
              {crate(0.3), shapes::ball({.radius = Real(0.05)}),
@@ -115,7 +105,7 @@ TEST_F(Rows, NothingPassesThroughAThinWall) {
 
 /// Its ends come down along a circle that never reaches the floor, although their velocity points
 /// through it.
-TEST_F(Rows, WhatSpinsBesideAFloorIsNotBraked) {
+TEST(Rows, WhatSpinsBesideAFloorIsNotBraked) {
     World world({.gravity = {0, 0}});
     world.add(
         shapes::ground({.points = {{-20, Real(-0.5)}, {20, Real(-0.5)}}, .radius = Real(0.02)}));
@@ -129,7 +119,7 @@ TEST_F(Rows, WhatSpinsBesideAFloorIsNotBraked) {
     EXPECT_NEAR(world.energy(), energy, 1e-4 * energy);
 }
 
-TEST_F(Rows, SeamsOfOneLineAreNotFelt) {
+TEST(Rows, SeamsOfOneLineAreNotFelt) {
     std::vector<Vec2> line;
     for (int i = 0; i <= 100; ++i) line.emplace_back(static_cast<Real>(-2 + 0.25 * i), Real(-0.05));
     const Material slick{.staticFriction = 0, .kineticFriction = 0};
@@ -148,7 +138,7 @@ TEST_F(Rows, SeamsOfOneLineAreNotFelt) {
     }
 }
 
-TEST_F(Rows, WhatIsMadeInEachOtherComesApartGently) {
+TEST(Rows, WhatIsMadeInEachOtherComesApartGently) {
     World world({.sleeping = false});
     stackOf(world, 0);
     std::vector<Body> discs;
@@ -163,7 +153,7 @@ TEST_F(Rows, WhatIsMadeInEachOtherComesApartGently) {
     }
 }
 
-TEST_F(Rows, ALandingIsToldOnceAtAnyRate) {
+TEST(Rows, ALandingIsToldOnceAtAnyRate) {
     for (const int rate : {60, 240, 500}) {
         World world({.tickRate = rate, .sleeping = false});
         stackOf(world, 0);
@@ -195,7 +185,7 @@ void addHeap(World& world) {
     world.add(shapes::rope({.from = {-1, 0}, .to = {1, 0}}), {.position = {0, 9}});
 }
 
-TEST_F(Rows, ARestoredWorldGoesOnToTheBit) {
+TEST(Rows, ARestoredWorldGoesOnToTheBit) {
     World world;
     addHeap(world);
     test::run(world, 1.5);
@@ -208,7 +198,7 @@ TEST_F(Rows, ARestoredWorldGoesOnToTheBit) {
     }
 }
 
-TEST_F(Rows, EveryProcessorGivesTheSameBits) {
+TEST(Rows, EveryProcessorGivesTheSameBits) {
     const auto hashAfter = [](detail::Instructions most) {
         detail::useKernelsUpTo(most);
         World world;
@@ -218,6 +208,52 @@ TEST_F(Rows, EveryProcessorGivesTheSameBits) {
         return world.hash();
     };
     EXPECT_EQ(hashAfter(detail::Instructions::baseline), hashAfter(detail::Instructions::avx2));
+}
+
+TEST(Rows, KeepsWhatLiesOnGroundThatSomethingThickIsTiedTo) {
+    World world;
+    const Body ground = world.add(shapes::ground({.points = {{0, 6}, {0, 0}, {8, 0}}}));
+    const Body ball =
+        world.add(shapes::ball({.radius = Real(0.2), .mass = 5}), {.position = {1.5, 0}});
+    world.connect(world.particles(ground)[1], ball.front(),
+                  {.stiffness = infinite, .radius = Real(0.02)});
+    std::vector<Body> boxes;
+    for (int i = 0; i < 30; ++i)
+        boxes.push_back(
+            world.add(shapes::box({.size = {Real(0.3), Real(0.3)}}),
+                      {.position = {0.5 + 0.24 * i, 0.2 + 0.5 * (i % 2)}, .angle = 0.1}));
+    for (int tick = 0; tick < 700; ++tick) {
+        World restored;
+        if (tick % 10 == 0) restored.restore(world.snapshot());
+        world.step();
+        if (tick % 10 != 0) continue;
+        restored.step();
+        ASSERT_EQ(restored.hash(), world.hash()) << tick;
+    }
+    for (const Body& box : boxes) EXPECT_GT(world.centreOfMass(box)[1], 0);
+}
+
+/// The end of a thin rod is as thick as a joint to another body, also for what that body lets pass.
+TEST(Rows, HoldsOffWhatTouchesAnEndThatAnotherBodysJointMakesThick) {
+    for (const double speed : {0.5, 2.0}) {
+        World world({.gravity = {0, 0}});
+        const Body rod = world.add(shapes::chain({.to = {2, 0}, .links = 1, .pinFirst = true}),
+                                   {.position = {0, 3}});
+        Blueprint plan = shapes::ball({.radius = Real(0.05), .mass = 1});
+        plan.filter.mask = 0;
+        const Body other = world.add(plan, {.position = {2, 5}});
+        plan.filter = {};
+        world.connect(other.front(), rod.back(), {.stiffness = infinite, .radius = Real(0.5)});
+        const Body visitor = world.add(plan, {.position = {4, 1}});
+        world.setVelocity(visitor, Point(-speed, speed).cast<Real>());
+        double nearest = 9;
+        for (int tick = 0; tick < 2500 / speed; ++tick) {
+            world.step();
+            nearest = std::min(nearest,
+                               (world.position(rod.back()) - world.centreOfMass(visitor)).norm());
+        }
+        EXPECT_NEAR(nearest, 0.55, 0.005) << speed;
+    }
 }
 
 }  // namespace

@@ -41,7 +41,6 @@ TEST(Read, GivesEveryMember) {
     EXPECT_EQ(blueprintOf(scene, *lift).material.restitution, Real(0.5));
     EXPECT_EQ(scene.body("crate")->state->velocities[2].y(), Real(0.125));
     EXPECT_EQ(scene.settings.friction, sulfur::Friction::sliding);
-    EXPECT_EQ(scene.settings.rasterisation, sulfur::Rasterisation::bresenham);
     EXPECT_TRUE(plain.selfCollision);
     EXPECT_TRUE(scene.prefab("rope")->blueprint.selfCollision);
     EXPECT_FALSE(scene.prefab("chain")->blueprint.selfCollision);
@@ -272,7 +271,6 @@ TEST(Read, RefusesLooseEnds) {
     says(R"("vetoes": [["one", "none"]])", "id of a body");
     says(R"("world": {"sweeps": 0})", "1 to 100");
     says(R"("world": {"friction": "none"})", "\"sliding\"");
-    says(R"("world": {"rasterisation": true})", "\"bresenham\"");
     says(R"("world": {"gravity": 9.81})", "an array of 2");
     says(R"("title": 5)", "a string");
 }

@@ -35,7 +35,6 @@ TEST(Format, LosesNoMember) {
     EXPECT_EQ(after.description, before.description);
     EXPECT_EQ(after.settings.gravity, before.settings.gravity);
     EXPECT_EQ(after.settings.friction, before.settings.friction);
-    EXPECT_EQ(after.settings.rasterisation, before.settings.rasterisation);
     ASSERT_EQ(after.vetoes.size(), before.vetoes.size());
     EXPECT_EQ(after.vetoes[0].b, before.vetoes[0].b);
     ASSERT_EQ(after.blueprints.size(), before.blueprints.size());

@@ -95,19 +95,23 @@ TEST(Persist, LookingBetweenAdditionsDoesNotChangeTheWayOn) {
     }
 }
 
-TEST(Persist, ManyQueriesBetweenTicksMakeTheGridOnce) {
-    World world({.sleeping = false});
-    fill(world);
-    test::run(world, 0.2);
-    const auto before = world.statistics().broadPhases;
+TEST(Persist, ManyQueriesBetweenTicksChangeNothing) {
+    World world({.sleeping = false}), other({.sleeping = false});
+    for (World* w : {&world, &other}) {
+        fill(*w);
+        test::run(*w, 0.2);
+    }
     for (int i = 0; i < 1000; ++i) {
         world.castSegment({-7, 1}, {7, 2});
         world.castShape(QueryShape::circle({0, 5}, 0.1), {0, -5});
         world.closestPoint({0, 5}, 10);
         world.bodiesAt({0.01 * i, 1});
     }
+    EXPECT_EQ(world.hash(), other.hash());
     world.step();
-    EXPECT_LE(world.statistics().broadPhases, before + 2);
+    other.step();
+    EXPECT_EQ(world.hash(), other.hash());
+    EXPECT_EQ(world.statistics().boxes, other.statistics().boxes);
 }
 
 /// How much of a stiff spring at a rigid body is a force follows from where the body had turned to
@@ -139,25 +143,6 @@ TEST(Persist, AWorldToWhichABodyWasJustAddedGoesOnTheSameWay) {
 }
 
 /// The same of damaged ones, which may name other bodies than those that were there.
-TEST(Persist, DamagedSnapshotsOfWorldsToWhichABodyWasJustAddedAreRefused) {
-    World world;
-    fill(world);
-    test::run(world, 0.2);
-    world.add(shapes::box(), {{0, 8}, 0});
-    const Snapshot good = world.snapshot();
-    test::Random random(7);
-    World victim;
-    for (int i = 0; i < 1000; ++i) {
-        Snapshot bad = good;
-        bad[random.below(good.size())] ^= static_cast<std::byte>(1 + random.below(255));
-        try {
-            victim.restore(bad);
-            ASSERT_EQ(victim.validate(), "") << i;
-        } catch (const Error&) {
-        }
-    }
-}
-
 TEST(Persist, DamagedSnapshotsAreRefused) {
     World world;
     fill(world);
@@ -177,15 +162,10 @@ TEST(Persist, DamagedSnapshotsAreRefused) {
         EXPECT_THROW(victim.restore(bad), Error);
     }
     EXPECT_EQ(victim.hash(), before);
-    // A flipped byte is refused, or it is only another number: never a broken world.
     for (int i = 0; i < 1000; ++i) {
         bad = good;
         bad[random.below(good.size())] ^= static_cast<std::byte>(1 + random.below(255));
-        try {
-            victim.restore(bad);
-            ASSERT_EQ(victim.validate(), "") << i;
-        } catch (const Error&) {
-        }
+        EXPECT_THROW(victim.restore(bad), Error) << i;
     }
 }
 
