@@ -65,14 +65,15 @@ private:
         shares_.assign(state_.bodies.size(), 1);
     }
 
-    Real lengthOf(std::uint32_t m) const {
-        const Motion3& way = core_.ways[m];
-        return std::abs(way.x) + std::abs(way.y) + movers_.reach[m] * std::abs(way.turn);
-    }
-    Real lengthOf(const Chunk& chunk) const {
+    /// How far a chunk goes at most, seen from what goes along with `frame`.
+    Real lengthOf(const Chunk& chunk, const Motion3& frame) const {
         Real most = 0;
-        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
-            most = std::max(most, lengthOf(core_.shapes.uses[u].mover));
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
+            const auto m = core_.shapes.uses[u].mover;
+            const Motion3& way = core_.ways[m];
+            most = std::max(most, std::abs(way.x - frame.x) + std::abs(way.y - frame.y) +
+                                      movers_.reach[m] * std::abs(way.turn));
+        }
         return most;
     }
 
@@ -82,7 +83,8 @@ private:
         for (const PairWatch& w : core_.watches) {
             const Pair& pair = core_.pairs[w.pair];
             const Chunk &a = chunks[pair.a], &b = chunks[pair.b];
-            const Real ways = lengthOf(a) + lengthOf(b);
+            const Motion3& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
+            const Real ways = lengthOf(a, frame) + lengthOf(b, frame);
             if (!(ways > fast * (a.fineness + b.fineness))) continue;
             const bool has = pair.row || pair.firstTouch != none;
             const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];

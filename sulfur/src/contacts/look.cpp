@@ -89,7 +89,8 @@ void wakeIfNear(State& state, std::uint32_t index, std::uint32_t sleeper) {
         slack = look.slack;
     }
     if (near) core.toWake.push_back(sleeper);
-    watchPair(state, index, odometers + static_cast<double>(slack));
+    // Once it is awake the pair gets its rows.
+    watchPair(state, index, near ? -1 : odometers + static_cast<double>(slack));
 }
 
 }  // namespace

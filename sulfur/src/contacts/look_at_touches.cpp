@@ -92,7 +92,9 @@ private:
         TouchBlock& block = core_.rows.touch(touch.row);
         TouchShape& shape = core_.rows.touchShape(touch.row);
         const auto lane = RowGraph::laneOf(touch.row);
-        shape.thickness[lane] = corner.radius + side.radius;
+        // An end may be thicker than its side, by a joint to another body.
+        const Real radius = touch.end == 0 ? side.radius : (touch.end == 1 ? a : b).radius;
+        shape.thickness[lane] = corner.radius + radius;
         shape.cornerX[lane] = corner.x;
         shape.cornerY[lane] = corner.y;
         shape.aX[lane] = a.x;

@@ -383,6 +383,7 @@ private:
     /// chunks, the first of them has the spokes, and it alone is held off others as a corner.
     void giveSpokes() {
         std::map<std::uint32_t, std::vector<std::uint32_t>> ends;  // by particle slot: corners
+        std::map<std::uint32_t, Real> thickest;  // of these capsules, m
         std::map<std::uint32_t, std::uint32_t> owner;
         const auto forEachOwnChunk = [&](auto&& f) {
             std::vector<std::uint32_t> list;
@@ -398,12 +399,18 @@ private:
                 if (side.a == side.b) continue;
                 ends[shapes_.corners[side.a].particle].push_back(side.b);
                 ends[shapes_.corners[side.b].particle].push_back(side.a);
+                for (const auto end : {side.a, side.b}) {
+                    Real& radius = thickest[shapes_.corners[end].particle];
+                    radius = std::max(radius, side.radius);
+                }
             }
         });
         forEachOwnChunk([&](const Chunk& chunk) {
             for (auto c = chunk.firstCorner; c < chunk.firstCorner + chunk.corners; ++c) {
                 Corner& corner = shapes_.corners[c];
-                const auto& spokes = ends[corner.particle];
+                auto& spokes = ends[corner.particle];
+                // What a joint to another body makes thicker than all of them is a disc by itself.
+                if (corner.radius > thickest[corner.particle]) spokes.clear();
                 corner.spokes = static_cast<std::uint32_t>(spokes.size());
                 corner.firstSpoke = shapes_.spokePool.allocate(corner.spokes);
                 shapes_.spokes.resize(shapes_.spokePool.size());
