@@ -92,8 +92,8 @@ struct Lead {
 /// When a pair has to be looked at: when the odometers of both frames together reach a limit.
 struct PairWatch {
     std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
-    std::uint32_t unused = 0;
-    double limit = 0;  // m
+    float fineness = 0;  // m, of both chunks together
+    double limit = 0;    // m
 };
 
 /// Impulses of a row that went, for whoever comes to stand for the same particles.

@@ -29,8 +29,11 @@ public:
 
     void run() {
         takeWays();
+        measure();
         collect();
         if (pairs_.empty()) return;
+        whole_ = core_.ways;
+        shares_.assign(state_.bodies.size(), 1);
         state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
@@ -61,19 +64,28 @@ private:
             way.y -= blow.when * blow.velocity[1];
             way.turn -= blow.when * blow.spin;
         }
-        whole_ = core_.ways;
-        shares_.assign(state_.bodies.size(), 1);
+    }
+
+    /// How far each mover, and each chunk of several, goes at most.
+    void measure() {
+        lengths_.assign(movers_.size(), 0);
+        for (const auto m : core_.awakeMovers) lengths_[m] = lengthOf(m, {});
+        for (const auto c : core_.awakeStrips) {
+            const Chunk& chunk = core_.shapes.chunks[c];
+            lengths_[chunk.frame] = lengthOf(chunk, {});
+        }
+    }
+    Real lengthOf(std::uint32_t m, const Motion3& frame) const {
+        const Motion3& way = core_.ways[m];
+        return std::abs(way.x - frame.x) + std::abs(way.y - frame.y) +
+               movers_.reach[m] * std::abs(way.turn);
     }
 
     /// How far a chunk goes at most, seen from what goes along with `frame`.
     Real lengthOf(const Chunk& chunk, const Motion3& frame) const {
         Real most = 0;
-        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
-            const auto m = core_.shapes.uses[u].mover;
-            const Motion3& way = core_.ways[m];
-            most = std::max(most, std::abs(way.x - frame.x) + std::abs(way.y - frame.y) +
-                                      movers_.reach[m] * std::abs(way.turn));
-        }
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+            most = std::max(most, lengthOf(core_.shapes.uses[u].mover, frame));
         return most;
     }
 
@@ -81,11 +93,12 @@ private:
     void collect() {
         const auto& chunks = core_.shapes.chunks;
         for (const PairWatch& w : core_.watches) {
+            if (!(lengths_[w.a] + lengths_[w.b] > fast * static_cast<Real>(w.fineness))) continue;
             const Pair& pair = core_.pairs[w.pair];
             const Chunk &a = chunks[pair.a], &b = chunks[pair.b];
             const Motion3& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
             const Real ways = lengthOf(a, frame) + lengthOf(b, frame);
-            if (!(ways > fast * (a.fineness + b.fineness))) continue;
+            if (!(ways > fast * static_cast<Real>(w.fineness))) continue;
             const bool has = pair.row || pair.firstTouch != none;
             const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
             if (!has && odometers + static_cast<double>(ways) < w.limit) continue;
@@ -169,6 +182,7 @@ private:
     Movers& movers_;
     std::vector<std::uint32_t> pairs_;
     std::vector<Motion3> whole_;
+    std::vector<Real> lengths_;  // by mover, m
     std::vector<Real> shares_;  // by body, dense index
 };
 

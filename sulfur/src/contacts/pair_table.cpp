@@ -100,8 +100,9 @@ void watchPair(State& state, std::uint32_t pair, double limit) {
     Pair& p = core.pairs[pair];
     if (p.watch == none) {
         p.watch = static_cast<std::uint32_t>(core.watches.size());
-        core.watches.push_back(
-            {pair, core.shapes.chunks[p.a].frame, core.shapes.chunks[p.b].frame, 0, limit});
+        const Chunk &a = core.shapes.chunks[p.a], &b = core.shapes.chunks[p.b];
+        const auto fineness = static_cast<float>(a.fineness + b.fineness);
+        core.watches.push_back({pair, a.frame, b.frame, fineness, limit});
     }
     core.watches[p.watch].limit = limit;
 }
