@@ -35,10 +35,16 @@ public:
         whole_ = core_.ways;
         shares_.assign(state_.bodies.size(), 1);
         state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
-        bool any = true;
-        for (int round = 0; round < mostRounds && any; ++round) {
-            any = false;
-            for (const auto pair : pairs_) any = hold(core_.pairs[pair]) || any;
+        for (int round = 0; round < mostRounds && !pairs_.empty(); ++round) {
+            held_.assign(state_.bodies.size(), 0);
+            for (const auto pair : pairs_) hold(core_.pairs[pair]);
+            // Only somebody whose way has changed may be in another's way now.
+            std::erase_if(pairs_, [&](std::uint32_t pair) {
+                const auto wasHeld = [&](std::uint32_t chunk) {
+                    return held_[state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body)] != 0;
+                };
+                return !wasHeld(core_.pairs[pair].a) && !wasHeld(core_.pairs[pair].b);
+            });
         }
         giveBack();
     }
@@ -106,14 +112,14 @@ private:
         }
     }
 
-    bool hold(const Pair& pair) {
+    void hold(const Pair& pair) {
         const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
         if (pair.isManifold) {
             const Real moment = timeOfImpact(core_, a, b, 1 - fast);
-            if (moment >= 1) return false;
+            if (moment >= 1) return;
             scale(a.frame, moment);
             scale(b.frame, moment);
-            return true;
+            return;
         }
         findPassings(state_, a, b, 1 - fast, core_.passings);
         for (const Passing& c : core_.passings) {
@@ -122,7 +128,6 @@ private:
             scale(one, c.moment);
             if (movers_.body[one] != movers_.body[other]) scale(other, c.moment);
         }
-        return !core_.passings.empty();
     }
 
     /// The body of a mover goes only a share of its way.
@@ -130,6 +135,7 @@ private:
         const auto body = state_.bodySlots.denseOf(movers_.body[m]);
         if (state_.bodies[body].kind != BodyKind::dynamic) return;
         shares_[body] *= share;
+        held_[body] = 1;
         const auto slot = state_.bodies[body].id.index - 1;
         for (auto c = core_.shapes.firstChunk[slot]; c != none;
              c = core_.shapes.chunks[c].nextOfBody) {
@@ -182,8 +188,9 @@ private:
     Movers& movers_;
     std::vector<std::uint32_t> pairs_;
     std::vector<Motion3> whole_;
-    std::vector<Real> lengths_;  // by mover, m
-    std::vector<Real> shares_;  // by body, dense index
+    std::vector<Real> lengths_;       // by mover, m
+    std::vector<Real> shares_;        // by body, dense index
+    std::vector<std::uint8_t> held_;  // the same, 1: in this round
 };
 
 }  // namespace

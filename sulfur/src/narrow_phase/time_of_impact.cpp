@@ -1,6 +1,7 @@
 #include "narrow_phase/time_of_impact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contacts/contact_core.hpp"
@@ -12,6 +13,8 @@ namespace sulfur::detail {
 namespace {
 
 constexpr int mostSteps = 16;
+/// Of a chunk: more than any has (see make_shapes.cpp).
+constexpr std::size_t mostCorners = 32;
 
 struct Xy {
     Real x = 0, y = 0;
@@ -52,17 +55,43 @@ public:
 
     void run() {
         passings_.clear();
-        against(a_, b_);
-        if (&a_ != &b_) against(b_, a_);
+        const Course ofA = courseOf(a_), ofB = courseOf(b_);
+        if (ofA.isBeside(ofB)) return;
+        against(a_, ofA, b_, ofB);
+        if (&a_ != &b_) against(b_, ofB, a_, ofA);
     }
 
 private:
+    /// How all corners of a chunk go, and the box in which they do, with their thickness.
+    struct Course {
+        std::array<Way, mostCorners> ways;
+        Xy low{Real(1e30), Real(1e30)}, high{Real(-1e30), Real(-1e30)};
+
+        bool isBeside(const Course& other) const {
+            return low.x > other.high.x || other.low.x > high.x || low.y > other.high.y ||
+                   other.low.y > high.y;
+        }
+    };
+    Course courseOf(const Chunk& chunk) const {
+        Course course;
+        for (std::uint32_t k = 0; k < chunk.corners; ++k) {
+            const Way way = course.ways[k] = wayOf(chunk.firstCorner + k);
+            for (const Xy p : {way.start, way.end}) {
+                course.low = {std::min(course.low.x, p.x - chunk.radius),
+                              std::min(course.low.y, p.y - chunk.radius)};
+                course.high = {std::max(course.high.x, p.x + chunk.radius),
+                               std::max(course.high.y, p.y + chunk.radius)};
+            }
+        }
+        return course;
+    }
     Way wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
         const Motion3& way = state_.core.ways[c.mover];
         const Point from = movers_.reference[c.mover] - origin_;
         const Xy centre{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y};
+        if (c.x == 0 && c.y == 0) return {centre, {centre.x + way.x, centre.y + way.y}};
         const Heading h = turnedBy(movers_, c.mover, 0), g = turnedBy(movers_, c.mover, way.turn);
         return {
             {centre.x + h.cosine * c.x - h.sine * c.y, centre.y + h.sine * c.x + h.cosine * c.y},
@@ -70,14 +99,15 @@ private:
              centre.y + way.y + g.sine * c.x + g.cosine * c.y}};
     }
 
-    void against(const Chunk& own, const Chunk& other) {
+    void against(const Chunk& own, const Course& corners, const Chunk& other, const Course& ends) {
         for (auto c = own.firstCorner; c < own.firstCorner + own.corners; ++c) {
             if (!shapes_.corners[c].owned) continue;
-            const Way p = wayOf(c);
+            const Way& p = corners.ways[c - own.firstCorner];
             for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
                 const Side& side = shapes_.sides[s];
                 if (side.a == side.b || neverTouches(state_, c, side, other.body)) continue;
-                cross(c, p, side, wayOf(side.a), wayOf(side.b));
+                cross(c, p, side, ends.ways[side.a - other.firstCorner],
+                      ends.ways[side.b - other.firstCorner]);
             }
         }
     }

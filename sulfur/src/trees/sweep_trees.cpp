@@ -22,9 +22,6 @@ namespace {
 /// A line whose light nodes whip more than this in a tick pulls along its present directions.
 constexpr double mostWhip = 0.2;
 
-/// Of a link, as a share of its length: what sweeps may leave where contacts press on a tree.
-constexpr double mostStrain = 1e-4;
-
 /// Of contacts that would have to pull, in a sweep.
 constexpr int mostReleases = 4;
 /// Of a contact, as a share of the tree's own mobility: where a link points along the normal, both
@@ -470,7 +467,7 @@ void sweepTrees(State& state) {
         for (const auto i : *list) withSweeper(state, i, [](auto& s) { s.sweep(); });
 }
 
-bool treesAreStrained(State& state) {
+double strainOfTrees(State& state) {
     double most = 0;
     const auto look = [&](std::uint32_t tree) {
         withSweeper(state, tree, [&](auto& s) { most = std::max(most, s.strain()); });
@@ -478,7 +475,7 @@ bool treesAreStrained(State& state) {
     for (const auto i : state.trees.touchedAlone) look(i);
     for (const auto i : state.work.lines)
         if (state.trees.touched[i]) look(i);
-    return most > mostStrain;
+    return most;
 }
 
 void recordTreeForces(State& state) {

@@ -21,8 +21,8 @@ void touchTrees(State& state);
 void shareBlows(State& state);
 /// One sweep: every line through a mesh, and every touched tree, is solved as a whole.
 void sweepTrees(State& state);
-/// Whether the sweeps have not yet found what contacts do to the trees that they touch.
-bool treesAreStrained(State& state);
+/// By what share of its length a link is wrong, at most, in trees that contacts pull on.
+double strainOfTrees(State& state);
 /// Multipliers of the sweeps to the joints.
 void recordTreeForces(State& state);
 /// Velocities of the nodes take up what the sweeps have changed.
