@@ -33,6 +33,7 @@ struct Pair {
     std::array<Real, 3> kept{};
     std::array<Real, 4> keptNormal{};  // x and y of each
     Real restitution = 0;
+    Real drag = 0;                   // kg/s, with Friction::sliding: force per speed of a point
     Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
     std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;

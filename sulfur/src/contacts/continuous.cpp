@@ -31,6 +31,7 @@ public:
         takeWays();
         collect();
         if (pairs_.empty()) return;
+        state_.statistics.heldBack += static_cast<std::uint32_t>(pairs_.size());
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
@@ -75,13 +76,22 @@ private:
         return most;
     }
 
+    /// m, by which two chunks come nearer in this step at most: what goes side by side does not.
+    Real closing(const Chunk& a, const Chunk& b) const {
+        if (a.uses > 1 || b.uses > 1) return lengthOf(a) + lengthOf(b);
+        const Motion3 &one = core_.ways[a.frame], &other = core_.ways[b.frame];
+        return std::abs(one.x - other.x) + std::abs(one.y - other.y) +
+               movers_.reach[a.frame] * std::abs(one.turn) +
+               movers_.reach[b.frame] * std::abs(other.turn);
+    }
+
     /// Pairs that are fast and may have come near: rows they have, or the next look is due.
     void collect() {
         const auto& chunks = core_.shapes.chunks;
         for (const PairWatch& w : core_.watches) {
             const Pair& pair = core_.pairs[w.pair];
             const Chunk &a = chunks[pair.a], &b = chunks[pair.b];
-            const Real ways = lengthOf(a) + lengthOf(b);
+            const Real ways = closing(a, b);
             if (!(ways > fast * (a.fineness + b.fineness))) continue;
             const bool has = pair.row || pair.firstTouch != none;
             const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];

@@ -159,7 +159,9 @@ private:
     void notePressing(Lists& lists, Kernel&& kernel, PairOf&& pairOf) {
         for (auto& list : lists)
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
-                const std::uint32_t now = kernel(list.blocks[k]);
+                const std::uint32_t found = kernel(list.blocks[k]), now = found & 0xff;
+                state_.statistics.rubbingContacts +=
+                    static_cast<std::uint32_t>(std::popcount(found >> 8));
                 for (auto set = now ^ list.pressing[k]; set != 0; set &= set - 1) {
                     const auto lane = static_cast<std::uint32_t>(std::countr_zero(set));
                     const bool presses = (now >> lane & 1) != 0;
@@ -281,10 +283,6 @@ private:
 }  // namespace
 
 void tellContacts(State& state) {
-    state.statistics.contacts = 0;
-    for (const ManifoldList& list : state.core.rows.manifolds)
-        state.statistics.contacts += list.rows;
-    for (const TouchList& list : state.core.rows.touches) state.statistics.contacts += list.rows;
     Teller(state).run();
 }
 

@@ -38,6 +38,10 @@ Surfaces surfacesOf(const State& state, std::uint32_t corner, std::uint32_t body
     s.kineticFriction = mean(a.kineticFriction, b.kineticFriction);
     s.restitution = std::max(a.restitution, b.restitution);
     s.speed = a.surfaceSpeed + b.surfaceSpeed;
+    if (state.settings.friction == Friction::sliding) {
+        s.drag = s.kineticFriction;
+        s.staticFriction = s.kineticFriction = 0;
+    }
     return s;
 }
 

@@ -33,6 +33,15 @@ bool sweepsOthers(const State& state) {
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
+/// Of the last step of a tick.
+void countRows(State& state) {
+    Statistics& statistics = state.statistics;
+    statistics.candidates = static_cast<std::uint32_t>(state.core.watches.size());
+    statistics.contacts = statistics.rubbingContacts = 0;
+    for (const ManifoldList& list : state.core.rows.manifolds) statistics.contacts += list.rows;
+    for (const TouchList& list : state.core.rows.touches) statistics.contacts += list.rows;
+}
+
 void sweepRigid(State& state) {
     solveAttachments(state);
     solveGrabs(state);
@@ -73,6 +82,7 @@ void sweepAll(State& state) {
 }  // namespace
 
 void solveWithRows(State& state) {
+    countRows(state);
     clearMultipliers(state);
     startGrabs(state);
     touchTrees(state);
@@ -84,6 +94,7 @@ void solveWithRows(State& state) {
     } else {
         sweepAlone(state);
     }
+    if (state.settings.friction == Friction::sliding) dragRows(state);
     dampSticking(state);
     endMotion(state);
     endBlows(state);

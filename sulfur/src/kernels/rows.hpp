@@ -165,7 +165,7 @@ struct RowKernels {
                                       const ManifoldBlock& block, SweepReal slow);
     std::uint32_t (*meetingTouches)(const SolverBody* bodies, const Prediction* predictions,
                                     const TouchBlock& block, SweepReal slow);
-    /// A bit for each lane that presses.
+    /// A bit for each lane that presses; eight bits higher, one for each of these that rubs.
     std::uint32_t (*pressingManifolds)(const ManifoldBlock& block);
     std::uint32_t (*pressingTouches)(const TouchBlock& block);
 };

@@ -538,8 +538,9 @@ std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predic
 }
 
 std::uint32_t pressingManifold(const ManifoldBlock& block) {
-    return bits((load(block.points[0].pressing) > Vec{}) |
-                (load(block.points[1].pressing) > Vec{}));
+    const auto presses =
+        (load(block.points[0].pressing) > Vec{}) | (load(block.points[1].pressing) > Vec{});
+    return bits(presses) | bits(presses & (load(block.staticFriction) > Vec{})) << 8;
 }
 
 // --- a corner and a side ------------------------------------------------------------------------
@@ -787,7 +788,8 @@ std::uint32_t meetingTouch(const SolverBody* bodies, const Prediction* predictio
 }
 
 std::uint32_t pressingTouch(const TouchBlock& block) {
-    return bits(load(block.pressing) > Vec{});
+    const auto presses = load(block.pressing) > Vec{};
+    return bits(presses) | bits(presses & (load(block.staticFriction) > Vec{})) << 8;
 }
 
 }  // namespace

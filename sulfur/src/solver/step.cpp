@@ -47,12 +47,15 @@ void noteItems(State& state) {
     std::uint32_t& pressed = state.statistics.pressedTriangles;  // the most in any step of the tick
     pressed = std::max(pressed, static_cast<std::uint32_t>(state.triangles.pressed.size()));
     state.looked(Stage::broadPhase, work.awakeSurfaces);
-    state.looked(Stage::narrowPhase, state.broad.watches.size());
-    state.looked(Stage::constraints,
-                 state.contacts.size() + work.implicitJoints.size() + work.rigidJoints.size() +
-                     work.attachments.size() + work.hinges.size() + work.lines.size() +
-                     state.triangles.pressed.size() + state.trees.touchedAlone.size() +
-                     state.influences.grabs.size());
+    const bool byRows = state.core.on;
+    state.looked(Stage::narrowPhase,
+                 byRows ? state.core.watches.size() : state.broad.watches.size());
+    state.looked(Stage::constraints, (byRows ? state.statistics.contacts : state.contacts.size()) +
+                                         work.implicitJoints.size() + work.rigidJoints.size() +
+                                         work.attachments.size() + work.hinges.size() +
+                                         work.lines.size() + state.triangles.pressed.size() +
+                                         state.trees.touchedAlone.size() +
+                                         state.influences.grabs.size());
 }
 
 /// Whether something has been changed by hand since the lists were made.

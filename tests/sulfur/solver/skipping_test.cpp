@@ -271,7 +271,7 @@ TEST(Skipping, OnlyWhatMovesPastSomethingIsHeldBack) {
         least = std::min(least, statistics.heldBack);
     }
     EXPECT_EQ(least, 0u);
-    EXPECT_GT(world.statistics().candidates, 30u);
+    EXPECT_GE(world.statistics().candidates, 10u) << "each crate and the floor";
 
     Blueprint wall = shapes::floor({-3, 0}, {-3, 40});
     world.add(wall);
