@@ -125,7 +125,6 @@ struct ContactCore {
     std::vector<PairWatch> watches;      // of pairs of which something is awake
     std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
     double lastStep = 0;                 // s, of the step for which the rows have impulses
-    std::uint64_t dampedAfter = 0;       // steps; see dampSticking()
 
     // Derived when bodies change or fall asleep.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
@@ -184,7 +183,6 @@ struct ContactCore {
         a(linkedBodies);
         a(staleShapes);
         a(lastStep);
-        a(dampedAfter);
     }
 };
 
