@@ -199,7 +199,9 @@ private:
         }
         if (nearestSide == none) return;
         if (depth > radius) {
-            leaveThroughNearest(corner, at(p), other);
+            // What is part of an outline is behind most of its sides, and not in it.
+            if (movers_.body[shapes_.corners[corner].mover] != other.body)
+                leaveThroughNearest(corner, at(p), other);
             return;
         }
         // Behind the nearest side, it counts before that alone.
