@@ -40,6 +40,11 @@ struct Pair {
     std::uint32_t unused = 0;  // no padding, because its bytes are hashed
 };
 
+/// Whether two chunks are near enough to have rows, asleep or not.
+inline bool isNear(const Pair& pair) {
+    return pair.firstTouch != none || pair.features[0][0] != none || pair.features[1][0] != none;
+}
+
 /// A corner that is near a side.
 struct Touch {
     std::uint32_t pair = none;  // none where the slot is free

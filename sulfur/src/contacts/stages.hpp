@@ -52,6 +52,8 @@ void exportContacts(const State& state, std::vector<Contact>& contacts, bool sle
 void exportLoads(const State& state, std::vector<Contact>& contacts);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleepByRows(State& state);
+/// Wakes a body that goes away or leaves its place, and what is near or tied to it.
+void wakeNeighbours(State& state, std::uint32_t body);
 
 /// Takes away pairs, rows and chunks of a body, by its slot; impulses are kept for heirs.
 void removeShape(State& state, std::uint32_t bodySlot);

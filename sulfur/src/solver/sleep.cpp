@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "contacts/stages.hpp"
 #include "core/disjoint_sets.hpp"
 #include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
@@ -213,6 +214,7 @@ void wakeBody(State& state, std::uint32_t index) {
 }
 
 void wakeTouching(State& state, std::uint32_t gone) {
+    if (state.core.on) return wakeNeighbours(state, gone);
     const auto& body = state.particles.body;
     for (const ContactMemory& m : state.contactMemory) {
         if (body[m.particle] == gone)
