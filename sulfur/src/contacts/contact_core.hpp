@@ -33,11 +33,17 @@ struct Pair {
     std::array<Real, 3> kept{};
     std::array<Real, 4> keptNormal{};  // x and y of each
     Real restitution = 0;
+    Real drag = 0;                   // kg/s, with Friction::sliding: force per speed of a point
     Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
     std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
     std::uint32_t unused = 0;  // no padding, because its bytes are hashed
 };
+
+/// Whether two chunks are near enough to have rows, asleep or not.
+inline bool isNear(const Pair& pair) {
+    return pair.firstTouch != none || pair.features[0][0] != none || pair.features[1][0] != none;
+}
 
 /// A corner that is near a side.
 struct Touch {
@@ -92,8 +98,8 @@ struct Lead {
 /// When a pair has to be looked at: when the odometers of both frames together reach a limit.
 struct PairWatch {
     std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
-    float fineness = 0;  // m, of both chunks together
-    double limit = 0;    // m
+    float fineness = 0;                    // m, of both chunks together
+    double limit = 0;                      // m
 };
 
 /// Impulses of a row that went, for whoever comes to stand for the same particles.
@@ -116,7 +122,6 @@ struct ContactCore {
     std::vector<PairWatch> watches;      // of pairs of which something is awake
     std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
     double lastStep = 0;                 // s, of the step for which the rows have impulses
-    std::uint64_t dampedAfter = 0;       // steps; see dampSticking()
 
     // Derived when bodies change or fall asleep.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
@@ -174,7 +179,6 @@ struct ContactCore {
         a(linkedBodies);
         a(staleShapes);
         a(lastStep);
-        a(dampedAfter);
     }
 };
 

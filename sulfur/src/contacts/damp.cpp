@@ -194,8 +194,7 @@ private:
 }  // namespace
 
 void dampSticking(State& state) {
-    ContactCore& core = state.core;
-    if (core.dampedAfter++ % interval != 0) return;
+    if (stepNumber(state) % interval != 0) return;
     Damper(state).run();
 }
 

@@ -281,11 +281,6 @@ private:
 }  // namespace
 
 void tellContacts(State& state) {
-    state.statistics.contacts = 0;
-    state.statistics.candidates = static_cast<std::uint32_t>(state.core.watches.size());
-    for (const ManifoldList& list : state.core.rows.manifolds)
-        state.statistics.contacts += list.rows;
-    for (const TouchList& list : state.core.rows.touches) state.statistics.contacts += list.rows;
     Teller(state).run();
 }
 

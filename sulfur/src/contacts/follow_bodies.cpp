@@ -144,23 +144,25 @@ bool isAwake(const State& state, std::uint32_t bodySlot) {
     return state.awake(state.bodySlots.denseOf(bodySlot));
 }
 
-/// Pairs of sleepers and of what never moves have no rows and are not watched.
+/// Pairs of sleepers and of what never moves are not watched. Only with somebody awake that rows
+/// can push they have rows; with what the caller may move they are watched without.
 void watchAwake(State& state) {
     ContactCore& core = state.core;
     for (std::uint32_t k = 0; k < core.pairs.size(); ++k) {
         const Pair& pair = core.pairs[k];
         if (pair.a == none) continue;
-        const auto a = core.shapes.chunks[pair.a].body, b = core.shapes.chunks[pair.b].body;
-        const bool dynamic = (isAwake(state, a) &&
-                              state.bodies[state.bodySlots.denseOf(a)].kind == BodyKind::dynamic) ||
-                             (isAwake(state, b) &&
-                              state.bodies[state.bodySlots.denseOf(b)].kind == BodyKind::dynamic);
-        if (dynamic && pair.watch == none) {
-            watchPair(state, k, -1);
-        } else if (!dynamic && pair.watch != none) {
-            keepRows(state, k);
-            unwatchPair(state, k);
+        bool isWatched = false, hasRows = false;
+        for (const auto chunk : {pair.a, pair.b}) {
+            const auto slot = core.shapes.chunks[chunk].body;
+            if (!isAwake(state, slot)) continue;
+            isWatched = true;
+            hasRows |= state.bodies[state.bodySlots.denseOf(slot)].kind == BodyKind::dynamic;
         }
+        if (pair.watch != none && !hasRows) keepRows(state, k);
+        if (isWatched && pair.watch == none)
+            watchPair(state, k, -1);
+        else if (!isWatched && pair.watch != none)
+            unwatchPair(state, k);
     }
 }
 

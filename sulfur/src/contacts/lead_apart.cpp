@@ -76,7 +76,8 @@ bool cross(const Thick& s, const Thick& t) {
 }
 
 /// Deeper than their surfaces are thick: an end of one is within the other's outline, or two lines
-/// cross of which one is part of an outline. Two discs, when each has the other's centre in it.
+/// cross: the ends of one would be held off the other on both sides of it. Two discs, when each has
+/// the other's centre in it.
 bool areInEachOther(const std::vector<Thick>& one, const std::vector<Thick>& other) {
     if (one.size() == 1 && other.size() == 1 && one[0].disc && other[0].disc)
         return (one[0].a - other[0].a).norm() < std::min(one[0].radius, other[0].radius);
@@ -88,8 +89,7 @@ bool areInEachOther(const std::vector<Thick>& one, const std::vector<Thick>& oth
     if (holds(one, other) || holds(other, one)) return true;
     for (const Thick& s : one)
         for (const Thick& t : other)
-            if ((s.outward != 0 || t.outward != 0) && !s.disc && !t.disc && cross(s, t))
-                return true;
+            if (!s.disc && !t.disc && cross(s, t)) return true;
     return false;
 }
 
@@ -138,9 +138,10 @@ WayOut shortestWayOut(const std::vector<Thick>& one, const std::vector<Thick>& o
     consider(one.front().a - other.front().a);
     for (const auto& [body, sign] : {std::pair(&one, -1.0), std::pair(&other, 1.0)})
         for (const Thick& t : *body) {
-            if (t.outward == 0 || t.disc) continue;
-            const Point along = (t.outward > 0 ? 1.0 : -1.0) * (t.b - t.a);
-            consider(sign * Point(along[1], -along[0]));
+            if (t.disc) continue;
+            const Point right = sign * Point(t.b[1] - t.a[1], t.a[0] - t.b[0]);
+            if (t.outward >= 0) consider(right);
+            if (t.outward <= 0) consider(-right);
         }
     if (best.depth == std::numeric_limits<double>::max()) consider(Point(0, 1));
     return best;

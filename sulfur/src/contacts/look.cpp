@@ -38,6 +38,10 @@ Surfaces surfacesOf(const State& state, std::uint32_t corner, std::uint32_t body
     s.kineticFriction = mean(a.kineticFriction, b.kineticFriction);
     s.restitution = std::max(a.restitution, b.restitution);
     s.speed = a.surfaceSpeed + b.surfaceSpeed;
+    if (state.settings.friction == Friction::sliding) {
+        s.drag = s.kineticFriction;
+        s.staticFriction = s.kineticFriction = 0;
+    }
     return s;
 }
 
@@ -67,30 +71,35 @@ std::uint32_t sleeperOf(const State& state, std::uint32_t chunk) {
     return state.bodies[state.bodySlots.denseOf(slot)].asleep ? slot : none;
 }
 
-/// What somebody comes near to wakes before it is touched: it never stands in for a wall.
+/// Share of the thickness by which a sleeper is nearer than it was predicted to be, at most, when
+/// it wakes: forces do not move anybody so far in a step.
+constexpr Real unforeseen = Real(1.0 / 16);
+
+/// What somebody comes near to wakes before it is touched: it never stands in for a wall. What
+/// wakes takes part from the next step on. Who is moved by nobody but the caller may rest near it.
 void wakeIfNear(State& state, std::uint32_t index, std::uint32_t sleeper) {
     ContactCore& core = state.core;
     const Pair& pair = core.pairs[index];
     const Chunk &a = core.shapes.chunks[pair.a], &b = core.shapes.chunks[pair.b];
     const double odometers = core.movers.odometer[a.frame] + core.movers.odometer[b.frame];
-    const auto moving = core.ahead[a.frame] + core.ahead[b.frame] - odometers;
-    const Real thickness = a.radius + b.radius;
-    Real slack = 0;
-    bool near = false;
+    const Real moving = static_cast<Real>(core.ahead[a.frame] + core.ahead[b.frame] - odometers);
+    const Real least = unforeseen * (a.radius + b.radius);
+    Real gap = 0;
     if (pair.isManifold) {
-        const Manifold m = findManifold(core.movers, core.shapes, a, b, static_cast<Real>(moving));
-        near = m.count > 0;
-        slack = std::max(m.gap - thickness / 4, thickness / 4);
+        gap = findManifold(core.movers, core.shapes, a, b, moving).gap;
     } else {
-        LooseLook& look = core.looseLook;
         core.knownSides.clear();
-        lookLoosely(state, a, b, core.knownSides, look);
-        near = !look.near.empty();
-        slack = look.slack;
+        lookLoosely(state, a, b, core.knownSides, core.looseLook);
+        gap = core.looseLook.gap;
     }
-    if (near) core.toWake.push_back(sleeper);
-    // Once it is awake the pair gets its rows.
-    watchPair(state, index, near ? -1 : odometers + static_cast<double>(slack));
+    const bool near = gap <= 2 * moving + least;
+    const Real slack = std::max(gap - moving - least, least / 2);
+    const auto other = a.body == sleeper ? b.body : a.body;
+    const bool isDynamic = state.bodies[state.bodySlots.denseOf(other)].kind == BodyKind::dynamic;
+    const bool wakes = near && (isDynamic || moving > 0);
+    if (wakes) core.toWake.push_back(sleeper);
+    // Who wakes is looked at again when it is awake.
+    watchPair(state, index, wakes ? -1 : odometers + static_cast<double>(slack));
 }
 
 }  // namespace

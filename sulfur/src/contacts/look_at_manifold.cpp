@@ -121,6 +121,7 @@ private:
         block.staticFriction[lane] = surface.staticFriction;
         block.kineticFriction[lane] = surface.kineticFriction;
         block.slip[lane] = -surface.speed * state_.h;
+        pair_.drag = surface.drag;
         pair_.restitution = surface.restitution;
         p.pressing[lane] = inherited(wanted_[index], old, block, lane);
     }

@@ -117,6 +117,7 @@ private:
         block.kineticFriction[lane] = surface.kineticFriction;
         block.slip[lane] = -surface.speed * state_.h;
         core_.rows.markTouch(touch.row);
+        pair_.drag = surface.drag;
         pair_.restitution = surface.restitution;
         block.pressing[lane] = touch.pressing;
         block.rubbing[lane] = touch.rubbing;

@@ -218,6 +218,7 @@ void takeMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     scaleImpulses(core, static_cast<double>(state.h));
+    const auto steps = stepNumber(state);
     core.ahead = movers.odometer;
     core.moved.assign(movers.size(), 0);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
@@ -231,7 +232,7 @@ void takeMotion(State& state) {
         movers.bodies[m].inverseMass = seen.inverseMass;
         movers.bodies[m].inverseInertia = seen.inverseInertia;
         if (movers.inexact[m] != 0) addUpRows(core, m);
-        movers.inexact[m] = (state.tick + m) % 64 == 0 ? 1 : 0;
+        movers.inexact[m] = (steps + m) % 64 == 0 ? 1 : 0;
         core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
         if (core.ahead[m] < movers.refreshAt[m]) continue;
         movers.refreshAt[m] =

@@ -45,6 +45,7 @@ bool measureRest(State& state) {
             if (state.particles.velocity[i].squaredNorm() >= restingSpeed * restingSpeed)
                 isMoved(state.particles.body[i]);
     bool any = false;
+    state.looked(Stage::sleep, state.work.bodies.size());
     for (const auto index : state.work.bodies) {
         BodyRecord& body = state.bodies[index];
         body.restingTime = isDynamic(state, index) ? body.restingTime + state.h : 0;
@@ -53,20 +54,25 @@ bool measureRest(State& state) {
     return any;
 }
 
-/// Calls f(a, b) for bodies (dense) that are near each other or tied together.
+/// Calls f(a, b) for bodies (dense) that are near each other.
 template <class Function>
-void forEachLink(const State& state, Function&& f) {
-    const ContactCore& core = state.core;
+void linkIfNear(const State& state, const Pair& pair, Function&& f) {
     const auto bodyOf = [&](std::uint32_t chunk) {
-        return state.bodySlots.denseOf(core.shapes.chunks[chunk].body);
+        return state.bodySlots.denseOf(state.core.shapes.chunks[chunk].body);
     };
-    for (const Pair& pair : core.pairs)
-        if (pair.a != none && (pair.row || pair.firstTouch != none))
-            f(bodyOf(pair.a), bodyOf(pair.b));
+    if (pair.a != none && isNear(pair)) f(bodyOf(pair.a), bodyOf(pair.b));
+}
+/// The same for those that are tied together.
+template <class Function>
+void forEachTie(const State& state, Function&& f) {
     const auto& body = state.particles.body;
     const Joints& joints = state.joints;
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        if (joints.body[j] == none) f(body[joints.a[j]], body[joints.b[j]]);
+    if (!state.work.stale && !state.structure.stale) {
+        for (const auto j : state.work.tiedJoints) f(body[joints.a[j]], body[joints.b[j]]);
+    } else {
+        for (std::size_t j = 0; j < joints.size(); ++j)
+            if (joints.body[j] == none) f(body[joints.a[j]], body[joints.b[j]]);
+    }
     for (const Attachment& held : state.attachments) f(body[held.particle], body[held.support[0]]);
 }
 
@@ -76,31 +82,61 @@ void wake(State& state) {
         if (const auto body = state.bodySlots.denseOf(slot); body != none) wakeBody(state, body);
     list.clear();
     if (state.work.sleepers == 0) return;
-    // What is near or tied to somebody awake, or lies on what is driven.
-    forEachLink(state, [&](std::uint32_t a, std::uint32_t b) {
+    // What is near or tied to somebody awake, or lies on what is driven. Sleepers that only
+    // sleepers are near are not watched.
+    const auto wakeEither = [&](std::uint32_t a, std::uint32_t b) {
         for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {
             if (!state.bodies[one].asleep) continue;
             if (isDynamic(state, other) ? !state.bodies[other].asleep : isDriving(state, other))
                 wakeBody(state, one);
         }
-    });
+    };
+    state.looked(Stage::sleep, state.core.watches.size());
+    for (const PairWatch& watch : state.core.watches)
+        linkIfNear(state, state.core.pairs[watch.pair], wakeEither);
+    forEachTie(state, wakeEither);
 }
 
 }  // namespace
+
+void wakeTouching(State& state, std::uint32_t index) {
+    const ContactCore& core = state.core;
+    const auto slot = state.bodies[index].id.index - 1;
+    const auto wakeSlot = [&](std::uint32_t other) {
+        if (const auto body = state.bodySlots.denseOf(other); body != none) wakeBody(state, body);
+    };
+    auto c = slot < core.shapes.firstChunk.size() ? core.shapes.firstChunk[slot] : none;
+    for (; c != none; c = core.shapes.chunks[c].nextOfBody)
+        for (auto at = core.shapes.chunks[c].firstPair; at != none;) {
+            const Pair& pair = core.pairs[at / 2];
+            at = pair.next[at % 2];
+            if (!isNear(pair)) continue;
+            wakeSlot(core.shapes.chunks[pair.a].body);
+            wakeSlot(core.shapes.chunks[pair.b].body);
+        }
+    // What lies on a capsule between two bodies is near one of them.
+    const auto& linked = core.linkedBodies;
+    for (auto tie = std::lower_bound(linked.begin(), linked.end(), std::pair(slot, 0u));
+         tie != linked.end() && tie->first == slot; ++tie)
+        wakeSlot(tie->second);
+    wakeBody(state, index);
+}
 
 void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
     if (!measureRest(state)) return;
     DisjointSets islands(state.bodies.size());
-    forEachLink(state, [&](std::uint32_t a, std::uint32_t b) {
+    const auto unite = [&](std::uint32_t a, std::uint32_t b) {
         if (isDynamic(state, a) && isDynamic(state, b)) {
             islands.unite(a, b);
             return;
         }
         for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
             if (isDynamic(state, one) && isDriving(state, other)) state.bodies[one].restingTime = 0;
-    });
+    };
+    for (const Pair& pair : state.core.pairs) linkIfNear(state, pair, unite);
+    forEachTie(state, unite);
     std::vector<bool> restless(state.bodies.size(), false);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&

@@ -22,7 +22,8 @@ namespace {
 constexpr int leastAlone = 2, mostAlone = 2;
 constexpr Real settledChange = Real(0.005);  // m/s
 /// Sweeps over trees that a contact pulls on: while a link is wrong by more than this share of its
-/// length, and so many sweeps mend at least a quarter of that. What is squeezed may have no solution.
+/// length, and so many sweeps mend at least a quarter of that. What is squeezed may have no
+/// solution.
 constexpr int mostForStrain = 48, trial = 8;
 constexpr double mostStrain = 1e-4, mended = 1.0 / 4;
 
@@ -33,6 +34,15 @@ bool sweepsOthers(const State& state) {
            !work.hinges.empty() || state.triangles.awake.count > 0 || !work.lines.empty() ||
            !state.influences.grabs.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
+}
+
+/// Of the last step of a tick.
+void countRows(State& state) {
+    Statistics& statistics = state.statistics;
+    statistics.candidates = static_cast<std::uint32_t>(state.core.watches.size());
+    statistics.contacts = 0;
+    for (const ManifoldList& list : state.core.rows.manifolds) statistics.contacts += list.rows;
+    for (const TouchList& list : state.core.rows.touches) statistics.contacts += list.rows;
 }
 
 void sweepRigid(State& state) {
@@ -83,6 +93,7 @@ void sweepAll(State& state) {
 
 void solveConstraints(State& state) {
     state.contacts.clear();
+    countRows(state);
     clearMultipliers(state);
     startGrabs(state);
     touchTrees(state);
@@ -94,6 +105,7 @@ void solveConstraints(State& state) {
     } else {
         sweepAlone(state);
     }
+    if (state.settings.friction == Friction::sliding) dragRows(state);
     dampSticking(state);
     endMotion(state);
     endBlows(state);

@@ -29,6 +29,8 @@ Real sweepRows(State& state, bool first, bool last);
 /// Impacts with restitution change the predicted motion; when the step ends, also places.
 void strikeRows(State& state);
 void endBlows(State& state);
+/// With Friction::sliding, what presses brakes what slides.
+void dragRows(State& state);
 /// What moves as one, because it sticks to each other, loses what deviates from that.
 void dampSticking(State& state);
 /// Places of what would pass through something stay before it.

@@ -118,7 +118,7 @@ public:
 
     void run() {
         result_.near.clear();
-        spare_ = entrance_ = Real(1e30);
+        spare_ = entrance_ = result_.gap = Real(1e30);
         place(a_, result_.cornersA);
         place(b_, result_.cornersB);
         againstSides(a_, result_.cornersA, b_, result_.cornersB);
@@ -186,6 +186,7 @@ private:
                 nearestSide = s;
                 depth = side.outward != 0 ? -height : 0;
             }
+            result_.gap = std::min(result_.gap, far - thickness);
             const Real reach = Real(0.5) * thickness + 2 * norm(closing);
             if (far - thickness > reach) {
                 spare_ = std::min(spare_, far - thickness);
@@ -199,7 +200,9 @@ private:
         }
         if (nearestSide == none) return;
         if (depth > radius) {
-            leaveThroughNearest(corner, at(p), other);
+            // What is part of an outline is behind most of its sides, and not in it.
+            if (movers_.body[shapes_.corners[corner].mover] != other.body)
+                leaveThroughNearest(corner, at(p), other);
             return;
         }
         // Behind the nearest side, it counts before that alone.
@@ -321,6 +324,7 @@ private:
             const Real thickness = shapes_.corners[c].radius + shapes_.corners[corner].radius;
             const Xy from = at(p) - at(q), closing = way(p) - way(q);
             const Real far = norm(from);
+            result_.gap = std::min(result_.gap, far - thickness);
             const Real near = Real(0.5) * thickness + 2 * norm(closing);
             if (far - thickness > near) {
                 spare_ = std::min(spare_, far - thickness);

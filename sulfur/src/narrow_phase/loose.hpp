@@ -27,6 +27,7 @@ struct CornerWay {
 struct LooseLook {
     std::vector<Nearness> near;
     Real slack = 0;  // m
+    Real gap = 0;    // m, between what may touch, as it is
     // Scratch: the corners of both chunks.
     std::vector<CornerWay> cornersA, cornersB;
     std::vector<Nearness> before;

@@ -55,7 +55,15 @@ void copyLane(const T& from, std::uint32_t f, T& to, std::uint32_t t, std::size_
 constexpr std::size_t manifoldPlaces = 2, touchPlaces = 4, shapePlaces = 2;
 
 template <class List>
-RowPlace append(List& list, std::uint32_t colour) {
+void clearLane(List& list, std::size_t block, std::uint32_t lane, std::size_t blockPlaces) {
+    static constexpr typename std::remove_reference_t<decltype(list.blocks)>::value_type noBlock{};
+    static constexpr typename std::remove_reference_t<decltype(list.shapes)>::value_type noShape{};
+    copyLane(noBlock, 0, list.blocks[block], lane, blockPlaces);
+    copyLane(noShape, 0, list.shapes[block], lane, shapePlaces);
+}
+
+template <class List>
+RowPlace append(List& list, std::uint32_t colour, std::size_t blockPlaces) {
     const RowPlace place{colour, list.rows++};
     const auto block = RowGraph::blockOf(place);
     if (block == list.blocks.size()) {
@@ -64,6 +72,9 @@ RowPlace append(List& list, std::uint32_t colour) {
         list.pressing.push_back(0);
         if (block / 64 >= list.dirty.size()) list.dirty.push_back(0);
     }
+    // Refreshes of the others in its block have given an empty lane directions; the impulses that a
+    // row begins with have acted along none.
+    clearLane(list, block, RowGraph::laneOf(place), blockPlaces);
     list.dirty[block / 64] |= std::uint64_t{1} << block % 64;
     return place;
 }
@@ -82,10 +93,7 @@ void closeGap(List& list, RowPlace place, std::size_t blockPlaces) {
         if (list.dirty[from / 64] >> from % 64 & 1)
             list.dirty[to / 64] |= std::uint64_t{1} << to % 64;
     }
-    static constexpr typename std::remove_reference_t<decltype(list.blocks)>::value_type noBlock{};
-    static constexpr typename std::remove_reference_t<decltype(list.shapes)>::value_type noShape{};
-    copyLane(noBlock, 0, list.blocks[from], f, blockPlaces);
-    copyLane(noShape, 0, list.shapes[from], f, shapePlaces);
+    clearLane(list, from, f, blockPlaces);
     list.pressing[from] = static_cast<std::uint8_t>(list.pressing[from] & ~(1u << f));
     if (f != 0) return;
     list.blocks.pop_back();
@@ -100,7 +108,7 @@ RowPlace RowGraph::addManifold(Movers& movers, std::uint32_t pair, std::uint32_t
                                std::uint32_t b) {
     const auto colour = takeColour<2>(movers, {a, b});
     ManifoldList& list = manifolds[colour];
-    const RowPlace place = append(list, colour);
+    const RowPlace place = append(list, colour, manifoldPlaces);
     const auto lane = laneOf(place);
     list.blocks.back().a[lane] = a;
     list.blocks.back().b[lane] = b;
@@ -112,7 +120,7 @@ RowPlace RowGraph::addTouch(Movers& movers, std::uint32_t touch, std::uint32_t p
                             std::uint32_t b) {
     const auto colour = takeColour<3>(movers, {p, a, b});
     TouchList& list = touches[colour];
-    const RowPlace place = append(list, colour);
+    const RowPlace place = append(list, colour, touchPlaces);
     const auto lane = laneOf(place);
     list.blocks.back().p[lane] = p;
     list.blocks.back().a[lane] = a;

@@ -55,22 +55,6 @@ void wakeBody(State& state, std::uint32_t index) {
     }
 }
 
-void wakeTouching(State& state, std::uint32_t gone) {
-    const ContactCore& core = state.core;
-    const auto slot = state.bodies[gone].id.index - 1;
-    auto c = slot < core.shapes.firstChunk.size() ? core.shapes.firstChunk[slot] : none;
-    for (; c != none; c = core.shapes.chunks[c].nextOfBody)
-        for (auto at = core.shapes.chunks[c].firstPair; at != none;) {
-            const Pair& pair = core.pairs[at / 2];
-            const auto other = at % 2 == 0 ? pair.b : pair.a;
-            at = pair.next[at % 2];
-            if (!pair.row && pair.keptPressing == 0 && pair.firstTouch == none) continue;
-            const auto body = state.bodySlots.denseOf(core.shapes.chunks[other].body);
-            if (body != none) wakeBody(state, body);
-        }
-    wakeBody(state, gone);
-}
-
 void wakeNear(State& state, std::uint32_t index) {
     const Bounds own = boundsOf(state, index, 0);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)

@@ -26,7 +26,7 @@ void updateSensors(State& state);
 /// Makes a body take part again, with all that fell asleep with it or leans on it, or lets it rest,
 /// at once.
 void wakeBody(State& state, std::uint32_t body);
-/// Wakes a body that goes away or leaves its place, and what touches it.
+/// Wakes a body that goes away or leaves its place, and what is near or tied to it.
 void wakeTouching(State& state, std::uint32_t body);
 /// Wakes the sleepers that a body may have come to overlap: those whose bounding boxes meet its
 /// own. Linear in the particles of the sleepers.

@@ -228,6 +228,13 @@ struct State {
     }
 };
 
+/// Which step this is of all that a world of this rate takes, also of those that it skips because
+/// all sleeps.
+inline std::uint64_t stepNumber(const State& state) {
+    const std::uint64_t count = stepsPerTick(state.settings.tickRate);
+    return count * state.tick + count - static_cast<std::uint64_t>(state.stepsLeft);
+}
+
 inline Counts countsOf(const State& state) {
     return {static_cast<std::uint32_t>(state.particles.size()),
             static_cast<std::uint32_t>(state.joints.size()),

@@ -39,7 +39,7 @@ Collision collide(const Blueprint& one, const Blueprint& other, Real speed, Real
     bool met = false;
     for (int i = 0; i < 100; ++i) {
         world.step();
-        met = met || !world.contacts().empty();
+        met = met || !world.events().contactsBegun.empty();
         result.growth = std::max(result.growth, world.energy() / energy - 1);
     }
     EXPECT_TRUE(met);
