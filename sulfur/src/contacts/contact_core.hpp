@@ -82,6 +82,12 @@ struct Blow {
     Real when = 0;        // share of the step that was over
 };
 
+/// What a row of somebody pressed before that one was struck.
+struct BeforeBlow {
+    std::uint32_t pair = none, touch = none;  // of a manifold, or of a touch
+    std::array<Real, 2> pressing{};           // kg m, of its points
+};
+
 /// The impulse of an impact, beside those of the rows.
 struct Knock {
     std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
@@ -147,6 +153,7 @@ struct ContactCore {
     std::vector<Passing> passings;
     std::vector<Motion3> ways;  // by mover: how it goes in this step
     std::vector<Blow> blows;
+    std::vector<BeforeBlow> beforeBlows;
     std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step

@@ -263,6 +263,28 @@ private:
     std::vector<Meeting> meetings_;
 };
 
+/// Rows of movers that were struck, as they are before anybody answers.
+void noteBefore(ContactCore& core) {
+    core.beforeBlows.clear();
+    for (const Blow& blow : core.blows)
+        for (auto u = core.movers.firstUse[blow.mover]; u != none; u = core.shapes.uses[u].next)
+            for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
+                const std::uint32_t index = at / 2;
+                const Pair& pair = core.pairs[index];
+                at = pair.next[at % 2];
+                if (pair.row) {
+                    const auto& points = core.rows.manifold(pair.row).points;
+                    const auto l = RowGraph::laneOf(pair.row);
+                    core.beforeBlows.push_back(
+                        {index, none, {points[0].pressing[l], points[1].pressing[l]}});
+                }
+                for (auto t = pair.firstTouch; t != none; t = core.touches[t].next)
+                    if (const auto row = core.touches[t].row)
+                        core.beforeBlows.push_back(
+                            {none, t, {core.rows.touch(row).pressing[RowGraph::laneOf(row)], 0}});
+            }
+}
+
 }  // namespace
 
 void strikeRows(State& state) {
@@ -273,6 +295,7 @@ void strikeRows(State& state) {
     state.core.knocks.clear();
     forgetStruck(state.core);
     Striker(state).run();
+    noteBefore(state.core);
     // Whoever was struck has it in the predicted motion; places follow when the step ends.
     for (const Blow& blow : state.core.blows) {
         const auto i = state.core.denseOfMover[blow.mover];
@@ -316,6 +339,38 @@ void endBlows(State& state) {
             state.particles.position[i] += back.cast<double>();
         }
     }
+}
+
+void forgetAnswers(State& state) {
+    ContactCore& core = state.core;
+    // What answered a blow is not needed again; what it would push would look like another blow.
+    for (const BeforeBlow& before : core.beforeBlows) {
+        if (before.touch != none) {
+            const RowPlace row = core.touches[before.touch].row;
+            if (!row) continue;  // something broke
+            TouchBlock& t = core.rows.touch(row);
+            const auto l = RowGraph::laneOf(row);
+            t.pressing[l] = std::min(t.pressing[l], before.pressing[0]);
+            const Real most = t.staticFriction[l] * t.pressing[l];
+            t.rubbing[l] = std::clamp(t.rubbing[l], -most, most);
+            for (const auto m : {t.p[l], t.a[l], t.b[l]}) core.movers.inexact[m] = 1;
+            continue;
+        }
+        const RowPlace row = core.pairs[before.pair].row;
+        if (!row) continue;
+        ManifoldBlock& r = core.rows.manifold(row);
+        const auto l = RowGraph::laneOf(row);
+        Real sum = 0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            Real& pressing = r.points[k].pressing[l];
+            pressing = std::min(pressing, before.pressing[k]);
+            sum += pressing;
+        }
+        const Real most = r.staticFriction[l] * sum;
+        r.rubbing[l] = std::clamp(r.rubbing[l], -most, most);
+        for (const auto m : {r.a[l], r.b[l]}) core.movers.inexact[m] = 1;
+    }
+    core.beforeBlows.clear();
 }
 
 }  // namespace sulfur::detail

@@ -437,7 +437,7 @@ void endMotion(State& state) {
         }
         // What is pushed apart does not rest.
         const Real most = restingPush * state.h;
-        if (pushed.squaredNorm() > most * most)
+        if (state.settings.sleeping && pushed.squaredNorm() > most * most)
             state.bodies[state.bodySlots.denseOf(movers.body[m])].restingTime = -state.h;
     }
     for (const auto c : core.awakeStrips) {

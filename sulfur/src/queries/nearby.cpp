@@ -24,6 +24,9 @@ void listApart(State& state) {
     for (const BodyRecord& body : state.bodies)
         if (body.clustersStale) add(body.id.index - 1);
     for (const auto slot : core.staleShapes) add(slot);
+    // What is tied may be tied no more, and what it was tied to may be gone.
+    if (state.structure.stale)
+        for (const auto& link : core.linkedBodies) add(link.first);
     for (const auto c : core.newChunks) add(core.shapes.chunks[c].body);
     for (const auto c : core.awakeChunks) {
         const Chunk& chunk = core.shapes.chunks[c];
