@@ -74,12 +74,13 @@ struct Encounter {
     std::uint32_t nextInBucket = none;
 };
 
-/// What an impact gave to a mover.
+/// What an impact gave to a mover; when the step ends, with what the rows have answered.
 struct Blow {
     std::uint32_t mover = 0;
     Vec2 velocity{0, 0};  // m in a step
     Real spin = 0;        // rad in a step
     Real when = 0;        // share of the step that was over
+    Motion3 before;       // as it would have gone
 };
 
 /// What a row of somebody pressed before that one was struck.

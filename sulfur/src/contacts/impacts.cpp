@@ -52,11 +52,14 @@ public:
 
     void run() {
         collect();
-        bool any = !meetings_.empty();
+        if (meetings_.empty()) return;
+        moments_.assign(movers_.size(), 0);
+        bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
             for (Meeting& m : meetings_) any |= strike(m);
         }
+        merge();
     }
 
 private:
@@ -197,8 +200,28 @@ private:
             p.vx += v[0];
             p.vy += v[1];
             p.spin += w;
-            state_.core.blows.push_back({m, v, w, before});
+            core_.blows.push_back({m, v, w, before, {}});
+            moments_[m] = std::max(moments_[m], before);
         }
+    }
+
+    /// What struck one mover is one blow, from the first moment on.
+    void merge() {
+        auto& blows = core_.blows;
+        std::stable_sort(blows.begin(), blows.end(),
+                         [](const Blow& x, const Blow& y) { return x.mover < y.mover; });
+        std::size_t kept = 0;
+        for (const Blow& blow : blows) {
+            if (kept == 0 || blows[kept - 1].mover != blow.mover) {
+                blows[kept++] = blow;
+                continue;
+            }
+            Blow& sum = blows[kept - 1];
+            sum.velocity += blow.velocity;
+            sum.spin += blow.spin;
+            sum.when = std::min(sum.when, blow.when);
+        }
+        blows.resize(kept);
     }
 
     /// Strikes if it closes. Returns whether it did.
@@ -212,6 +235,8 @@ private:
             // The velocity of a step stands in its middle; the blow comes when the gap is closed.
             if (!(closing[i] < 0)) continue;
             when[i] = std::clamp<Real>(std::max<Real>(m.normal[i].gap, 0) / -closing[i], 0, 1);
+            // A blow that goes on through somebody does so when it has come to him.
+            for (const auto body : m.normal[i].body) when[i] = std::max(when[i], moments_[body]);
             closing[i] += m.normal[i].falls * (when[i] - Real(0.5));
         }
         if (!any) return false;
@@ -261,6 +286,7 @@ private:
     Movers& movers_;
     Real h_;
     std::vector<Meeting> meetings_;
+    std::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
 };
 
 /// Rows of movers that were struck, as they are before anybody answers.
@@ -297,7 +323,9 @@ void strikeRows(State& state) {
     Striker(state).run();
     noteBefore(state.core);
     // Whoever was struck has it in the predicted motion; places follow when the step ends.
-    for (const Blow& blow : state.core.blows) {
+    for (Blow& blow : state.core.blows) {
+        const Motion3 now = motionNow(state.core.movers, blow.mover);
+        blow.before = {now.x - blow.velocity[0], now.y - blow.velocity[1], now.turn - blow.spin};
         const auto i = state.core.denseOfMover[blow.mover];
         if (state.core.moverIsCluster[blow.mover]) {
             Cluster& c = state.clusters.list[i];
@@ -327,6 +355,17 @@ bool movesAlone(const State& state, std::uint32_t m) {
 }  // namespace
 
 void endBlows(State& state) {
+    // Before the blow nobody answered it either.
+    for (Blow& blow : state.core.blows) {
+        const auto i = state.core.denseOfMover[blow.mover];
+        if (state.core.moverIsCluster[blow.mover]) {
+            const Cluster& c = state.clusters.list[i];
+            blow.velocity = c.displacement - Vec2(blow.before.x, blow.before.y);
+            blow.spin = static_cast<Real>(c.angle) - blow.before.turn;
+        } else {
+            blow.velocity = state.particles.displacement[i] - Vec2(blow.before.x, blow.before.y);
+        }
+    }
     std::erase_if(state.core.blows,
                   [&](const Blow& blow) { return !movesAlone(state, blow.mover); });
     for (const Blow& blow : state.core.blows) {

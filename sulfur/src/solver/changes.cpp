@@ -233,14 +233,15 @@ void listStrained(State& state) {
         if (state.bodies[i].strained) strained.push_back(i);
 }
 
-/// Whether all that was added is single particles and whole rigid components: no joint of it has to
-/// be solved.
+/// Whether all that was added is single particles and whole rigid components, so that no joint of
+/// it has to be solved, and there are no trees: these are derived of all that there is.
 bool addedAreRigid(const State& state, const Counts& before) {
     const auto& hinges = state.clusters.hinges;
     const bool hinged =
         !hinges.empty() && hinges.back().cluster >= firstCluster(state, before.bodies);
-    return !hinged && std::all_of(state.joints.inCluster.begin() + before.joints,
-                                  state.joints.inCluster.end(), [](auto in) { return in != 0; });
+    return !hinged && state.trees.list.empty() &&
+           std::all_of(state.joints.inCluster.begin() + before.joints, state.joints.inCluster.end(),
+                       [](auto in) { return in != 0; });
 }
 
 /// Bodies that were added are tied to nothing, so that all but the trees, whose order is that of
