@@ -334,7 +334,7 @@ TEST(ContactEvents, WorldsThatTakeTurnsTellWhatEachTellsAlone) {
         EXPECT_EQ(toldBy(other.world), otherTold[i]) << "tick " << i;
         events += told[i].size() + otherTold[i].size();
     }
-    EXPECT_GT(events, 5000u);
+    EXPECT_GT(events, 4000u);
 }
 
 /// The pieces of what breaks take its contacts over or begin their own; none is left dangling.
