@@ -30,21 +30,16 @@ public:
     void run() {
         takeWays();
         measure();
-        collect();
+        collect([](const Pair&) { return true; });
         if (pairs_.empty()) return;
         whole_ = core_.ways;
         shares_.assign(state_.bodies.size(), 1);
-        state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
         for (int round = 0; round < mostRounds && !pairs_.empty(); ++round) {
+            state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             held_.assign(state_.bodies.size(), 0);
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
-            // Only somebody whose way has changed may be in another's way now.
-            std::erase_if(pairs_, [&](std::uint32_t pair) {
-                const auto wasHeld = [&](std::uint32_t chunk) {
-                    return held_[state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body)] != 0;
-                };
-                return !wasHeld(core_.pairs[pair].a) && !wasHeld(core_.pairs[pair].b);
-            });
+            // Who was held back may be in the way of whoever went along with him.
+            collect([&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
         }
         giveBack();
     }
@@ -95,12 +90,20 @@ private:
         return most;
     }
 
-    /// Pairs that are fast and may have come near: rows they have, or the next look is due.
-    void collect() {
+    bool wasHeld(std::uint32_t chunk) const {
+        return held_[state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body)] != 0;
+    }
+
+    /// Pairs that are fast and may have come near: rows they have, or the next look is due; of
+    /// those that count.
+    template <class Counts>
+    void collect(Counts&& counts) {
+        pairs_.clear();
         const auto& chunks = core_.shapes.chunks;
         for (const PairWatch& w : core_.watches) {
             if (!(lengths_[w.a] + lengths_[w.b] > fast * static_cast<Real>(w.fineness))) continue;
             const Pair& pair = core_.pairs[w.pair];
+            if (!counts(pair)) continue;
             const Chunk &a = chunks[pair.a], &b = chunks[pair.b];
             const Motion3& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
             const Real ways = lengthOf(a, frame) + lengthOf(b, frame);
