@@ -1,5 +1,5 @@
 // Inner loops alone, without what surrounds them in a tick: nanoseconds of a particle, a joint, a
-// link of a chain, a rigid component, a candidate or a contact, each time that one is gone through.
+// link of a chain, or a rigid component, each time that one is gone through.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,19 +11,13 @@
 
 #include "kernels/chain_lanes.hpp"
 #include "kernels/cluster_motion.hpp"
-#include "kernels/contact_sweep.hpp"
 #include "kernels/joint_force.hpp"
-#include "kernels/meeting_lanes.hpp"
-#include "kernels/outings.hpp"
 #include "kernels/particle_motion.hpp"
 
 namespace sulfur::lab {
 
 namespace {
 
-using detail::ContactBlock;
-using detail::contactLanes;
-using detail::Mover;
 using detail::SweepReal;
 
 constexpr const char* perItem = "ns/item";
@@ -33,41 +27,6 @@ void countItems(benchmark::State& state, std::size_t items) {
         static_cast<double>(items) * static_cast<double>(state.iterations()) * 1e-9,
         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-
-/// Contacts between rigid components in a row, in blocks of one colour, with friction.
-struct Blocks {
-    explicit Blocks(std::size_t contacts) : movers(contacts + 1), blocks(contacts / contactLanes) {
-        std::minstd_rand random(3);
-        std::uniform_real_distribution<SweepReal> unit(-1, 1);
-        for (Mover& m : movers) m = {.x = unit(random), .y = unit(random), .mass = 1, .inertia = 6};
-        movers[0] = {};
-        for (std::size_t i = 0; i < blocks.size() * contactLanes; ++i) {
-            ContactBlock& b = blocks[i / contactLanes];
-            const std::size_t lane = i % contactLanes;
-            b.particle[lane] = static_cast<std::uint32_t>(i + 1);
-            b.a[lane] = 0;
-            b.shareA[lane] = 1;
-            b.normalY[lane] = 1;
-            b.armX[lane] = SweepReal(0.5) * unit(random);
-            b.armY[lane] = SweepReal(-0.5);
-            b.normalMass[lane] = b.tangentMass[lane] = SweepReal(0.5);
-            b.friction[lane] = SweepReal(0.6);
-        }
-    }
-    std::vector<Mover> movers;
-    std::vector<ContactBlock> blocks;
-};
-
-void contactKernel(benchmark::State& state) {
-    Blocks scene(static_cast<std::size_t>(state.range(0)));
-    for (auto _ : state) {
-        detail::contactKernels().solveTwo(scene.movers.data(), scene.blocks.data(),
-                                          scene.blocks.size());
-        benchmark::ClobberMemory();
-    }
-    countItems(state, scene.blocks.size() * contactLanes);
-}
-BENCHMARK(contactKernel)->ArgName("contacts")->Arg(1024)->Arg(16384);
 
 void particleKernels(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
@@ -214,49 +173,6 @@ void clusterKernels(benchmark::State& state) {
     countItems(state, count);
 }
 BENCHMARK(clusterKernels)->ArgName("crates")->Arg(256);
-
-/// Candidates of which half have come near, and how near.
-void candidateKernels(benchmark::State& state) {
-    const auto count = static_cast<std::size_t>(state.range(0));
-    const bool all = state.range(1) != 0;
-    std::minstd_rand random(3);
-    std::uniform_real_distribution<SweepReal> unit(0, 1);
-    constexpr std::uint32_t particles = 512;
-    std::vector<double> position;
-    std::vector<SweepReal> displacement, outings, spare;
-    for (std::uint32_t i = 0; i < 2 * particles; ++i) {
-        position.push_back(static_cast<double>(unit(random)));
-        displacement.push_back(SweepReal(0.001) * unit(random));
-        outings.push_back(unit(random));
-    }
-    std::vector<std::uint32_t> particle, a, b, near(count);
-    std::vector<detail::MeetingBlock> blocks(count / detail::meetingLanes);
-    for (std::size_t i = 0; i < count; ++i) {
-        for (auto* list : {&particle, &a, &b})
-            list->push_back(static_cast<std::uint32_t>(random() % particles));
-        spare.push_back(2 * unit(random));
-        detail::MeetingBlock& block = blocks[i / detail::meetingLanes];
-        const std::size_t lane = i % detail::meetingLanes;
-        block.particle[lane] = particle.back();
-        block.a[lane] = a.back();
-        block.b[lane] = b.back();
-        block.reach[lane] = SweepReal(0.1);
-    }
-    for (auto _ : state) {
-        if (all) {
-            detail::meetingKernels().gather({position.data(), displacement.data()}, blocks.data(),
-                                            blocks.size());
-            detail::meetingKernels().meet(blocks.data(), blocks.size());
-        } else {
-            benchmark::DoNotOptimize(detail::outingKernels().findNear(
-                {particle.data(), a.data(), b.data(), spare.data()}, outings.data(), near.data(), 0,
-                count));
-        }
-        benchmark::ClobberMemory();
-    }
-    countItems(state, count);
-}
-BENCHMARK(candidateKernels)->ArgNames({"candidates", "meet"})->ArgsProduct({{1024}, {0, 1}});
 
 /// Chains of rigid links, side by side, that hang a little aside: one step of a tick. With
 /// `passes` 1 a Newton pass is all of it.
