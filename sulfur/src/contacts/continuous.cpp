@@ -1,10 +1,12 @@
 // What is fast never passes through anything: where rows that were found at the start of a step and
-// swept a few times have not stopped two surfaces, both bodies stay where these come to touch. Only
-// places are held back, of a body as a whole, so that no joint of it is strained; what is left of
-// the velocity is for the next step's rows.
+// swept a few times have not stopped two surfaces, both bodies are moved apart along the normal
+// that these have when they come to touch, each as its mass allows. Only places change, of a body
+// as a whole, so that no joint of it is strained; what is left of the velocity is for the next
+// step's rows. A body with a pinned particle cannot be moved as a whole: it stays where it was when
+// they came to touch.
 //
-// The ways of a step are taken as straight. Whoever is held back may get in the way of others, so
-// that this is repeated until nobody is.
+// The ways of a step are taken as straight. Whoever is moved may get in the way of others, so that
+// this is repeated until nobody is.
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +35,7 @@ public:
         collect([](const Pair&) { return true; });
         if (pairs_.empty()) return;
         whole_ = core_.ways;
-        shares_.assign(state_.bodies.size(), 1);
+        holds_.assign(state_.bodies.size(), {});
         for (int round = 0; round < mostRounds && !pairs_.empty(); ++round) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             held_.assign(state_.bodies.size(), 0);
@@ -45,6 +47,17 @@ public:
     }
 
 private:
+    /// What becomes of the way of a body: a share of it and a shift.
+    struct Hold {
+        Real share = 1;
+        Vec2 shift{0, 0};  // m
+        Vec2 way{0, 0};    // m, mean way of its mass before anything was held
+        Real mass = 0;     // kg; 0: not yet asked
+        bool isPinned = false, isRigid = true;
+
+        bool changed() const { return share != 1 || shift[0] != 0 || shift[1] != 0; }
+    };
+
     /// How each mover goes in this step, blows and all.
     void takeWays() {
         core_.ways.assign(movers_.size(), {});
@@ -117,69 +130,128 @@ private:
 
     void hold(const Pair& pair) {
         const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
-        if (pair.isManifold) {
-            const Real moment = timeOfImpact(core_, a, b, 1 - fast);
-            if (moment >= 1) return;
-            scale(a.frame, moment);
-            scale(b.frame, moment);
-            return;
-        }
-        findPassings(state_, a, b, 1 - fast, core_.passings);
-        for (const Passing& c : core_.passings) {
-            const auto one = core_.shapes.corners[c.corner].mover,
-                       other = core_.shapes.corners[c.a].mover;
-            scale(one, c.moment);
-            if (movers_.body[one] != movers_.body[other]) scale(other, c.moment);
+        const auto find = [&] {
+            if (pair.isManifold)
+                findPassing(core_, a, b, 1 - fast, core_.passings);
+            else
+                findPassings(state_, a, b, 1 - fast, core_.passings);
+            return !core_.passings.empty();
+        };
+        if (!find()) return;
+        Real moment = 1;
+        for (const Passing& p : core_.passings) moment = std::min(moment, p.moment);
+        const auto one = state_.bodySlots.denseOf(a.body), other = state_.bodySlots.denseOf(b.body);
+        bool bends = stiffen(one, moment);
+        if (one == other) return;
+        bends = stiffen(other, moment) || bends;
+        if (bends && !find()) return;
+        Vec2 apart(0, 0);  // m, that the one has been shifted from the other
+        for (const Passing& p : core_.passings) {
+            const Real side = p.one == a.body ? Real(1) : Real(-1);
+            const Real depth = p.depth - side * p.normal.dot(apart);
+            if (depth > 0) apart += push(one, other, side * depth * p.normal);
         }
     }
 
-    /// The body of a mover goes only a share of its way.
-    void scale(std::uint32_t m, Real share) {
-        const auto body = state_.bodySlots.denseOf(movers_.body[m]);
-        if (state_.bodies[body].kind != BodyKind::dynamic) return;
-        shares_[body] *= share;
+    /// From a moment on, a body that bends goes as its centre of mass does. Returns whether it does.
+    bool stiffen(std::uint32_t body, Real moment) {
+        if (!canBeHeld(body) || askedHold(body).isRigid) return false;
+        Hold& hold = holds_[body];
+        const Vec2 mean = hold.isPinned ? Vec2(0, 0) : Vec2(hold.share * hold.way + hold.shift);
+        hold.share *= moment;
+        hold.shift = moment * hold.shift + (1 - moment) * mean;
+        follow(body);
+        return true;
+    }
+
+    /// Moves the one by a way from the other, each as its mass allows. Returns by how much it was.
+    Vec2 push(std::uint32_t one, std::uint32_t other, const Vec2& way) {
+        const Real p = mobility(one), q = mobility(other);
+        if (p + q == 0) return {0, 0};
+        if (p > 0) shift(one, p / (p + q) * way);
+        if (q > 0) shift(other, -q / (p + q) * way);
+        return way;
+    }
+    bool canBeHeld(std::uint32_t body) const {
+        return state_.bodies[body].kind == BodyKind::dynamic && !state_.bodies[body].asleep;
+    }
+    /// 1/kg, of a body that can be moved as a whole.
+    Real mobility(std::uint32_t body) {
+        if (!canBeHeld(body)) return 0;
+        const Hold& hold = askedHold(body);
+        return hold.isPinned ? 0 : 1 / hold.mass;
+    }
+
+    void shift(std::uint32_t body, const Vec2& way) {
+        holds_[body].shift += way;
+        follow(body);
+    }
+    void follow(std::uint32_t body) {
         held_[body] = 1;
+        const Hold& hold = holds_[body];
         const auto slot = state_.bodies[body].id.index - 1;
         for (auto c = core_.shapes.firstChunk[slot]; c != none;
              c = core_.shapes.chunks[c].nextOfBody) {
             const Chunk& chunk = core_.shapes.chunks[c];
             for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
-                const auto mover = core_.shapes.uses[u].mover;
-                const Motion3& whole = whole_[mover];
-                core_.ways[mover] = {shares_[body] * whole.x, shares_[body] * whole.y,
-                                     shares_[body] * whole.turn};
+                const auto m = core_.shapes.uses[u].mover;
+                const Motion3& whole = whole_[m];
+                core_.ways[m] = {hold.share * whole.x + hold.shift[0],
+                                 hold.share * whole.y + hold.shift[1], hold.share * whole.turn};
             }
         }
     }
 
+    Hold& askedHold(std::uint32_t body) {
+        Hold& hold = holds_[body];
+        if (hold.mass > 0) return hold;
+        const Particles& p = state_.particles;
+        const BodyRecord& record = state_.bodies[body];
+        Vec2 momentum(0, 0);
+        for (auto i = record.firstParticle; i < record.firstParticle + record.particles.size();
+             ++i) {
+            hold.isPinned = hold.isPinned || p.pinned[i] != 0;
+            hold.mass += p.mass[i];
+            const auto c = p.cluster[i];
+            hold.isRigid = hold.isRigid && c != none && c == p.cluster[record.firstParticle];
+            momentum += p.mass[i] * (c == none ? p.displacement[i]
+                                               : state_.clusters.list[c].displacement);
+        }
+        hold.isRigid = hold.isRigid || record.particles.size() == 1;
+        hold.way = momentum / hold.mass;
+        return hold;
+    }
+
     void giveBack() {
         for (std::uint32_t b = 0; b < state_.bodies.size(); ++b) {
-            if (shares_[b] == 1) continue;
+            const Hold& hold = holds_[b];
+            if (!hold.changed()) continue;
             ++state_.statistics.heldBack;
-            const Real back = shares_[b] - 1;
+            const Real back = hold.share - 1;
+            Particles& p = state_.particles;
             const auto first = state_.bodies[b].firstParticle;
             for (auto i = first; i < first + state_.bodies[b].particles.size(); ++i)
-                if (state_.particles.cluster[i] == none && state_.particles.inverseMass[i] > 0)
-                    state_.particles.position[i] +=
-                        (back * state_.particles.displacement[i]).cast<double>();
+                if (p.cluster[i] == none && p.inverseMass[i] > 0)
+                    p.position[i] += (back * p.displacement[i] + hold.shift).cast<double>();
         }
         for (const auto c : state_.work.awakeClusters) {
             Cluster& cluster = state_.clusters.list[c];
-            const Real back = shares_[cluster.body] - 1;
-            if (back == 0 || cluster.inverseMass == 0) continue;
-            cluster.shift += back * cluster.displacement;
+            const Hold& hold = holds_[cluster.body];
+            if (!hold.changed() || cluster.inverseMass == 0) continue;
+            const Real back = hold.share - 1;
+            cluster.shift += back * cluster.displacement + hold.shift;
             cluster.twist += static_cast<double>(back) * cluster.angle;
         }
         // Blows have taken their part of the way off already.
         for (const Blow& blow : core_.blows) {
-            const auto b = state_.bodySlots.denseOf(movers_.body[blow.mover]);
-            if (shares_[b] == 1) continue;
-            const Vec2 more = (1 - shares_[b]) * blow.when * blow.velocity;
+            const Real share = holds_[state_.bodySlots.denseOf(movers_.body[blow.mover])].share;
+            if (share == 1) continue;
+            const Vec2 more = (1 - share) * blow.when * blow.velocity;
             const auto i = core_.denseOfMover[blow.mover];
             if (core_.moverIsCluster[blow.mover] != 0) {
                 state_.clusters.list[i].shift += more;
                 state_.clusters.list[i].twist +=
-                    static_cast<double>((1 - shares_[b]) * blow.when * blow.spin);
+                    static_cast<double>((1 - share) * blow.when * blow.spin);
             } else {
                 state_.particles.position[i] += more.cast<double>();
             }
@@ -192,7 +264,7 @@ private:
     std::vector<std::uint32_t> pairs_;
     std::vector<Motion3> whole_;
     std::vector<Real> lengths_;       // by mover, m
-    std::vector<Real> shares_;        // by body, dense index
+    std::vector<Hold> holds_;         // by body, dense index
     std::vector<std::uint8_t> held_;  // the same, 1: in this round
 };
 

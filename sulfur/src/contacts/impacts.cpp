@@ -68,7 +68,7 @@ private:
     void collect() {
         const RowKernels& kernels = rowKernels();
         const bool anyBounces = core_.bouncingPairs > 0;
-        const Real slow = slowestRebound * h_;
+        const Real slow = slowestRebound * h_ + h_ * h_ * state_.settings.gravity.norm();
         const auto look = [&](auto& list, std::uint32_t c, auto&& kernel, auto&& pairOf,
                               auto&& add) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
@@ -355,16 +355,18 @@ bool movesAlone(const State& state, std::uint32_t m) {
 }  // namespace
 
 void endBlows(State& state) {
-    // Before the blow nobody answered it either.
+    // Before the blow nobody answered it either; who stands fast answers all of it.
     for (Blow& blow : state.core.blows) {
         const auto i = state.core.denseOfMover[blow.mover];
-        if (state.core.moverIsCluster[blow.mover]) {
-            const Cluster& c = state.clusters.list[i];
-            blow.velocity = c.displacement - Vec2(blow.before.x, blow.before.y);
-            blow.spin = static_cast<Real>(c.angle) - blow.before.turn;
-        } else {
-            blow.velocity = state.particles.displacement[i] - Vec2(blow.before.x, blow.before.y);
-        }
+        const bool turns = state.core.moverIsCluster[blow.mover] != 0;
+        const Cluster* c = turns ? &state.clusters.list[i] : nullptr;
+        const Vec2 now = turns ? c->displacement : state.particles.displacement[i];
+        const Real angle = turns ? static_cast<Real>(c->angle) : 0;
+        const auto left = [](Real given, Real kept) {
+            return given > 0 ? std::clamp<Real>(kept, 0, given) : std::clamp<Real>(kept, given, 0);
+        };
+        blow.velocity = Vec2(left(blow.velocity[0], now[0] - blow.before.x), left(blow.velocity[1], now[1] - blow.before.y));
+        blow.spin = left(blow.spin, angle - blow.before.turn);
     }
     std::erase_if(state.core.blows,
                   [&](const Blow& blow) { return !movesAlone(state, blow.mover); });

@@ -519,9 +519,7 @@ std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predic
                               const ManifoldBlock& block, SweepReal slow) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     Bodies goesA = gather(predictions, block.a), goesB = gather(predictions, block.b);
-    const Relative v{b.vx() - a.vx() + goesB.vx() - goesA.vx(),
-                     b.vy() - a.vy() + goesB.vy() - goesA.vy(), a.spin() + goesA.spin(),
-                     b.spin() + goesB.spin()};
+    const Relative v{goesB.vx() - goesA.vx(), goesB.vy() - goesA.vy(), goesA.spin(), goesB.spin()};
     const Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
     const Vec zero{};
     Mask meets{};
@@ -780,7 +778,7 @@ std::uint32_t meetingTouch(const SolverBody* bodies, const Prediction* predictio
     Bodies goesP = gather(predictions, t.p), goesA = gather(predictions, t.a),
            goesB = gather(predictions, t.b);
     const Vec zero{};
-    const Vec closing = along(normal, p, a, b) + along(normal, goesP, goesA, goesB);
+    const Vec closing = along(normal, goesP, goesA, goesB);
     const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
     return bits((load(t.normalMass) > zero) & (load(t.pressing) <= zero) & (closing < zero - slow) &
                 (gap + closing < zero));

@@ -305,13 +305,30 @@ Real advance(const Movers& movers, const Shapes& shapes, const Chunk& a, const C
 
 }  // namespace
 
-Real timeOfImpact(const ContactCore& core, const Chunk& a, const Chunk& b, Real left) {
+void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real left,
+                 std::vector<Passing>& passings) {
+    passings.clear();
     const Ways ways{a.frame, b.frame, core.ways[a.frame], core.ways[b.frame]};
     const Real thickness = a.radius + b.radius;
-    return advance(
-        core.movers, core.shapes, a, b, ways,
-        // What is in each other already is not held back.
-        [&](Real gap) { return gap > 0 ? left * std::min(thickness, gap) : Real(-1e30); });
+    Real limit = 0;
+    const Real moment = advance(core.movers, core.shapes, a, b, ways, [&](Real gap) {
+        return limit = gap > 0 ? left * std::min(thickness, gap) : Real(-1e30);
+    });
+    if (moment >= 1) return;
+    // The axis that separates them then, from a to b, and how near they end along it.
+    const Pose then = poseAt(core.movers, ways, moment), end = poseAt(core.movers, ways, 1);
+    const Outline outA(core.shapes, a, {1, 0}, {0, 0});
+    const Xy axis =
+        separationOf(outA, Outline(core.shapes, b, then.heading, then.at)).axis;
+    const Outline outB(core.shapes, b, end.heading, end.at);
+    const Heading h = turnedBy(core.movers, a.frame, moment * ways.ofA.turn),
+                  g = turnedBy(core.movers, a.frame, ways.ofA.turn);
+    const Xy world = turned(h, axis), atEnd = turned({g.cosine, -g.sine}, world);
+    Real highA = Real(-1e30), lowB = Real(1e30);
+    for (std::uint32_t k = 0; k < outA.corners; ++k) highA = std::max(highA, dot(atEnd, outA.at[k]));
+    for (std::uint32_t k = 0; k < outB.corners; ++k) lowB = std::min(lowB, dot(atEnd, outB.at[k]));
+    const Real depth = limit - (lowB - highA);
+    if (depth > 0) passings.push_back({b.body, a.body, moment, {world.x, world.y}, depth});
 }
 
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,

@@ -106,13 +106,14 @@ private:
             for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
                 const Side& side = shapes_.sides[s];
                 if (side.a == side.b || neverTouches(state_, c, side, other.body)) continue;
-                cross(c, p, side, ends.ways[side.a - other.firstCorner],
-                      ends.ways[side.b - other.firstCorner]);
+                cross(c, p, own.body, side, ends.ways[side.a - other.firstCorner],
+                      ends.ways[side.b - other.firstCorner], other.body);
             }
         }
     }
 
-    void cross(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b) {
+    void cross(std::uint32_t corner, const Way& p, std::uint32_t own, const Side& side,
+               const Way& a, const Way& b, std::uint32_t other) {
         const auto heightAt = [&](Real moment) {
             const Xy along = b.at(moment) - a.at(moment);
             const Real length = std::sqrt(dot(along, along));
@@ -135,9 +136,15 @@ private:
         }
         const Xy along = b.at(high) - a.at(high), from = p.at(high) - a.at(high);
         const Real foot = dot(from, along), length2 = dot(along, along);
-        const Real beside = thickness * std::sqrt(length2);
-        if (foot < -beside || foot > length2 + beside) return;
-        passings_.push_back({corner, side.a, side.b, low});
+        const Real length = std::sqrt(length2), beside = thickness * length;
+        if (foot < -beside || foot > length2 + beside || !(length > 0)) return;
+        const Xy normal{outward * along.y / length, -outward * along.x / length};
+        const Real share = std::clamp<Real>(foot / length2, 0, 1);
+        const Xy onSide{a.end.x + share * (b.end.x - a.end.x),
+                        a.end.y + share * (b.end.y - a.end.y)};
+        const Real depth = limit - dot(normal, p.end - onSide);
+        if (!(depth > 0)) return;
+        passings_.push_back({own, other, low, {normal.x, normal.y}, depth});
     }
 
     const State& state_;

@@ -13,15 +13,18 @@ namespace sulfur::detail {
 struct State;
 struct ContactCore;
 
-/// A corner that would pass through a side, and when it is to stop.
+/// Two surfaces that would pass through each other in this step.
 struct Passing {
-    std::uint32_t corner = 0, a = 0, b = 0;  // corners: it and the ends of the side
-    Real moment = 0;                         // share of the step
+    std::uint32_t one = 0, other = 0;  // bodies, slots
+    Real moment = 0;                   // share of the step after which they are too near
+    Vec2 normal{0, 0};                 // from the other to the one, at that moment
+    Real depth = 0;                    // m, by which they end too near along that
 };
 
-/// Two convex chunks: the share of the step after which less than `left` of their thickness keeps
-/// their axes apart, or 1. Those that are nearer already keep as much of what is left.
-Real timeOfImpact(const ContactCore& core, const Chunk& a, const Chunk& b, Real left);
+/// Two convex chunks that end the step with less than `left` of their thickness between their axes.
+/// Those that begin nearer keep as much of what is left, those that are in each other pass.
+void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real left,
+                 std::vector<Passing>& passings);
 
 /// The same for corners before sides, each by itself.
 void findPassings(const State& state, const Chunk& a, const Chunk& b, Real left,

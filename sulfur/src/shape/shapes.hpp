@@ -75,7 +75,8 @@ struct Shapes {
     std::vector<std::uint32_t> freeChunks;
     RangePool cornerPool, sidePool, usePool, spokePool;
     std::vector<std::uint32_t> firstChunk;       // by body slot, or none
-    std::vector<std::uint32_t> moverOfParticle;  // by particle, dense index; or none
+    /// By slot of a particle that moves by itself, or of the first of a rigid component; or none.
+    std::vector<std::uint32_t> moverOfParticle;
 
     template <class Archive>
     void archive(Archive& a) {

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "broadphase/rasterise.hpp"
-#include "core/segments.hpp"
 #include "helpers.hpp"
 
 namespace sulfur {
@@ -41,9 +40,14 @@ TEST(Grid, PairsAreThoseOfOneCell) {
 
 /// Distance between two capsules' axes by brute force over closest ends; 0 when they cross.
 double axisDistance(Point a, Point b, Point c, Point d) {
-    if (detail::segmentsCross(a, b, c, d)) return 0;
+    const auto side = [](const Point& u, const Point& v, const Point& p) {
+        return cross(v - u, p - u);
+    };
+    if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return 0;
     const auto to = [](const Point& p, const Point& u, const Point& v) {
-        return (p - (u + detail::nearestAlong<Point>(p, u, v) * (v - u))).norm();
+        const double square = (v - u).squaredNorm();
+        const double share = square > 0 ? (p - u).dot(v - u) / square : 0;
+        return (p - u - std::clamp(share, 0.0, 1.0) * (v - u)).norm();
     };
     return std::min({to(a, c, d), to(b, c, d), to(c, a, b), to(d, a, b)});
 }
