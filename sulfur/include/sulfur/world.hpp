@@ -83,8 +83,7 @@ struct AttachmentInfo {
     std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
 };
 
-/// What a contact of the last tick was, or of a sleeper's last tick awake. Impulses of impacts are
-/// in the events only.
+/// What a contact of the last tick was, or of a sleeper's last tick awake, with what impacts gave.
 struct ContactInfo {
     BodyId a = {};      ///< the body whose particle touches
     BodyId b = {};      ///< the body whose capsule or disc is touched

@@ -94,6 +94,14 @@ struct Knock {
     std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
     Vec2 normal{0, 0};                                         // from the side towards the corner
     Real pressing = 0, rubbing = 0;                            // kg m
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(particles);
+        a(normal);
+        a(pressing);
+        a(rubbing);
+    }
 };
 
 /// Where a body as a whole goes when the step ends.
@@ -182,6 +190,7 @@ struct ContactCore {
         a(leading);
         a(struck);
         a(struckEncounters);
+        a(knocks);
         a(tiedCapsules);
         a(linked);
         a(linkedBodies);

@@ -27,7 +27,9 @@ public:
                 addTouch(core_.touches[t], sleepers);
         }
     }
+    /// Impacts of the last step; where a row presses at the same point, both are one.
     void addKnocks() {
+        const std::size_t rows = contacts_.size();
         for (const Knock& knock : core_.knocks) {
             ContactLoad c;
             c.normal = knock.normal;
@@ -35,6 +37,22 @@ public:
             c.tangentLambda = knock.rubbing;
             add(c, knock.particles);
         }
+        const auto isAt = [](const ContactLoad& x, const ContactLoad& y) {
+            return x.particle == y.particle && x.a == y.a && x.b == y.b;
+        };
+        std::size_t kept = rows;
+        for (std::size_t i = rows; i < contacts_.size(); ++i) {
+            const ContactLoad c = contacts_[i];
+            const auto same = std::find_if(contacts_.begin(), contacts_.begin() + kept,
+                                           [&](const ContactLoad& x) { return isAt(x, c); });
+            if (same == contacts_.begin() + kept) {
+                contacts_[kept++] = c;
+                continue;
+            }
+            same->normalLambda += c.normalLambda;
+            same->tangentLambda += c.tangentLambda;
+        }
+        contacts_.resize(kept);
     }
 
 private:
@@ -108,12 +126,8 @@ private:
 }  // namespace
 
 void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers) {
-    Exporter(state, contacts).run(sleepers);
-}
-
-void exportLoads(const State& state, std::vector<ContactLoad>& contacts) {
     Exporter exporter(state, contacts);
-    exporter.run(false);
+    exporter.run(sleepers);
     exporter.addKnocks();
 }
 

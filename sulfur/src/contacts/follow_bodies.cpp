@@ -188,6 +188,7 @@ void updateShapes(State& state) {
     ContactCore& core = state.core;
     if (state.structureChanged) findLinks(state);
     state.structureChanged = false;
+    bool sleeps = false;  // somebody whose shape is made anew, or never moves
     if (!core.staleShapes.empty()) {
         spreadStaleness(state);
         auto& stale = core.staleShapes;
@@ -200,6 +201,7 @@ void updateShapes(State& state) {
             const auto body = state.bodySlots.denseOf(slot);
             if (body == none) continue;
             if (body < core.listedBodies) core.listsStale = true;
+            sleeps = sleeps || !state.awake(body);
             makeShape(state, body);
             for (auto c = core.shapes.firstChunk.size() > slot ? core.shapes.firstChunk[slot]
                                                                : none;
@@ -212,7 +214,8 @@ void updateShapes(State& state) {
     if (core.listsStale || !core.newChunks.empty()) listSensors(state);
     listAwake(state);
     if (core.listsStale) watchAwake(state);
-    core.listsStale = false;
+    // New pairs of sleepers are looked at once, and not watched any more.
+    core.listsStale = sleeps;
 }
 
 }  // namespace sulfur::detail

@@ -111,7 +111,7 @@ void solveConstraints(State& state) {
     endBlows(state);
     holdBackFast(state);
     endLeads(state);
-    if (!state.work.watchedClusters.empty()) exportLoads(state, state.contacts);
+    if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);
     recordTreeForces(state);
     recordForces(state);

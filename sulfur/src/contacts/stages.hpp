@@ -48,10 +48,9 @@ void endMotion(State& state);
 
 /// What the stages together do to displacements: contacts and all that is swept beside them.
 void solveConstraints(State& state);
-/// Points that push, into State::contacts; with those of sleepers where it is asked for.
+/// Points that push, with the impacts of the last step; with those of sleepers where it is asked
+/// for.
 void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers);
-/// The same of those that are awake, with the impacts of this step.
-void exportLoads(const State& state, std::vector<ContactLoad>& contacts);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleep(State& state);
 

@@ -21,6 +21,32 @@ JointBroken describe(const State& state, std::uint32_t j) {
     return event;
 }
 
+/// A crack opens where a body is loaded most, and relieves the rest of it: of the joints that are
+/// loaded beyond their strength only those break whose load is this share of the worst.
+constexpr Real opens = Real(0.25);
+
+/// The load of a joint in its strength.
+Real loadOf(const Joints& joints, std::uint32_t j) {
+    return std::abs(joints.force[j]) / joints.strength[j];
+}
+
+/// Joints that break in this step.
+std::vector<std::uint32_t> breaking(const State& state) {
+    const Joints& joints = state.joints;
+    std::vector<std::uint32_t> overloaded;
+    for (const auto j : state.work.breakableJoints)
+        if (loadOf(joints, j) > 1) overloaded.push_back(j);
+    if (overloaded.empty()) return overloaded;
+    std::vector<Real> worst(state.bodies.size(), 0);
+    for (const auto j : overloaded)
+        if (const auto b = joints.body[j]; b != none)
+            worst[b] = std::max(worst[b], loadOf(joints, j));
+    std::erase_if(overloaded, [&](std::uint32_t j) {
+        return joints.body[j] != none && loadOf(joints, j) < opens * worst[joints.body[j]];
+    });
+    return overloaded;
+}
+
 /// What has lost the last of its surface would hang on its braces and pass through everything: the
 /// braces break with the surface. `broken` are marked already, and so are these.
 void breakBraces(State& state, std::uint32_t particle, std::vector<bool>& broken) {
@@ -48,8 +74,7 @@ void breakJoints(State& state) {
     const std::size_t first = told.size();  // those before broke in earlier steps of the tick
     const Joints& joints = state.joints;
     state.looked(Stage::breakage, state.work.breakableJoints.size());
-    for (const auto j : state.work.breakableJoints)
-        if (std::abs(joints.force[j]) > joints.strength[j]) told.push_back(describe(state, j));
+    for (const auto j : breaking(state)) told.push_back(describe(state, j));
     if (told.size() == first) return;
     Removal removal(state);
     std::vector<ParticleId> ends;

@@ -41,6 +41,27 @@ TEST(Persist, RestoredWorldGoesOnWithTheSameHash) {
     EXPECT_EQ(world.snapshot(), other.snapshot());
 }
 
+/// The shapes of a ground are made anew when something is tied to it, also those that only
+/// sleepers lie on.
+TEST(Persist, TyingToTheGroundOfSleepersIsNothingThatARestoreChanges) {
+    World world, other;
+    const Body ground = world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 4; ++i) world.add(shapes::box(), {.position = {4.0 * i - 8, 0.6}});
+    test::run(world, 3);
+    ASSERT_EQ(world.statistics().awakeParticles, 0u);
+    const Body rope = world.add(shapes::rope({.from = {0, 6}, .to = {3, 6}}));
+    const AttachmentId tie = world.attach(rope[0], ground.id(), {0, 0});
+    for (int i = 0; i < 400; ++i) {
+        if (i == 100) world.remove(tie);
+        if (i == 200) world.remove(rope);
+        if (i == 201) world.add(shapes::ball(), {.position = {12, 3}});
+        other.restore(world.snapshot());
+        world.step();
+        other.step();
+        ASSERT_EQ(other.snapshot(), world.snapshot()) << i;
+    }
+}
+
 TEST(Persist, HandlesAreValidAgain) {
     World world;
     const Body body = world.add(shapes::box());

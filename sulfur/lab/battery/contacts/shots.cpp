@@ -383,7 +383,7 @@ std::string asJson(const ShotReplay& replay) {
 
 /// What soft things may still gain: a jelly at 300 m/s covers more than its own width in a tick,
 /// turns inside out, and its springs then push on after the impact.
-constexpr double mostGained = 2;
+constexpr double mostGained = 4;
 
 /// None, but for what soft targets let through: at most one shot in twelve, and jellies that fold
 /// round a ball.
