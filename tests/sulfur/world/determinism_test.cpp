@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 2698389819312891235u);
 #else
-    EXPECT_EQ(world.hash(), 11293892728934920493u);
+    EXPECT_EQ(world.hash(), 155800976045088446u);
 #endif
 }
 
