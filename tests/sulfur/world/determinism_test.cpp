@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 2698389819312891235u);
+    EXPECT_EQ(world.hash(), 6773552566830579091u);
 #else
     EXPECT_EQ(world.hash(), 155800976045088446u);
 #endif
