@@ -27,14 +27,22 @@ constexpr int mostRounds = 8;
 
 class Keeper {
 public:
-    explicit Keeper(State& state) : state_(state), core_(state.core), movers_(core_.movers) {}
+    explicit Keeper(State& state)
+        : state_(state),
+          core_(state.core),
+          movers_(core_.movers),
+          pairs_(&state.arena),
+          whole_(&state.arena),
+          lengths_(&state.arena),
+          holds_(&state.arena),
+          held_(&state.arena) {}
 
     void run() {
         takeWays();
         measure();
         collect([](const Pair&) { return true; });
         if (pairs_.empty()) return;
-        whole_ = core_.ways;
+        whole_.assign(core_.ways.begin(), core_.ways.end());
         holds_.assign(state_.bodies.size(), {});
         for (int round = 0; round < mostRounds && !pairs_.empty(); ++round) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
@@ -261,11 +269,11 @@ private:
     State& state_;
     ContactCore& core_;
     Movers& movers_;
-    std::vector<std::uint32_t> pairs_;
-    std::vector<Motion3> whole_;
-    std::vector<Real> lengths_;       // by mover, m
-    std::vector<Hold> holds_;         // by body, dense index
-    std::vector<std::uint8_t> held_;  // the same, 1: in this round
+    std::pmr::vector<std::uint32_t> pairs_;
+    std::pmr::vector<Motion3> whole_;
+    std::pmr::vector<Real> lengths_;       // by mover, m
+    std::pmr::vector<Hold> holds_;         // by body, dense index
+    std::pmr::vector<std::uint8_t> held_;  // the same, 1: in this round
 };
 
 }  // namespace

@@ -35,10 +35,13 @@ struct Rigid {
 class Damper {
 public:
     explicit Damper(State& state)
-        : state_(state), core_(state.core), movers_(core_.movers), sets_(movers_.size()) {
-        stands_.assign(movers_.size(), none);
-        corners_.assign(movers_.size(), {none, 0});
-    }
+        : state_(state),
+          core_(state.core),
+          movers_(core_.movers),
+          sets_(movers_.size(), &state.arena),
+          stands_(movers_.size(), none, &state.arena),
+          corners_(movers_.size(), {none, 0}, &state.arena),
+          rigids_(&state.arena) {}
 
     void run() {
         linkManifolds();
@@ -186,9 +189,9 @@ private:
     ContactCore& core_;
     Movers& movers_;
     DisjointSets sets_;
-    std::vector<std::uint32_t> stands_;  // by mover: what it stands on, or none, or torn
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
-    std::vector<Rigid> rigids_;
+    std::pmr::vector<std::uint32_t> stands_;  // by mover: what it stands on, or none, or torn
+    std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
+    std::pmr::vector<Rigid> rigids_;
 };
 
 }  // namespace

@@ -48,7 +48,12 @@ struct Meeting {
 class Striker {
 public:
     explicit Striker(State& state)
-        : state_(state), core_(state.core), movers_(core_.movers), h_(state.h) {}
+        : state_(state),
+          core_(state.core),
+          movers_(core_.movers),
+          h_(state.h),
+          meetings_(&state.arena),
+          moments_(&state.arena) {}
 
     void run() {
         collect();
@@ -285,8 +290,8 @@ private:
     ContactCore& core_;
     Movers& movers_;
     Real h_;
-    std::vector<Meeting> meetings_;
-    std::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
+    std::pmr::vector<Meeting> meetings_;
+    std::pmr::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
 };
 
 /// Rows of movers that were struck, as they are before anybody answers.

@@ -165,7 +165,7 @@ private:
     std::uint32_t index_;
     Pair& pair_;
     const Chunk &a_, &b_;
-    std::vector<std::uint32_t> fresh_;
+    std::pmr::vector<std::uint32_t> fresh_{&state_.arena};
 };
 
 }  // namespace

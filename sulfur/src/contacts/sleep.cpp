@@ -126,7 +126,7 @@ void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
     if (!measureRest(state)) return;
-    DisjointSets islands(state.bodies.size());
+    DisjointSets islands(state.bodies.size(), &state.arena);
     const auto unite = [&](std::uint32_t a, std::uint32_t b) {
         if (isDynamic(state, a) && isDynamic(state, b)) {
             islands.unite(a, b);
@@ -137,7 +137,7 @@ void updateSleep(State& state) {
     };
     for (const Pair& pair : state.core.pairs) linkIfNear(state, pair, unite);
     forEachTie(state, unite);
-    std::vector<bool> restless(state.bodies.size(), false);
+    std::pmr::vector<bool> restless(state.bodies.size(), false, &state.arena);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&
             state.bodies[i].restingTime < timeToSleep)

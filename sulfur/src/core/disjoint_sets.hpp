@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory_resource>
 #include <numeric>
 #include <vector>
 
@@ -12,7 +13,11 @@ namespace sulfur::detail {
 /// the result does not depend on the order of the unions).
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count = 0) { reset(count); }
+    explicit DisjointSets(std::size_t count = 0,
+                          std::pmr::memory_resource* memory = std::pmr::get_default_resource())
+        : parent_(memory) {
+        reset(count);
+    }
 
     void reserve(std::size_t count) { parent_.reserve(count); }
     void reset(std::size_t count) {
@@ -33,7 +38,7 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> parent_;
+    std::pmr::vector<std::uint32_t> parent_;
 };
 
 }  // namespace sulfur::detail

@@ -132,10 +132,11 @@ bool encloses(const State& state, std::uint32_t body, const Point& point) {
     return winding.encloses();
 }
 
-std::vector<std::uint32_t> bodiesAround(State& state, const Point& point) {
+const std::vector<std::uint32_t>& bodiesAround(State& state, const Point& point) {
     if (!state.nearby.hollowsListed) listHollows(state);
     const ContactCore& core = state.core;
-    std::vector<std::uint32_t> near = state.nearby.apart;
+    auto& near = state.nearby.around;
+    near = state.nearby.apart;
     core.grid.forEachIn(
         core.shapes.chunks, {point[0], point[1]}, {point[0], point[1]}, [&](std::uint32_t c) {
             const Chunk& chunk = core.shapes.chunks[c];

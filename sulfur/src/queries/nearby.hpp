@@ -29,9 +29,10 @@ struct Collider {
 /// no change has come since the last call; otherwise linear in bodies and awake chunks.
 void prepareNearby(State& state);
 
-/// The bodies, ascending by dense index, whose outlines enclose a point. Needs prepareNearby().
+/// The bodies, ascending by dense index, whose outlines enclose a point, until the next call. Needs
+/// prepareNearby().
 /// Complexity: linear in bodies whose outline is not convex and rigid, besides those near.
-std::vector<std::uint32_t> bodiesAround(State& state, const Point& point);
+const std::vector<std::uint32_t>& bodiesAround(State& state, const Point& point);
 /// Whether the outlines of a body wind round `point`, with its particles where they are now
 /// (nonzero rule; Sunday 2001, without divisions). What is exactly on an outline belongs to one of
 /// its sides. Complexity: linear in its colliders.

@@ -31,13 +31,13 @@ Real loadOf(const Joints& joints, std::uint32_t j) {
 }
 
 /// Joints that break in this step.
-std::vector<std::uint32_t> breaking(const State& state) {
+std::pmr::vector<std::uint32_t> breaking(State& state) {
     const Joints& joints = state.joints;
-    std::vector<std::uint32_t> overloaded;
+    std::pmr::vector<std::uint32_t> overloaded(&state.arena);
     for (const auto j : state.work.breakableJoints)
         if (loadOf(joints, j) > 1) overloaded.push_back(j);
     if (overloaded.empty()) return overloaded;
-    std::vector<Real> worst(state.bodies.size(), 0);
+    std::pmr::vector<Real> worst(state.bodies.size(), 0, &state.arena);
     for (const auto j : overloaded)
         if (const auto b = joints.body[j]; b != none)
             worst[b] = std::max(worst[b], loadOf(joints, j));

@@ -83,6 +83,7 @@ void updateNarrowPhase(State& state) {
 }
 
 void runStages(State& state) {
+    state.arena.reset();
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
     timed(state, Stage::fields, applyFields);

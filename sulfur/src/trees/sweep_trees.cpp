@@ -384,7 +384,7 @@ std::uint32_t nodeFor(const State& state, const TouchView& t) {
 
 void giveTouches(State& state) {
     const auto& touches = state.core.touches;
-    std::vector<Real> gaps(state.trees.nodes.size(), 0);
+    std::pmr::vector<Real> gaps(state.trees.nodes.size(), 0, &state.arena);
     for (std::uint32_t i = 0; i < touches.size(); ++i) {
         if (touches[i].pair == none || !touches[i].row) continue;
         const TouchView view = viewOfTouch(state, i);

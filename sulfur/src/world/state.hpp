@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contacts/contact_core.hpp"
+#include "core/frame_arena.hpp"
 #include "core/slots.hpp"
 #include "joints/joints.hpp"
 #include "joints/triangles.hpp"
@@ -145,6 +146,7 @@ struct Nearby {
     std::vector<Hollow> hollows;
     bool valid = false;  // until the next step, or until something is changed by hand
     bool hollowsListed = false;
+    std::vector<std::uint32_t> around;  // of the last bodiesAround(), dense indices
 };
 
 /// A particle when the present tick began.
@@ -207,6 +209,7 @@ struct State {
     Sensing sensing;
     ContactCore core;
     bool structureChanged = true;  // since links between bodies were listed
+    FrameArena arena;  // of a step
     Events events;
     std::vector<ParticleStart> starts;  // of a tick of several steps: what was awake
     Statistics statistics;
