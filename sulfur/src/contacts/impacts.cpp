@@ -10,6 +10,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory_resource>
+#include <utility>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/encounters.hpp"
@@ -213,11 +215,14 @@ private:
     /// What struck one mover is one blow, from the first moment on.
     void merge() {
         auto& blows = core_.blows;
-        std::stable_sort(blows.begin(), blows.end(),
-                         [](const Blow& x, const Blow& y) { return x.mover < y.mover; });
+        std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> order(&state_.arena);
+        for (std::uint32_t i = 0; i < blows.size(); ++i) order.emplace_back(blows[i].mover, i);
+        std::sort(order.begin(), order.end());
+        const std::pmr::vector<Blow> all(blows.begin(), blows.end(), &state_.arena);
         std::size_t kept = 0;
-        for (const Blow& blow : blows) {
-            if (kept == 0 || blows[kept - 1].mover != blow.mover) {
+        for (const auto& [mover, i] : order) {
+            const Blow& blow = all[i];
+            if (kept == 0 || blows[kept - 1].mover != mover) {
                 blows[kept++] = blow;
                 continue;
             }

@@ -65,7 +65,7 @@ public:
     /// `given`: displacement and angle of each node by impacts. Takes away by how much links have
     /// grown longer by them, along their directions when the step begins. (At the step's end a link
     /// that an impact has turned by much would be solved along a wrong one.)
-    void share(const std::vector<Blown>& given) {
+    void share(const std::pmr::vector<Blown>& given) {
         for (std::size_t i = 1; i < count_; ++i) {
             const TreeNode& n = node(i);
             auto& link = solver_.links[i];
@@ -440,14 +440,15 @@ void touchTrees(State& state) {
 void shareBlows(State& state) {
     const ContactCore& core = state.core;
     if (core.blows.empty() || state.trees.touchedAlone.empty()) return;
-    std::vector<Blown> ofParticle(state.particles.size()), ofCluster(state.clusters.list.size());
+    std::pmr::vector<Blown> ofParticle(state.particles.size(), &state.arena),
+        ofCluster(state.clusters.list.size(), &state.arena);
     for (const Blow& blow : core.blows) {
         const auto i = core.denseOfMover[blow.mover];
         Blown& sum = core.moverIsCluster[blow.mover] != 0 ? ofCluster[i] : ofParticle[i];
         sum.way += blow.velocity.cast<double>();
         sum.turn += static_cast<double>(blow.spin);
     }
-    std::vector<Blown> given(state.trees.nodes.size());
+    std::pmr::vector<Blown> given(state.trees.nodes.size(), &state.arena);
     for (const auto tree : state.trees.touchedAlone) {
         bool any = false;
         for (auto k = state.trees.list[tree].first; k < state.trees.list[tree].last; ++k) {
