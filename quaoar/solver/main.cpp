@@ -46,7 +46,11 @@ bool acceptedByFreshProcess(const std::string& level, const std::string& proof) 
 
 int checkProof(const std::shared_ptr<const Level>& level, const std::string& proof) {
     const quaoar::Verdict verdict = quaoar::verify(level, Recording::read(proof));
-    return verdict.finished && verdict.sameAsRecorded ? 0 : 1;
+    if (verdict.finished && verdict.sameAsRecorded) return 0;
+    std::fprintf(stderr, "%s does not hold: %s.\n", proof.c_str(),
+                 verdict.finished ? "the level is finished, but not as it was recorded"
+                                  : "the level is not finished when it ends");
+    return 1;
 }
 
 /// How often the proof still finishes when every action ends up to 20 ms earlier or later.

@@ -36,7 +36,7 @@ enum class Friction : std::uint8_t {
     /// against kinetic friction.
     coulomb,
     /// The paper's (section 3.3): a force against the sliding velocity and proportional to it. The
-    /// kinetic coefficients are read as N s/m; nothing ever sticks.
+    /// kinetic coefficients are read as N s/m; nothing ever sticks, and discs do not roll.
     sliding,
 };
 
@@ -49,7 +49,8 @@ struct WorldSettings {
     Damper damper = Damper::axial;          ///< of all elastic joints
     Friction friction = Friction::coulomb;  ///< of all contacts
     bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
-    int sweeps = 4;                         ///< passes over the constraints in a tick, 1 to 100
+    int sweeps = 4;  ///< passes over the constraints in a step, 1 to 100; twice as many at most,
+                     ///< while contacts still change
 };
 
 /// What a particle is at the moment.
@@ -60,6 +61,8 @@ struct ParticleInfo {
     Real mass = 0;         ///< kg
     Real radius = 0;       ///< m
     bool pinned = false;   ///< whether it is held where it is
+    double angle = 0;      ///< rad, -pi to pi: how far a disc that rolls has turned, else 0
+    double spin = 0;       ///< rad/s, of a disc that rolls, else 0
 };
 
 /// What a joint is at the moment.

@@ -29,6 +29,11 @@ struct Pair {
     std::uint32_t encounter = none;
     /// Of its points: the particles (slots) of corner and side, or none.
     std::array<std::array<std::uint32_t, 3>, 2> features{{{none, none, none}, {none, none, none}}};
+    /// Where b was from a when they were last found apart, how both were turned, and the room that
+    /// they had until then; 0: nobody knows.
+    Real apartX = 0, apartY = 0;  // m
+    Heading headA, headB;
+    Real room = 0;  // m
     // While its row sleeps: kg m, impulses of its points and its friction, and its normals.
     std::array<Real, 3> kept{};
     std::array<Real, 4> keptNormal{};  // x and y of each
@@ -71,6 +76,7 @@ struct Encounter {
     std::uint32_t touched = 0;      // 1: they did when the tick began
     std::uint32_t begun = none;     // its event in Events::contactsBegun, or none
     std::uint32_t overlapping = 0;  // 1: they were made in each other and are led apart
+    std::uint32_t entwined = 0;     // 1: they were in each other when they were last looked at
     std::uint32_t nextInBucket = none;
 };
 
@@ -81,12 +87,6 @@ struct Blow {
     Real spin = 0;        // rad in a step
     Real when = 0;        // share of the step that was over
     Motion3 before;       // as it would have gone
-};
-
-/// What a row of somebody pressed before that one was struck.
-struct BeforeBlow {
-    std::uint32_t pair = none, touch = none;  // of a manifold, or of a touch
-    std::array<Real, 2> pressing{};           // kg m, of its points
 };
 
 /// The impulse of an impact, beside those of the rows.
@@ -112,9 +112,14 @@ struct Lead {
 
 /// When a pair has to be looked at: when the odometers of both frames together reach a limit.
 struct PairWatch {
+    /// The limit of a manifold that has a row: the refresh tells.
+    static constexpr double never = 1e300;
+
     std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
     float fineness = 0;                    // m, of both chunks together
     double limit = 0;                      // m
+    std::uint32_t isManifold = 0;          // as in Pair
+    std::uint32_t unused = 0;              // no padding, because its bytes are hashed
 };
 
 /// Impulses of a row that went, for whoever comes to stand for the same particles.
@@ -135,6 +140,7 @@ struct ContactCore {
     std::vector<Encounter> encounters;
     std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
     std::vector<PairWatch> watches;      // of pairs of which something is awake
+    float finest = 1e30F;                // m, of all watches that there have been since the start
     std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
     double lastStep = 0;                 // s, of the step for which the rows have impulses
 
@@ -154,6 +160,7 @@ struct ContactCore {
     // Scratch of a tick.
     std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
+    std::vector<Motion3> placed;      // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;
     std::vector<Lead> leads;
@@ -162,7 +169,6 @@ struct ContactCore {
     std::vector<Passing> passings;
     std::vector<Motion3> ways;  // by mover: how it goes in this step
     std::vector<Blow> blows;
-    std::vector<BeforeBlow> beforeBlows;
     std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
@@ -183,6 +189,7 @@ struct ContactCore {
         a(touches);
         a(freeTouches);
         a(watches);
+        a(finest);
         a(encounters);
         a(freeEncounters);
         a(buckets);

@@ -11,7 +11,9 @@
 #include <cmath>
 
 #include "contacts/contact_core.hpp"
+#include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
+#include "narrow_phase/convex.hpp"
 #include "narrow_phase/time_of_impact.hpp"
 #include "rigid/clusters.hpp"
 #include "world/state.hpp"
@@ -39,7 +41,7 @@ public:
 
     void run() {
         takeWays();
-        measure();
+        if (2 * measure() <= fast * static_cast<Real>(core_.finest)) return;
         collect([](const Pair&) { return true; });
         if (pairs_.empty()) return;
         whole_.assign(core_.ways.begin(), core_.ways.end());
@@ -47,7 +49,9 @@ public:
         for (int round = 0; round < mostRounds && !pairs_.empty(); ++round) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             held_.assign(state_.bodies.size(), 0);
+            anyHeld_ = false;
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
+            if (!anyHeld_) break;
             // Who was held back may be in the way of whoever went along with him.
             collect([&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
         }
@@ -88,14 +92,16 @@ private:
         }
     }
 
-    /// How far each mover, and each chunk of several, goes at most.
-    void measure() {
+    /// How far each mover, and each chunk of several, goes at most. Returns the largest of that.
+    Real measure() {
         lengths_.assign(movers_.size(), 0);
-        for (const auto m : core_.awakeMovers) lengths_[m] = lengthOf(m, {});
+        Real most = 0;
+        for (const auto m : core_.awakeMovers) most = std::max(most, lengths_[m] = lengthOf(m, {}));
         for (const auto c : core_.awakeStrips) {
             const Chunk& chunk = core_.shapes.chunks[c];
             lengths_[chunk.frame] = lengthOf(chunk, {});
         }
+        return most;
     }
     Real lengthOf(std::uint32_t m, const Motion3& frame) const {
         const Motion3& way = core_.ways[m];
@@ -115,25 +121,65 @@ private:
         return held_[state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body)] != 0;
     }
 
-    /// Pairs that are fast and may have come near: rows they have, or the next look is due; of
-    /// those that count.
+    /// Pairs that are fast and may have come near, of those that count. What is asked comes in the
+    /// order of what it costs: most pairs are answered by their watch alone.
     template <class Counts>
     void collect(Counts&& counts) {
         pairs_.clear();
-        const auto& chunks = core_.shapes.chunks;
         for (const PairWatch& w : core_.watches) {
-            if (!(lengths_[w.a] + lengths_[w.b] > fast * static_cast<Real>(w.fineness))) continue;
+            const Real least = fast * static_cast<Real>(w.fineness);
+            if (!(lengths_[w.a] + lengths_[w.b] > least)) continue;
+            const Real ways = waysOf(w);
+            if (!(ways > least)) continue;
+            const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
+            if (!hasRows(w) && odometers + static_cast<double>(ways) < w.limit) continue;
             const Pair& pair = core_.pairs[w.pair];
             if (!counts(pair)) continue;
-            const Chunk &a = chunks[pair.a], &b = chunks[pair.b];
-            const Motion3& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
-            const Real ways = lengthOf(a, frame) + lengthOf(b, frame);
-            if (!(ways > fast * static_cast<Real>(w.fineness))) continue;
-            const bool has = pair.row || pair.firstTouch != none;
-            const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
-            if (!has && odometers + static_cast<double>(ways) < w.limit) continue;
+            if (pair.row && rowHolds(pair)) continue;
+            if (staysApart(core_, w, core_.ways[w.a], core_.ways[w.b])) continue;
             if (core_.encounters[pair.encounter].overlapping == 0) pairs_.push_back(w.pair);
         }
+    }
+
+    /// What has none is far from each other until its limit.
+    bool hasRows(const PairWatch& w) const {
+        return w.isManifold != 0 ? w.limit == PairWatch::never
+                                 : core_.pairs[w.pair].firstTouch != none;
+    }
+
+    /// How far the surfaces of a pair go at most, seen from each other.
+    Real waysOf(const PairWatch& w) const {
+        if (w.isManifold != 0) {
+            const Motion3& frame = core_.ways[w.a];
+            return lengthOf(w.a, {frame.x, frame.y, 0}) + lengthOf(w.b, frame);
+        }
+        const Pair& pair = core_.pairs[w.pair];
+        const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
+        const Motion3& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
+        return lengthOf(a, frame) + lengthOf(b, frame);
+    }
+
+    /// Whether the row of two convex chunks, whose points are known to be the right ones until the
+    /// step ends, has stopped them.
+    bool rowHolds(const Pair& pair) const {
+        const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
+        const ManifoldBlock& r = core_.rows.manifold(pair.row);
+        const ManifoldShape& shape = core_.rows.manifoldShape(pair.row);
+        const auto l = RowGraph::laneOf(pair.row);
+        const Motion3 &wayA = core_.ways[a.frame], &wayB = core_.ways[b.frame];
+        const Real turn = std::max(std::abs(wayA.turn), std::abs(wayB.turn));
+        const Real most = fast / 2 * shape.thickness[l];
+        if (movers_.reach[a.frame] * turn * turn > most) return false;
+        if (movedSinceLook(movers_, a, b, wayA, wayB, shape, l) > shape.margin[l]) return false;
+        const SolverBody &p = movers_.bodies[a.frame], &q = movers_.bodies[b.frame];
+        const Vec2 way(q.x - p.x + wayB.x - wayA.x, q.y - p.y + wayB.y - wayA.y);
+        const Real turnA = p.turn + wayA.turn, turnB = q.turn + wayB.turn;
+        for (const ManifoldPoint& point : r.points)
+            if (point.gap[l] + point.normalX[l] * way[0] + point.normalY[l] * way[1] +
+                    point.normalArmB[l] * turnB - point.normalArmA[l] * turnA <
+                -most)
+                return false;
+        return true;
     }
 
     void hold(const Pair& pair) {
@@ -161,10 +207,12 @@ private:
         }
     }
 
-    /// From a moment on, a body that bends goes as its centre of mass does. Returns whether it does.
+    /// From a moment on, a body that bends goes as its centre of mass does, and a pinned one stays.
+    /// Returns whether it is such a body.
     bool stiffen(std::uint32_t body, Real moment) {
-        if (!canBeHeld(body) || askedHold(body).isRigid) return false;
-        Hold& hold = holds_[body];
+        if (!canBeHeld(body)) return false;
+        Hold& hold = askedHold(body);
+        if (hold.isRigid && !hold.isPinned) return false;
         const Vec2 mean = hold.isPinned ? Vec2(0, 0) : Vec2(hold.share * hold.way + hold.shift);
         hold.share *= moment;
         hold.shift = moment * hold.shift + (1 - moment) * mean;
@@ -196,6 +244,7 @@ private:
     }
     void follow(std::uint32_t body) {
         held_[body] = 1;
+        anyHeld_ = true;
         const Hold& hold = holds_[body];
         const auto slot = state_.bodies[body].id.index - 1;
         for (auto c = core_.shapes.firstChunk[slot]; c != none;
@@ -222,8 +271,8 @@ private:
             hold.mass += p.mass[i];
             const auto c = p.cluster[i];
             hold.isRigid = hold.isRigid && c != none && c == p.cluster[record.firstParticle];
-            momentum += p.mass[i] * (c == none ? p.displacement[i]
-                                               : state_.clusters.list[c].displacement);
+            momentum +=
+                p.mass[i] * (c == none ? p.displacement[i] : state_.clusters.list[c].displacement);
         }
         hold.isRigid = hold.isRigid || record.particles.size() == 1;
         hold.way = momentum / hold.mass;
@@ -274,6 +323,7 @@ private:
     std::pmr::vector<Real> lengths_;       // by mover, m
     std::pmr::vector<Hold> holds_;         // by body, dense index
     std::pmr::vector<std::uint8_t> held_;  // the same, 1: in this round
+    bool anyHeld_ = false;                 // somebody, in this round
 };
 
 }  // namespace

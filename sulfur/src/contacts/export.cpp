@@ -1,5 +1,6 @@
 // Points that push, as those see them who ask about contacts one by one.
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "contacts/contact_core.hpp"
@@ -37,25 +38,41 @@ public:
             c.tangentLambda = knock.rubbing;
             add(c, knock.particles);
         }
-        const auto isAt = [](const ContactLoad& x, const ContactLoad& y) {
-            return x.particle == y.particle && x.a == y.a && x.b == y.b;
-        };
-        std::size_t kept = rows;
-        for (std::size_t i = rows; i < contacts_.size(); ++i) {
-            const ContactLoad c = contacts_[i];
-            const auto same = std::find_if(contacts_.begin(), contacts_.begin() + kept,
-                                           [&](const ContactLoad& x) { return isAt(x, c); });
-            if (same == contacts_.begin() + kept) {
-                contacts_[kept++] = c;
-                continue;
-            }
-            same->normalLambda += c.normalLambda;
-            same->tangentLambda += c.tangentLambda;
+        const auto first = contacts_.begin() + static_cast<std::ptrdiff_t>(rows);
+        std::sort(first, contacts_.end(), [](const ContactLoad& x, const ContactLoad& y) {
+            return std::tuple(placeOf(x), x.normalLambda, x.tangentLambda) <
+                   std::tuple(placeOf(y), y.normalLambda, y.tangentLambda);
+        });
+        auto last = first;  // of those at different places
+        for (auto k = first; k != contacts_.end(); ++k) {
+            if (last != first && placeOf(*(last - 1)) == placeOf(*k))
+                addTo(*(last - 1), *k);
+            else
+                *last++ = *k;
         }
-        contacts_.resize(kept);
+        contacts_.erase(last, contacts_.end());
+        for (std::size_t k = 0; k < rows; ++k) {
+            const auto same = std::lower_bound(
+                first, contacts_.end(), contacts_[k],
+                [](const auto& x, const auto& y) { return placeOf(x) < placeOf(y); });
+            if (same == contacts_.end() || placeOf(*same) != placeOf(contacts_[k])) continue;
+            addTo(contacts_[k], *same);
+            same->normalLambda = same->tangentLambda = 0;
+        }
+        contacts_.erase(std::remove_if(first, contacts_.end(),
+                                       [](const ContactLoad& c) { return c.normalLambda == 0; }),
+                        contacts_.end());
     }
 
 private:
+    static std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> placeOf(const ContactLoad& c) {
+        return {c.particle, c.a, c.b};
+    }
+    static void addTo(ContactLoad& c, const ContactLoad& more) {
+        c.normalLambda += more.normalLambda;
+        c.tangentLambda += more.tangentLambda;
+    }
+
     void addManifold(const Pair& pair) {
         const ManifoldBlock& block = core_.rows.manifold(pair.row);
         const ManifoldShape& shape = core_.rows.manifoldShape(pair.row);

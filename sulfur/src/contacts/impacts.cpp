@@ -28,6 +28,18 @@ namespace {
 constexpr Real slowestRebound = Real(0.1);  // m/s
 constexpr int mostRounds = 64, plasticSweeps = 8;
 
+/// Whether a mover is all of its body and tied to no other: then what strikes it moves it alone.
+bool movesAlone(const State& state, std::uint32_t m) {
+    const auto slot = state.core.movers.body[m];
+    const BodyRecord& body = state.bodies[state.bodySlots.denseOf(slot)];
+    const auto& linked = state.core.linkedBodies;
+    const auto tie = std::lower_bound(linked.begin(), linked.end(), std::pair(slot, 0u));
+    if (tie != linked.end() && tie->first == slot) return false;
+    if (!state.core.moverIsCluster[m]) return body.particles.size() == 1;
+    const Cluster& c = state.clusters.list[state.core.denseOfMover[m]];
+    return c.last - c.first == body.particles.size();
+}
+
 /// What one direction of a contact has to do with up to three bodies.
 struct Strike {
     std::array<std::uint32_t, 3> body{0, 0, 0};
@@ -41,7 +53,8 @@ struct Strike {
 /// The points of one pair, with their tangents.
 struct Meeting {
     std::array<Strike, 2> normal, tangent;
-    std::array<Knock, 2> knock;  // what it is about, without impulses
+    std::array<Knock, 2> knock;             // what it is about, without impulses
+    std::array<std::size_t, 2> side{1, 1};  // of each point: whose surface it is, of its bodies
     int points = 0;
     Real restitution = 0, friction = 0;
     std::uint32_t pair = none;
@@ -64,7 +77,7 @@ public:
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
-            for (Meeting& m : meetings_) any |= strike(m);
+            for (const Meeting& m : meetings_) any |= strike(m);
         }
         merge();
     }
@@ -76,6 +89,7 @@ private:
         const RowKernels& kernels = rowKernels();
         const bool anyBounces = core_.bouncingPairs > 0;
         const Real slow = slowestRebound * h_ + h_ * h_ * state_.settings.gravity.norm();
+        if (!anyBounces && 2 * farthest() < slow) return;
         const auto look = [&](auto& list, std::uint32_t c, auto&& kernel, auto&& pairOf,
                               auto&& add) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
@@ -109,6 +123,17 @@ private:
         }
     }
 
+    /// m, that any surface goes in this step at most without rows.
+    Real farthest() const {
+        Real most = 0;
+        for (const auto m : core_.awakeMovers) {
+            const Prediction& p = movers_.predictions[m];
+            most = std::max(most,
+                            std::abs(p.vx) + std::abs(p.vy) + movers_.reach[m] * std::abs(p.spin));
+        }
+        return most;
+    }
+
     void addManifold(RowPlace place, std::uint32_t pair) {
         const ManifoldBlock& block = core_.rows.manifold(place);
         const auto l = RowGraph::laneOf(place);
@@ -131,6 +156,7 @@ private:
             const Real owner = core_.rows.manifoldShape(place).features[k].owner[l];
             m.knock[static_cast<std::size_t>(m.points)] = {
                 core_.pairs[pair].features[k], owner * Vec2(p.normalX[l], p.normalY[l]), 0, 0};
+            m.side[static_cast<std::size_t>(m.points)] = owner > 0 ? 1 : 0;
             m.normal[static_cast<std::size_t>(m.points)] = s;
             m.tangent[static_cast<std::size_t>(m.points)] = strikeOf(
                 block.tangentX[l], block.tangentY[l], block.tangentArmA[l], block.tangentArmB[l]);
@@ -151,10 +177,10 @@ private:
         m.friction = t.kineticFriction[l];
         const Vec2 n(t.normalX[l], t.normalY[l]), tangent(-n[1], n[0]);
         m.knock[0] = {particlesOf(core_.shapes, touch.corner, touch.side), n, 0, 0};
-        const Vec2 rod = t.rod[l] * Vec2(t.sideX[l], t.sideY[l]);
+        const Vec2 side(t.sideX[l], t.sideY[l]), rod = t.rod[l] * side, lean = t.lean[l] * side;
         Strike& s = m.normal[0];
         s.body = {t.p[l], t.a[l], t.b[l]};
-        s.linear = {n, -t.weightA[l] * n, -t.weightB[l] * n};
+        s.linear = {n, -t.weightA[l] * n + lean, -t.weightB[l] * n - lean};
         s.angular = {t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]};
         s = weighed(s);
         s.gap = gapNow(s, t.gap[l]);
@@ -163,6 +189,7 @@ private:
         r.linear = {tangent, -t.weightA[l] * tangent + rod, -t.weightB[l] * tangent - rod};
         r.angular = {t.tangentArmP[l], -t.tangentArmA[l], -t.tangentArmB[l]};
         r = weighed(r);
+        if (movers_.bodies[t.a[l]].inverseInertia == 0) m.side[0] = 0;
         meetings_.push_back(m);
     }
 
@@ -172,6 +199,7 @@ private:
             mobility += movers_.bodies[s.body[k]].inverseMass * s.linear[k].squaredNorm() +
                         movers_.bodies[s.body[k]].inverseInertia * s.angular[k] * s.angular[k];
         s.mass = mobility > 0 ? 1 / mobility : 0;
+        s.falls = 0;
         const Vec2 fall = h_ * h_ * state_.settings.gravity;
         for (std::size_t k = 0; k < 3; ++k)
             if (movers_.bodies[s.body[k]].inverseMass > 0) s.falls += s.linear[k].dot(fall);
@@ -194,6 +222,20 @@ private:
                 s.linear[k].dot(Vec2(p.vx + b.vx, p.vy + b.vy)) + s.angular[k] * (p.spin + b.spin);
         }
         return sum;
+    }
+
+    /// Rows turn as from the start of the step. Who goes on freely until the blow is struck where
+    /// he is then.
+    Strike atMoment(Strike s, std::size_t side, Real when) const {
+        for (std::size_t k = 0; k < 2; ++k)
+            if (movers_.bodies[s.body[k]].inverseMass == 0) return s;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto m = s.body[k];
+            if (movers_.bodies[m].inverseMass == 0 || !movesAlone(state_, m)) continue;
+            const Motion3 way = motionNow(movers_, m);
+            s.angular[side] -= when * cross(Vec2(way.x, way.y), s.linear[k]);
+        }
+        return weighed(s);
     }
 
     void push(const Strike& s, Real impulse, Real before) {
@@ -235,8 +277,9 @@ private:
     }
 
     /// Strikes if it closes. Returns whether it did.
-    bool strike(Meeting& m) {
+    bool strike(const Meeting& m) {
         std::array<Real, 2> closing{0, 0}, impulse{0, 0}, when{0, 0};
+        std::array<Strike, 2> normal = m.normal, tangent = m.tangent;
         bool any = false;
         for (int k = 0; k < m.points; ++k) {
             const auto i = static_cast<std::size_t>(k);
@@ -247,27 +290,29 @@ private:
             when[i] = std::clamp<Real>(std::max<Real>(m.normal[i].gap, 0) / -closing[i], 0, 1);
             // A blow that goes on through somebody does so when it has come to him.
             for (const auto body : m.normal[i].body) when[i] = std::max(when[i], moments_[body]);
-            closing[i] += m.normal[i].falls * (when[i] - Real(0.5));
+            normal[i] = atMoment(normal[i], m.side[i], when[i]);
+            tangent[i] = atMoment(tangent[i], m.side[i], when[i]);
+            closing[i] = motion(normal[i]) + normal[i].falls * (when[i] - Real(0.5));
         }
         if (!any) return false;
         // The plastic impact of the points that close.
         std::array<Real, 2> plastic{0, 0};
-        const Real coupling = m.points == 2 ? response(m.normal[0], m.normal[1]) : 0;
+        const Real coupling = m.points == 2 ? response(normal[0], normal[1]) : 0;
         for (int sweep = 0; sweep < plasticSweeps; ++sweep)
             for (int k = 0; k < m.points; ++k) {
                 const auto i = static_cast<std::size_t>(k);
-                if (!(m.normal[i].gap + closing[i] < 0)) continue;
+                if (!(normal[i].gap + closing[i] < 0)) continue;
                 const Real now = closing[i] + coupling * plastic[1 - i];
-                plastic[i] = std::max<Real>(-m.normal[i].mass * now, 0);
+                plastic[i] = std::max<Real>(-normal[i].mass * now, 0);
             }
         for (int k = 0; k < m.points; ++k) {
             const auto i = static_cast<std::size_t>(k);
             impulse[i] = (1 + m.restitution) * plastic[i];
             if (!(impulse[i] > 0)) continue;
-            push(m.normal[i], impulse[i], when[i]);
+            push(normal[i], impulse[i], when[i]);
             const Real most = m.friction * impulse[i];
-            const Real rubs = std::clamp(-m.tangent[i].mass * motion(m.tangent[i]), -most, most);
-            push(m.tangent[i], rubs, when[i]);
+            const Real rubs = std::clamp(-tangent[i].mass * motion(tangent[i]), -most, most);
+            push(tangent[i], rubs, when[i]);
             core_.knocks.push_back(m.knock[i]);
             core_.knocks.back().pressing = impulse[i];
             core_.knocks.back().rubbing = rubs;
@@ -299,28 +344,6 @@ private:
     std::pmr::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
 };
 
-/// Rows of movers that were struck, as they are before anybody answers.
-void noteBefore(ContactCore& core) {
-    core.beforeBlows.clear();
-    for (const Blow& blow : core.blows)
-        for (auto u = core.movers.firstUse[blow.mover]; u != none; u = core.shapes.uses[u].next)
-            for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
-                const std::uint32_t index = at / 2;
-                const Pair& pair = core.pairs[index];
-                at = pair.next[at % 2];
-                if (pair.row) {
-                    const auto& points = core.rows.manifold(pair.row).points;
-                    const auto l = RowGraph::laneOf(pair.row);
-                    core.beforeBlows.push_back(
-                        {index, none, {points[0].pressing[l], points[1].pressing[l]}});
-                }
-                for (auto t = pair.firstTouch; t != none; t = core.touches[t].next)
-                    if (const auto row = core.touches[t].row)
-                        core.beforeBlows.push_back(
-                            {none, t, {core.rows.touch(row).pressing[RowGraph::laneOf(row)], 0}});
-            }
-}
-
 }  // namespace
 
 void strikeRows(State& state) {
@@ -331,7 +354,6 @@ void strikeRows(State& state) {
     state.core.knocks.clear();
     forgetStruck(state.core);
     Striker(state).run();
-    noteBefore(state.core);
     // Whoever was struck has it in the predicted motion; places follow when the step ends.
     for (Blow& blow : state.core.blows) {
         const Motion3 now = motionNow(state.core.movers, blow.mover);
@@ -348,22 +370,6 @@ void strikeRows(State& state) {
     }
 }
 
-namespace {
-
-/// Whether a mover is all of its body and tied to no other: then what strikes it moves it alone.
-bool movesAlone(const State& state, std::uint32_t m) {
-    const auto slot = state.core.movers.body[m];
-    const BodyRecord& body = state.bodies[state.bodySlots.denseOf(slot)];
-    const auto& linked = state.core.linkedBodies;
-    const auto tie = std::lower_bound(linked.begin(), linked.end(), std::pair(slot, 0u));
-    if (tie != linked.end() && tie->first == slot) return false;
-    if (!state.core.moverIsCluster[m]) return body.particles.size() == 1;
-    const Cluster& c = state.clusters.list[state.core.denseOfMover[m]];
-    return c.last - c.first == body.particles.size();
-}
-
-}  // namespace
-
 void endBlows(State& state) {
     // Before the blow nobody answered it either; who stands fast answers all of it.
     for (Blow& blow : state.core.blows) {
@@ -375,7 +381,8 @@ void endBlows(State& state) {
         const auto left = [](Real given, Real kept) {
             return given > 0 ? std::clamp<Real>(kept, 0, given) : std::clamp<Real>(kept, given, 0);
         };
-        blow.velocity = Vec2(left(blow.velocity[0], now[0] - blow.before.x), left(blow.velocity[1], now[1] - blow.before.y));
+        blow.velocity = Vec2(left(blow.velocity[0], now[0] - blow.before.x),
+                             left(blow.velocity[1], now[1] - blow.before.y));
         blow.spin = left(blow.spin, angle - blow.before.turn);
     }
     std::erase_if(state.core.blows,
@@ -390,38 +397,6 @@ void endBlows(State& state) {
             state.particles.position[i] += back.cast<double>();
         }
     }
-}
-
-void forgetAnswers(State& state) {
-    ContactCore& core = state.core;
-    // What answered a blow is not needed again; what it would push would look like another blow.
-    for (const BeforeBlow& before : core.beforeBlows) {
-        if (before.touch != none) {
-            const RowPlace row = core.touches[before.touch].row;
-            if (!row) continue;  // something broke
-            TouchBlock& t = core.rows.touch(row);
-            const auto l = RowGraph::laneOf(row);
-            t.pressing[l] = std::min(t.pressing[l], before.pressing[0]);
-            const Real most = t.staticFriction[l] * t.pressing[l];
-            t.rubbing[l] = std::clamp(t.rubbing[l], -most, most);
-            for (const auto m : {t.p[l], t.a[l], t.b[l]}) core.movers.inexact[m] = 1;
-            continue;
-        }
-        const RowPlace row = core.pairs[before.pair].row;
-        if (!row) continue;
-        ManifoldBlock& r = core.rows.manifold(row);
-        const auto l = RowGraph::laneOf(row);
-        Real sum = 0;
-        for (std::size_t k = 0; k < 2; ++k) {
-            Real& pressing = r.points[k].pressing[l];
-            pressing = std::min(pressing, before.pressing[k]);
-            sum += pressing;
-        }
-        const Real most = r.staticFriction[l] * sum;
-        r.rubbing[l] = std::clamp(r.rubbing[l], -most, most);
-        for (const auto m : {r.a[l], r.b[l]}) core.movers.inexact[m] = 1;
-    }
-    core.beforeBlows.clear();
 }
 
 }  // namespace sulfur::detail

@@ -3,6 +3,7 @@
 // apart, and without leaving velocity behind. Until then no rows act between them.
 #include <algorithm>
 #include <limits>
+#include <memory_resource>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
@@ -19,6 +20,8 @@ constexpr double leadingSpeed = 0.49;  // m/s, of a body
 constexpr double leadingShare = 0.2;
 /// Share of the thickness from which on the rows push apart what is left.
 constexpr double tolerated = 0.9;
+/// Ticks after which bodies that press on each other are looked at again.
+constexpr std::uint64_t lookEvery = 64;
 
 /// A capsule or disc of a body: where its ends are now.
 struct Thick {
@@ -38,8 +41,11 @@ Point placeOf(const ContactCore& core, std::uint32_t corner) {
                .cast<double>();
 }
 
-std::vector<Thick> surfacesOfBody(const ContactCore& core, std::uint32_t bodySlot) {
-    std::vector<Thick> list;
+using Outline = std::pmr::vector<Thick>;
+
+Outline surfacesOfBody(State& state, std::uint32_t bodySlot) {
+    const ContactCore& core = state.core;
+    Outline list(&state.arena);
     for (auto c = core.shapes.firstChunk[bodySlot]; c != none;
          c = core.shapes.chunks[c].nextOfBody) {
         const Chunk& chunk = core.shapes.chunks[c];
@@ -53,7 +59,7 @@ std::vector<Thick> surfacesOfBody(const ContactCore& core, std::uint32_t bodySlo
 }
 
 /// Whether a point is within the outline that one-sided capsules make, by its winding number.
-bool encloses(const std::vector<Thick>& outline, const Point& p) {
+bool encloses(const Outline& outline, const Point& p) {
     int turns = 0;
     for (const Thick& t : outline) {
         if (t.outward == 0 || t.disc) continue;
@@ -78,10 +84,10 @@ bool cross(const Thick& s, const Thick& t) {
 /// Deeper than their surfaces are thick: an end of one is within the other's outline, or two lines
 /// cross: the ends of one would be held off the other on both sides of it. Two discs, when each has
 /// the other's centre in it.
-bool areInEachOther(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+bool areInEachOther(const Outline& one, const Outline& other) {
     if (one.size() == 1 && other.size() == 1 && one[0].disc && other[0].disc)
         return (one[0].a - other[0].a).norm() < std::min(one[0].radius, other[0].radius);
-    const auto holds = [](const std::vector<Thick>& outer, const std::vector<Thick>& inner) {
+    const auto holds = [](const Outline& outer, const Outline& inner) {
         return std::any_of(inner.begin(), inner.end(), [&](const Thick& t) {
             return encloses(outer, t.a) || encloses(outer, t.b);
         });
@@ -101,7 +107,7 @@ double distanceToSegment(const Point& p, const Thick& t) {
 }
 
 /// Whether the surfaces still overlap by a good part of their thickness.
-bool overlap(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+bool overlap(const Outline& one, const Outline& other) {
     for (const Thick& s : one)
         for (const Thick& t : other) {
             const double near = tolerated * (s.radius + t.radius);
@@ -118,14 +124,14 @@ struct WayOut {
     double depth = std::numeric_limits<double>::max();  // m
 };
 
-double extentOf(const std::vector<Thick>& body, const Point& direction) {
+double extentOf(const Outline& body, const Point& direction) {
     double most = -std::numeric_limits<double>::max();
     for (const Thick& t : body)
         most = std::max(most, std::max(direction.dot(t.a), direction.dot(t.b)) + t.radius);
     return most;
 }
 
-WayOut shortestWayOut(const std::vector<Thick>& one, const std::vector<Thick>& other) {
+WayOut shortestWayOut(const Outline& one, const Outline& other) {
     WayOut best;
     const auto consider = [&](const Point& way) {
         const double length = way.norm();
@@ -207,6 +213,34 @@ void findOverlaps(State& state) {
     state.anyPlaced = false;
 }
 
+bool isFree(const State& state, BodyId id) {
+    return state.bodies[state.bodySlots.dense(id)].kind == BodyKind::dynamic;
+}
+
+/// Convex outlines part along their shortest way out by themselves.
+bool isConvex(const ContactCore& core, const Encounter& encounter) {
+    for (auto p = encounter.firstPair; p != none; p = core.pairs[p].nextOfEncounter)
+        if (core.pairs[p].isManifold == 0) return false;
+    return true;
+}
+
+/// What is squeezed or broken can come to be through something else: the rows then hold it on the
+/// far side. Most of that mends itself; what is still so at the next look is led apart.
+void findEntwined(State& state) {
+    ContactCore& core = state.core;
+    for (auto e = state.tick % lookEvery; e < core.encounters.size(); e += lookEvery) {
+        Encounter& encounter = core.encounters[e];
+        if (encounter.firstPair == none || encounter.overlapping != 0 || encounter.pressing == 0 ||
+            isConvex(core, encounter) || !isFree(state, encounter.a) || !isFree(state, encounter.b))
+            continue;
+        const Outline one = surfacesOfBody(state, encounter.a.index - 1),
+                      other = surfacesOfBody(state, encounter.b.index - 1);
+        const bool entwined = areInEachOther(one, other);
+        if (std::exchange(encounter.entwined, entwined ? 1u : 0u) != 0 && entwined)
+            core.leading.push_back(static_cast<std::uint32_t>(e));
+    }
+}
+
 /// Whether two bodies still are in each other; then they are led on.
 bool lead(State& state, std::uint32_t index) {
     ContactCore& core = state.core;
@@ -216,7 +250,7 @@ bool lead(State& state, std::uint32_t index) {
     if (std::binary_search(core.linkedBodies.begin(), core.linkedBodies.end(),
                            std::pair(slotA, slotB)))
         return false;
-    const auto one = surfacesOfBody(core, slotA), other = surfacesOfBody(core, slotB);
+    const Outline one = surfacesOfBody(state, slotA), other = surfacesOfBody(state, slotB);
     if (!areInEachOther(one, other) && !(encounter.overlapping != 0 && overlap(one, other)))
         return false;
     const Whole a = wholeOf(state, state.bodySlots.denseOf(slotA)),
@@ -247,6 +281,7 @@ void leadApart(State& state) {
     ContactCore& core = state.core;
     core.leads.clear();
     if (state.anyPlaced) findOverlaps(state);
+    findEntwined(state);
     if (core.leading.empty()) return;
     std::erase_if(core.leading, [&](std::uint32_t index) {
         const bool goesOn = lead(state, index);

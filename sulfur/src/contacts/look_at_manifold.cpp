@@ -35,11 +35,7 @@ public:
         const Manifold m = findManifold(core_.movers, core_.shapes, a_, b_, closing());
         if (m.count == 0) {
             dropRows(state_, index_);
-            const Real slack = std::max(m.gap - thickness / 4, thickness / 4);
-            watchPair(state_, index_,
-                      core_.movers.odometer[a_.frame] + core_.movers.odometer[b_.frame] +
-                          static_cast<double>(slack));
-            return;
+            return watchApart(state_, index_, std::max(m.gap - thickness / 4, thickness / 4));
         }
         const bool isNew = !pair_.row;
         if (isNew) {
@@ -51,7 +47,7 @@ public:
         setShape(m);
         core_.rows.markManifold(pair_.row);
         // From now on the refresh tells.
-        watchPair(state_, index_, 1e300);
+        watchPair(state_, index_, PairWatch::never);
     }
 
 private:

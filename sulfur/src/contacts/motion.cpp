@@ -20,7 +20,7 @@ constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
 
 /// How far a body may go before its rows are refreshed, in its least thickness: an edge that rolls
 /// on a corner is then wrong by the square of that, a two-hundredth of the thickness.
-constexpr Real refreshWithin = Real(0.1);
+constexpr Real refreshWithin = Real(0.01);
 
 /// A fifth of an overlap goes in a step of 1/500 s, and no body is pushed faster than this.
 constexpr Real pushRate = 100, pushSpeed = Real(0.5);  // 1/s, m/s
@@ -164,53 +164,88 @@ void scaleImpulses(ContactCore& core, double step) {
     }
 }
 
+/// Calls f(mover, impulse, its moment) for whom a row pushes.
+template <class Function>
+void forEachPush(const ManifoldBlock& r, std::uint32_t l, Function&& f) {
+    Vec2 push = r.rubbing[l] * Vec2(r.tangentX[l], r.tangentY[l]);
+    Real twistA = r.rubbing[l] * r.tangentArmA[l], twistB = r.rubbing[l] * r.tangentArmB[l];
+    for (const ManifoldPoint& p : r.points) {
+        push += p.pressing[l] * Vec2(p.normalX[l], p.normalY[l]);
+        twistA += p.pressing[l] * p.normalArmA[l];
+        twistB += p.pressing[l] * p.normalArmB[l];
+    }
+    f(r.a[l], Vec2(-push), -twistA);
+    f(r.b[l], push, twistB);
+}
+template <class Function>
+void forEachPush(const TouchBlock& t, std::uint32_t l, Function&& f) {
+    const Real n = t.pressing[l], r = t.rubbing[l];
+    if (n == 0 && r == 0) return;
+    const Vec2 push(t.normalX[l] * n - t.normalY[l] * r, t.normalY[l] * n + t.normalX[l] * r);
+    const Vec2 rod = (t.rod[l] * r + t.lean[l] * n) * Vec2(t.sideX[l], t.sideY[l]);
+    f(t.p[l], push, t.normalArmP[l] * n + t.tangentArmP[l] * r);
+    f(t.a[l], Vec2(rod - t.weightA[l] * push), -(t.normalArmA[l] * n + t.tangentArmA[l] * r));
+    f(t.b[l], Vec2(-rod - t.weightB[l] * push), -(t.normalArmB[l] * n + t.tangentArmB[l] * r));
+}
+
+/// Impulses of rows that push one mover.
+struct Pushed {
+    Vec2 push{0, 0};  // kg m
+    Real twist = 0;   // kg m^2
+
+    void add(const Vec2& more, Real moreTwist) {
+        push += more;
+        twist += moreTwist;
+    }
+    void giveTo(SolverBody& body) const {
+        body.vx = push[0] * body.inverseMass;
+        body.vy = push[1] * body.inverseMass;
+        body.spin = twist * body.inverseInertia;
+    }
+};
+
 /// Adds up anew what the rows give a mover: what was added and taken away again leaves roundings.
 void addUpRows(ContactCore& core, std::uint32_t m) {
-    Vec2 push(0, 0);
-    Real twist = 0;
-    const auto add = [&](Real side, Real x, Real y, Real arm) {
-        push += side * Vec2(x, y);
-        twist += side * arm;
+    Pushed sum;
+    const auto add = [&](std::uint32_t mover, const Vec2& push, Real twist) {
+        if (mover == m) sum.add(push, twist);
     };
     auto u = mayHaveRows(core, m) ? core.movers.firstUse[m] : none;
     for (; u != none; u = core.shapes.uses[u].next)
         for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
             const Pair& pair = core.pairs[at / 2];
             at = pair.next[at % 2];
-            if (pair.row) {
-                const ManifoldBlock& r = core.rows.manifold(pair.row);
-                const auto l = RowGraph::laneOf(pair.row);
-                const bool isB = r.b[l] == m;
-                const Real side = isB ? Real(1) : Real(-1);
-                for (const ManifoldPoint& p : r.points)
-                    add(side * p.pressing[l], p.normalX[l], p.normalY[l],
-                        isB ? p.normalArmB[l] : p.normalArmA[l]);
-                add(side * r.rubbing[l], r.tangentX[l], r.tangentY[l],
-                    isB ? r.tangentArmB[l] : r.tangentArmA[l]);
-            }
-            for (auto i = pair.firstTouch; i != none; i = core.touches[i].next) {
-                if (!core.touches[i].row) continue;
-                const TouchBlock& t = core.rows.touch(core.touches[i].row);
-                const auto l = RowGraph::laneOf(core.touches[i].row);
-                const Real n = t.pressing[l], f = t.rubbing[l];
-                if (n == 0 && f == 0) continue;
-                const Vec2 p(t.normalX[l] * n - t.normalY[l] * f,
-                             t.normalY[l] * n + t.normalX[l] * f);
-                const Vec2 rod = t.rod[l] * f * Vec2(t.sideX[l], t.sideY[l]);
-                if (t.p[l] == m) add(1, p[0], p[1], t.normalArmP[l] * n + t.tangentArmP[l] * f);
-                if (t.a[l] == m)
-                    add(-1, t.weightA[l] * p[0] - rod[0], t.weightA[l] * p[1] - rod[1],
-                        t.normalArmA[l] * n + t.tangentArmA[l] * f);
-                if (t.b[l] == m)
-                    add(-1, t.weightB[l] * p[0] + rod[0], t.weightB[l] * p[1] + rod[1],
-                        t.normalArmB[l] * n + t.tangentArmB[l] * f);
-            }
+            if (pair.row)
+                forEachPush(core.rows.manifold(pair.row), RowGraph::laneOf(pair.row), add);
+            for (auto i = pair.firstTouch; i != none; i = core.touches[i].next)
+                if (const RowPlace row = core.touches[i].row)
+                    forEachPush(core.rows.touch(row), RowGraph::laneOf(row), add);
         }
-    SolverBody& body = core.movers.bodies[m];
-    body.vx = push[0] * body.inverseMass;
-    body.vy = push[1] * body.inverseMass;
-    body.spin = twist * body.inverseInertia;
+    sum.giveTo(core.movers.bodies[m]);
 }
+
+/// The same for all movers.
+void addUpAllRows(State& state) {
+    ContactCore& core = state.core;
+    std::pmr::vector<Pushed> sums(core.movers.size(), &state.arena);
+    const auto add = [&](std::uint32_t mover, const Vec2& push, Real twist) {
+        sums[mover].add(push, twist);
+    };
+    const auto addAll = [&](const auto& lists) {
+        for (std::uint32_t c = 0; c < RowGraph::colours; ++c)
+            for (std::size_t k = 0; k < lists[c].blocks.size(); ++k) {
+                const auto rows = RowGraph::rowsIn(lists[c], c, k);
+                for (std::uint32_t l = 0; l < std::min<std::uint32_t>(rows, rowLanes); ++l)
+                    forEachPush(lists[c].blocks[k], l, add);
+            }
+    };
+    addAll(core.rows.manifolds);
+    addAll(core.rows.touches);
+    for (const auto m : core.awakeMovers) sums[m].giveTo(core.movers.bodies[m]);
+}
+
+/// Steps after which what rows give is added up anew.
+constexpr std::uint64_t exactAgain = 64;
 
 }  // namespace
 
@@ -218,21 +253,22 @@ void takeMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     scaleImpulses(core, static_cast<double>(state.h));
-    const auto steps = stepNumber(state);
+    if (stepNumber(state) % exactAgain == 0) addUpAllRows(state);
     core.ahead = movers.odometer;
     core.moved.assign(movers.size(), 0);
+    core.placed.resize(movers.size());
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
         takePose(movers, m, seen.at, seen.heading);
+        core.placed[m] = {movers.bodies[m].x, movers.bodies[m].y, movers.bodies[m].turn};
         // What rows gave in the last step is with what they begin in this one.
         movers.predictions[m].vx = seen.way[0];
         movers.predictions[m].vy = seen.way[1];
         movers.predictions[m].spin = seen.turn;
         movers.bodies[m].inverseMass = seen.inverseMass;
         movers.bodies[m].inverseInertia = seen.inverseInertia;
-        if (movers.inexact[m] != 0) addUpRows(core, m);
-        movers.inexact[m] = (steps + m) % 64 == 0 ? 1 : 0;
+        if (std::exchange(movers.inexact[m], 0) != 0) addUpRows(core, m);
         core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
         if (core.ahead[m] < movers.refreshAt[m]) continue;
         movers.refreshAt[m] =
@@ -289,8 +325,8 @@ void lookAtPairs(State& state) {
     ContactCore& core = state.core;
     // A look may move watches about: those that are due are listed first.
     core.again.clear();
-    for (const PairWatch& w : core.watches)
-        if (core.ahead[w.a] + core.ahead[w.b] >= w.limit) core.again.push_back(w.pair);
+    for (PairWatch& w : core.watches)
+        if (isDue(core, w)) core.again.push_back(w.pair);
     for (const auto pair : core.again) lookAtPair(state, pair);
     core.heirs.clear();
 }
@@ -343,6 +379,7 @@ Real sweepRows(State& state, bool first, bool last) {
     for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
         ManifoldList& manifolds = core.rows.manifolds[c];
         TouchList& touches = core.rows.touches[c];
+        if (manifolds.blocks.empty() && touches.blocks.empty()) continue;
         change =
             std::max(change, kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
                                                     manifolds.blocks.size(), settings));
@@ -405,9 +442,9 @@ void takeMotionAgain(State& state) {
 void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
-    const bool turns = !onlyContactsAsk(state);
+    const bool asked = !onlyContactsAsk(state);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
-        give(state, k, turns);
+        give(state, k, asked);
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
         const SolverBody& body = movers.bodies[m];
@@ -417,16 +454,16 @@ void endMotion(State& state) {
         movers.odometer[m] += static_cast<double>(stepOf(movers, m));
         const bool isCluster = core.awakeIsCluster[k] != 0;
         if (!mayHaveRows(core, m) || (!isCluster && body.inverseMass == 0)) continue;
-        const Seen seen = lookAtMover(state, isCluster, i);
-        const Point way = seen.at - movers.reference[m];
-        Vec2 pushed(body.x - static_cast<Real>(way[0]), body.y - static_cast<Real>(way[1]));
-        Real turned =
-            body.turn - static_cast<Real>(turnSince(movers.referenceHeading[m], seen.heading));
+        const Motion3& placed = core.placed[m];
+        Vec2 pushed(body.x - placed.x, body.y - placed.y);
+        Real turned = body.turn - placed.turn;
         if (pushed[0] == 0 && pushed[1] == 0 && turned == 0) continue;
-        const Real far = pushed.norm() + movers.reach[m] * std::abs(turned);
-        const Real within = std::min<Real>(pushSpeed * state.h / far, 1);
-        pushed *= within;
-        turned *= within;
+        const Real most = pushSpeed * state.h, turns = movers.reach[m] * std::abs(turned);
+        if (std::abs(pushed[0]) + std::abs(pushed[1]) + turns > most) {
+            const Real within = std::min<Real>(most / (pushed.norm() + turns), 1);
+            pushed *= within;
+            turned *= within;
+        }
         movers.odometer[m] += static_cast<double>(std::abs(pushed[0]) + std::abs(pushed[1]) +
                                                   movers.reach[m] * std::abs(turned));
         if (isCluster) {
@@ -436,8 +473,8 @@ void endMotion(State& state) {
             state.particles.position[i] += pushed.cast<double>();
         }
         // What is pushed apart does not rest.
-        const Real most = restingPush * state.h;
-        if (state.settings.sleeping && pushed.squaredNorm() > most * most)
+        const Real rests = restingPush * state.h;
+        if (state.settings.sleeping && pushed.squaredNorm() > rests * rests)
             state.bodies[state.bodySlots.denseOf(movers.body[m])].restingTime = -state.h;
     }
     for (const auto c : core.awakeStrips) {

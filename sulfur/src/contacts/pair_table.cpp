@@ -1,10 +1,12 @@
 #include "contacts/pair_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "contacts/contact_core.hpp"
 #include "contacts/encounters.hpp"
+#include "narrow_phase/convex.hpp"
 #include "world/state.hpp"
 
 namespace sulfur::detail {
@@ -102,9 +104,71 @@ void watchPair(State& state, std::uint32_t pair, double limit) {
         p.watch = static_cast<std::uint32_t>(core.watches.size());
         const Chunk &a = core.shapes.chunks[p.a], &b = core.shapes.chunks[p.b];
         const auto fineness = static_cast<float>(a.fineness + b.fineness);
-        core.watches.push_back({pair, a.frame, b.frame, fineness, limit});
+        core.finest = std::min(core.finest, fineness);
+        core.watches.push_back({pair, a.frame, b.frame, fineness, limit, p.isManifold});
     }
     core.watches[p.watch].limit = limit;
+    p.room = 0;
+}
+
+namespace {
+
+/// m, from a to b.
+Vec2 wayBetween(const Movers& movers, std::uint32_t a, std::uint32_t b) {
+    const Point apart = movers.reference[b] - movers.reference[a];
+    const SolverBody &p = movers.bodies[a], &q = movers.bodies[b];
+    return apart.cast<Real>() + Vec2(q.x - p.x, q.y - p.y);
+}
+
+/// m, by how much a body's surface can have moved round its centre.
+Real turnedSince(const Movers& movers, std::uint32_t m, const Heading& then, const Heading& now) {
+    return movers.reach[m] * (std::abs(now.cosine - then.cosine) + std::abs(now.sine - then.sine));
+}
+
+/// m, by how much the surfaces of two that were found apart have moved against each other.
+Real usedRoom(const ContactCore& core, const PairWatch& watch) {
+    const Pair& p = core.pairs[watch.pair];
+    const Movers& movers = core.movers;
+    const Vec2 moved = wayBetween(movers, watch.a, watch.b) - Vec2(p.apartX, p.apartY);
+    return moved.norm() + turnedSince(movers, watch.a, p.headA, headingNow(movers, watch.a)) +
+           turnedSince(movers, watch.b, p.headB, headingNow(movers, watch.b));
+}
+
+}  // namespace
+
+void watchApart(State& state, std::uint32_t pair, Real room) {
+    ContactCore& core = state.core;
+    const Movers& movers = core.movers;
+    Pair& p = core.pairs[pair];
+    const auto a = core.shapes.chunks[p.a].frame, b = core.shapes.chunks[p.b].frame;
+    watchPair(state, pair, movers.odometer[a] + movers.odometer[b] + static_cast<double>(room));
+    const Vec2 apart = wayBetween(movers, a, b);
+    p.apartX = apart[0];
+    p.apartY = apart[1];
+    p.headA = headingNow(movers, a);
+    p.headB = headingNow(movers, b);
+    p.room = room;
+}
+
+bool staysApart(const ContactCore& core, const PairWatch& watch, const Motion3& wayA,
+                const Motion3& wayB) {
+    const Pair& p = core.pairs[watch.pair];
+    const Movers& movers = core.movers;
+    const Real step = Vec2(wayB.x - wayA.x, wayB.y - wayA.y).norm() +
+                      movers.reach[watch.a] * std::abs(wayA.turn) +
+                      movers.reach[watch.b] * std::abs(wayB.turn);
+    return step < p.room && usedRoom(core, watch) + step < p.room;
+}
+
+bool isDue(ContactCore& core, PairWatch& watch) {
+    if (core.ahead[watch.a] + core.ahead[watch.b] < watch.limit) return false;
+    const Real room = core.pairs[watch.pair].room;
+    const Movers& movers = core.movers;
+    if (!staysApart(core, watch, motionNow(movers, watch.a), motionNow(movers, watch.b)))
+        return true;
+    watch.limit = movers.odometer[watch.a] + movers.odometer[watch.b] +
+                  static_cast<double>(room - usedRoom(core, watch));
+    return false;
 }
 
 void unwatchPair(State& state, std::uint32_t pair) {

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <sulfur/math.hpp>
 
 namespace sulfur::detail {
 
 struct State;
+struct ContactCore;
+struct PairWatch;
+struct Motion3;
 
 /// Makes pairs with all whose boxes have come to meet that of a chunk, and ends those that have
 /// parted.
@@ -17,6 +21,13 @@ void endPairs(State& state, std::uint32_t chunk);
 /// A pair is watched from now on, or no longer.
 void watchPair(State& state, std::uint32_t pair, double limit);
 void unwatchPair(State& state, std::uint32_t pair);
+/// A pair of convex chunks has been found apart, with room for so much relative motion, m.
+void watchApart(State& state, std::uint32_t pair, Real room);
+/// Whether it still has room when both have gone these ways.
+bool staysApart(const ContactCore& core, const PairWatch& watch, const Motion3& wayA,
+                const Motion3& wayB);
+/// Whether a pair has to be looked at in this step. The limit of two that go alike is moved on.
+bool isDue(ContactCore& core, PairWatch& watch);
 
 /// Looks at a pair: its rows and its limit become what they are now.
 void lookAtPair(State& state, std::uint32_t pair);

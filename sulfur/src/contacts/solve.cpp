@@ -17,9 +17,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Sweeps over contacts alone: as few, and more, up to so many times those of the settings, while
-/// one of them still changes how fast anything parts.
-constexpr int leastAlone = 2, mostAlone = 2;
+/// Up to so many times the sweeps of the settings, while one of them still changes how fast
+/// anything parts. Contacts alone need no more than two when they have settled.
+constexpr int mostTimes = 2, leastAlone = 2;
 constexpr Real settledChange = Real(0.005);  // m/s
 /// Sweeps over trees that a contact pulls on: while a link is wrong by more than this share of its
 /// length, and so many sweeps mend at least a quarter of that. What is squeezed may have no
@@ -52,30 +52,39 @@ void sweepRigid(State& state) {
     sweepTrees(state);
 }
 
-void sweepContacts(State& state, bool last) {
+Real sweepContacts(State& state, bool last) {
     takeMotionAgain(state);
-    sweepRows(state, true, last);
+    const Real change = sweepRows(state, true, last);
     giveMotion(state);
+    return change;
+}
+
+/// Calls sweep(first, last), which returns by how much contacts have changed, at least so often.
+template <class Sweep>
+void sweepUntilSettled(const State& state, int least, Sweep&& sweep) {
+    const int most = mostTimes * state.settings.sweeps;
+    for (int number = 1; number < most; ++number) {
+        const Real change = sweep(number == 1, false);
+        if (number + 1 >= least && change <= settledChange * state.h) break;
+    }
+    sweep(false, true);
 }
 
 /// Rows of contacts and nothing else.
 void sweepAlone(State& state) {
-    const int most = std::max(leastAlone, mostAlone * state.settings.sweeps);
-    for (int sweep = 1; sweep < most; ++sweep) {
-        const Real change = sweepRows(state, sweep == 1, false);
-        if (sweep + 1 >= leastAlone && change <= settledChange * state.h) break;
-    }
-    sweepRows(state, false, true);
+    sweepUntilSettled(state, leastAlone,
+                      [&](bool first, bool last) { return sweepRows(state, first, last); });
 }
 
 void sweepAll(State& state) {
     giveMotion(state);
-    for (int sweep = 0; sweep < state.settings.sweeps; ++sweep) {
+    sweepUntilSettled(state, state.settings.sweeps, [&](bool, bool last) {
         solveImplicitJoints(state);
         solveAreas(state);
-        sweepContacts(state, sweep + 1 == state.settings.sweeps);
+        const Real change = sweepContacts(state, last);
         sweepRigid(state);
-    }
+        return change;
+    });
     double before = 0;
     for (int i = 0; i < mostForStrain; ++i) {
         const double strain = strainOfTrees(state);

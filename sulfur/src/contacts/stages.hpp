@@ -29,8 +29,6 @@ Real sweepRows(State& state, bool first, bool last);
 /// Impacts with restitution change the predicted motion; when the step ends, also places.
 void strikeRows(State& state);
 void endBlows(State& state);
-/// Rows of what was struck do not begin the next step with their answers to that.
-void forgetAnswers(State& state);
 /// With Friction::sliding, what presses brakes what slides.
 void dragRows(State& state);
 /// What moves as one, because it sticks to each other, loses what deviates from that.

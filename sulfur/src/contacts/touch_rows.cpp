@@ -33,10 +33,11 @@ TouchView viewOfTouch(const State& state, std::uint32_t index) {
     const std::array<std::uint32_t, 3> corners{touch.corner, side.a, side.b};
     for (std::size_t k = 0; k < 3; ++k)
         view.particles[k] = state.particleSlots.denseOf(core.shapes.corners[corners[k]].particle);
-    view.shares = {1, -t.weightA[l], -t.weightB[l]};
-    view.normal = Vec2(t.normalX[l], t.normalY[l]);
+    const Vec2 normal(t.normalX[l], t.normalY[l]);
+    const Vec2 lean = t.lean[l] * Vec2(t.sideX[l], t.sideY[l]);
+    view.directions = {normal, -t.weightA[l] * normal + lean, -t.weightB[l] * normal - lean};
     view.pressing = t.pressing[l];
-    view.inverseMass = t.normalMass[l] > 0 ? 1 / t.normalMass[l] : 0;
+    view.inverseMass = t.mobility[l];
     view.gapBefore = view.gap = t.gap[l];
     const std::array<std::uint32_t, 3> movers{t.p[l], t.a[l], t.b[l]};
     const std::array<Real, 3> arms{t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]};
@@ -44,7 +45,7 @@ TouchView viewOfTouch(const State& state, std::uint32_t index) {
         const SolverBody& body = core.movers.bodies[movers[k]];
         const Motion3 way = motionOf(state, movers[k]);
         const auto along = [&](Real x, Real y, Real turn) {
-            return view.shares[k] * view.normal.dot(Vec2(x, y)) + arms[k] * turn;
+            return view.directions[k].dot(Vec2(x, y)) + arms[k] * turn;
         };
         view.gapBefore += along(body.x, body.y, body.turn);
         view.gap += along(body.x + way.x, body.y + way.y, body.turn + way.turn);

@@ -12,8 +12,7 @@ struct State;
 /// A corner before a side, in the middle of the sweeps.
 struct TouchView {
     std::array<std::uint32_t, 3> particles{};  // dense: corner, ends of the side
-    std::array<Real, 3> shares{};              // of the motion of each in how the gap grows
-    Vec2 normal{0, 0};                         // from the side towards the corner
+    std::array<Vec2, 3> directions{};          // along which the motion of each makes the gap grow
     Real gapBefore = 0, gap = 0;               // m, when the step begins and when it ends
     Real pressing = 0;                         // kg m
     Real inverseMass = 0;                      // 1/kg, of all bodies

@@ -17,6 +17,10 @@ namespace sulfur::detail {
 
 inline constexpr std::size_t rowLanes = 8;
 
+/// Share of the thickness by which two bodies may go on in a step after their pair should have been
+/// looked at: the place at which they touch changes by less than a hundredth of the thickness.
+inline constexpr SweepReal unnoticed = SweepReal(0.25);
+
 /// What rows push: a rigid component, or a particle that moves by itself (then it never turns).
 /// Its pose is counted from a reference that is renewed when it has gone far or turned by much.
 /// Its velocity is what rows have given it; that which it has without them is kept apart, so that
@@ -47,7 +51,9 @@ struct ManifoldPoint {
     Lane normalArmA, normalArmB;  // m, lever of the normal about each body's centre
     Lane gap;                     // m, where both bodies are at their references
     Lane normalMass;              // kg, effective; 0: there is no such point
+    Lane mobility;                // 1/kg, its inverse, or 0
     Lane closing;                 // m, by which the gap grows in this step without rows
+    Lane room;                    // m, what is left of it then; an overlap counts as no gap
     Lane pressing;                // kg m, accumulated impulse
 };
 
@@ -64,9 +70,9 @@ struct alignas(sizeof(Lane)) ManifoldBlock {
     /// Where both points press, friction turns nobody: the normals answer it with these shares of
     /// it, and it meets this mass (the Schur complement of the normals).
     Lane answer1, answer2, heldMass;
-    /// The mobility matrix of the two normals: off its diagonal (1/kg), and its inverse (kg), which
-    /// is zero where the points are one.
-    Lane coupling, inverse11, inverse12, inverse22;
+    /// The mobility matrix of the two normals: off its diagonal (1/kg), and one over its
+    /// determinant (kg^2), which is zero where the points are one.
+    Lane coupling, inverse;
     Lane slip;     // m, by which the surfaces run along the tangent in this step
     Lane sliding;  // m, by which b slides along the tangent without rows
     Lane rubbing;  // kg m, accumulated impulse
@@ -95,23 +101,23 @@ struct alignas(sizeof(Lane)) ManifoldShape {
     ManifoldFeature features[2];
 };
 
-/// A corner of one body held off a side whose ends may be two bodies more. Along the normal the
-/// side moves with the weights of its ends; along the tangent it also turns like a rod, so that
-/// both sides act at one point and no angular momentum is made.
+/// A corner of one body held off a side whose ends may be two bodies more. The side moves with the
+/// weights of its ends and turns like a rod, so that both sides act at one point and no angular
+/// momentum is made.
 struct alignas(sizeof(Lane)) TouchBlock {
     Places p, a, b;  // bodies; b is the world where a has both ends
     Places unused;   // no block has padding, because its bytes are hashed
     Lane staticFriction, kineticFriction;
     Lane normalX, normalY;  // from the side towards the corner
     Lane weightA, weightB;  // of the side's ends, adding up to 1
-    Lane rod;               // how the side's turn moves the point along the tangent
+    Lane rod, lean;         // how the side's turn moves the point along the tangent, the normal
     Lane sideX, sideY;      // unit normal of the side: its turn is that of this
     Lane normalArmP, normalArmA, normalArmB;
     Lane tangentArmP, tangentArmA, tangentArmB;
     Lane gap;
-    Lane normalMass, tangentMass;
+    Lane normalMass, mobility, tangentMass;
     Lane slip;
-    Lane closing, sliding;
+    Lane closing, room, sliding;
     Lane pressing, rubbing;
 };
 

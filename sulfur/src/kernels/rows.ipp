@@ -140,47 +140,77 @@ inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, V
 }
 
 /// What the points of a block do in this step without rows.
-inline void predict(const Prediction* predictions, ManifoldBlock& block) {
+inline void predict(const Prediction* predictions, const Relative& x, ManifoldBlock& block) {
     Bodies a = gather(predictions, block.a), b = gather(predictions, block.b);
     const Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
     store(block.sliding, along(v, load(block.tangentX), load(block.tangentY),
                                load(block.tangentArmA), load(block.tangentArmB)) -
                              load(block.slip));
-    for (ManifoldPoint& p : block.points)
-        store(p.closing,
-              along(v, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB)));
+    for (ManifoldPoint& p : block.points) {
+        const Vec nx = load(p.normalX), ny = load(p.normalY), armA = load(p.normalArmA),
+                  armB = load(p.normalArmB);
+        const Vec closing = along(v, nx, ny, armA, armB);
+        store(p.closing, closing);
+        store(p.room, closing + larger(load(p.gap) + along(x, nx, ny, armA, armB), Vec{}));
+    }
+}
+
+inline void pushPoint(Relative& r, const ManifoldPoint& p, Vec impulse, Vec mass, const Bodies& a,
+                      const Bodies& b) {
+    push(r, impulse, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB), mass,
+         a, b);
+}
+inline Vec alongPoint(const Relative& r, const ManifoldPoint& p) {
+    return along(r, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB));
+}
+
+/// Both points rub as one. Where both press, their normals answer.
+inline void solveFriction(Relative& v, ManifoldBlock& block, SweepReal creep, Vec mass,
+                          const Bodies& a, const Bodies& b) {
+    const Vec zero{};
+    const Vec tx = load(block.tangentX), ty = load(block.tangentY);
+    const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
+    ManifoldPoint &p = block.points[0], &q = block.points[1];
+    const Vec pressing1 = load(p.pressing), pressing2 = load(q.pressing);
+    const auto held = (pressing1 > zero) & (pressing2 > zero);
+    const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
+    const Vec before = load(block.rubbing);
+    const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
+    const Vec after = friction(before - effective * speed, speed, pressing1 + pressing2,
+                               load(block.staticFriction), load(block.kineticFriction), creep);
+    const Vec more = after - before;
+    store(block.rubbing, after);
+    push(v, more, tx, ty, armA, armB, mass, a, b);
+    const Vec answer1 = held ? load(block.answer1) * more : zero;
+    const Vec answer2 = held ? load(block.answer2) * more : zero;
+    store(p.pressing, pressing1 + answer1);
+    store(q.pressing, pressing2 + answer2);
+    pushPoint(v, p, answer1, mass, a, b);
+    pushPoint(v, q, answer2, mass, a, b);
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
 /// consistent (Catto 2006). Where the points are one, each by itself. `change` becomes at least by
 /// how much either point parts faster or slower.
-inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, Vec mass,
-                         const Bodies& a, const Bodies& b, Vec& change) {
+inline void solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodies& a,
+                         const Bodies& b, Vec& change) {
     ManifoldPoint &p = block.points[0], &q = block.points[1];
     const Vec zero{};
-    const auto closingOf = [&](const ManifoldPoint& m) {
-        const Vec nx = load(m.normalX), ny = load(m.normalY), armA = load(m.normalArmA),
-                  armB = load(m.normalArmB);
-        const Vec gap = load(m.gap) + along(x, nx, ny, armA, armB);
-        return along(v, nx, ny, armA, armB) + (load(m.closing) + larger(gap, zero));
-    };
     const Vec before1 = load(p.pressing), before2 = load(q.pressing);
-    const Vec closing1 = closingOf(p), closing2 = closingOf(q);
-    const Vec k12 = load(block.coupling), i11 = load(block.inverse11), i12 = load(block.inverse12),
-              i22 = load(block.inverse22);
-    const auto apart = i11 > zero;
-    const Vec both1 = before1 - (i11 * closing1 + i12 * closing2);
-    const Vec both2 = before2 - (i12 * closing1 + i22 * closing2);
+    const Vec closing1 = alongPoint(v, p) + load(p.room),
+              closing2 = alongPoint(v, q) + load(q.room);
+    const Vec k11 = load(p.mobility), k22 = load(q.mobility), k12 = load(block.coupling);
+    const Vec inverse = load(block.inverse);
+    const auto apart = inverse > zero;
+    const Vec both1 = before1 - inverse * (k22 * closing1 - k12 * closing2);
+    const Vec both2 = before2 - inverse * (k11 * closing2 - k12 * closing1);
     // One presses and the other is let go of.
     const Vec alone1 = before1 - load(p.normalMass) * (closing1 - k12 * before2);
     const Vec alone2 = before2 - load(q.normalMass) * (closing2 - k12 * before1);
     const auto bothPress = apart & (both1 >= zero) & (both2 >= zero);
     // The gap of the one that is let go of, when the other has found its impulse.
-    const Vec tiny = zero + SweepReal(1e-30);
-    const Vec opens2 =
-        closing2 + k12 * (alone1 - before1) - before2 / larger(load(q.normalMass), tiny);
-    const Vec opens1 =
-        closing1 + k12 * (alone2 - before2) - before1 / larger(load(p.normalMass), tiny);
+    const Vec opens2 = closing2 + k12 * (alone1 - before1) - before2 * k22;
+    const Vec opens1 = closing1 + k12 * (alone2 - before2) - before1 * k11;
     const auto onlyFirst = apart & (alone1 >= zero) & (opens2 >= zero);
     const auto onlySecond = apart & (alone2 >= zero) & (opens1 >= zero);
     // One after the other, where they are one or none of it is consistent.
@@ -191,55 +221,22 @@ inline void solveNormals(Relative& v, const Relative& x, ManifoldBlock& block, V
     const Vec after2 = bothPress ? both2 : onlyFirst ? zero : onlySecond ? alone2 : single2;
     store(p.pressing, after1);
     store(q.pressing, after2);
-    push(v, after1 - before1, load(p.normalX), load(p.normalY), load(p.normalArmA),
-         load(p.normalArmB), mass, a, b);
-    push(v, after2 - before2, load(q.normalX), load(q.normalY), load(q.normalArmA),
-         load(q.normalArmB), mass, a, b);
-    change = larger(change, magnitude(after1 - before1) / larger(load(p.normalMass), tiny));
-    change = larger(change, magnitude(after2 - before2) / larger(load(q.normalMass), tiny));
+    pushPoint(v, p, after1 - before1, mass, a, b);
+    pushPoint(v, q, after2 - before2, mass, a, b);
+    change = larger(change, magnitude(after1 - before1) * k11);
+    change = larger(change, magnitude(after2 - before2) * k22);
 }
 
 template <bool first, bool places>
 inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
                           const SweepSettings& settings, Vec& change) {
-    if constexpr (first) predict(predictions, block);
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    const Vec mass = a.mass() + b.mass(), zero{};
-    Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
+    const Vec mass = a.mass() + b.mass();
     Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
-    {
-        const Vec tx = load(block.tangentX), ty = load(block.tangentY);
-        const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
-        const Vec pressing = load(block.points[0].pressing) + load(block.points[1].pressing);
-        const Vec before = load(block.rubbing);
-        const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
-        const Vec first1 = load(block.points[0].pressing), first2 = load(block.points[1].pressing);
-        const auto held = (first1 > zero) & (first2 > zero);
-        const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
-        const Vec after =
-            friction(before - effective * speed, speed, pressing, load(block.staticFriction),
-                     load(block.kineticFriction), settings.creep);
-        const Vec more = after - before;
-        store(block.rubbing, after);
-        push(v, more, tx, ty, armA, armB, mass, a, b);
-        for (int k = 0; k < 2; ++k) {
-            ManifoldPoint& p = block.points[k];
-            const Vec answer =
-                held ? (k == 0 ? load(block.answer1) : load(block.answer2)) * more : zero;
-            store(p.pressing, load(p.pressing) + answer);
-            push(v, answer, load(p.normalX), load(p.normalY), load(p.normalArmA),
-                 load(p.normalArmB), mass, a, b);
-        }
-    }
-    solveNormals(v, x, block, mass, a, b, change);
-    if constexpr (places)
-        for (ManifoldPoint& p : block.points) {
-            const Vec nx = load(p.normalX), ny = load(p.normalY);
-            const Vec armA = load(p.normalArmA), armB = load(p.normalArmB);
-            const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
-            const Vec part = load(p.normalMass) * larger(-gap * settings.share, zero);
-            push(x, part, nx, ny, armA, armB, mass, a, b);
-        }
+    if constexpr (first) predict(predictions, x, block);
+    Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
+    solveFriction(v, block, settings.creep, mass, a, b);
+    solveNormals(v, block, mass, a, b, change);
     a.vx() -= v.sumX * a.mass();
     a.vy() -= v.sumY * a.mass();
     a.spin() = v.spinA;
@@ -247,6 +244,10 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
     b.vy() += v.sumY * b.mass();
     b.spin() = v.spinB;
     if constexpr (places) {
+        for (ManifoldPoint& p : block.points) {
+            const Vec gap = load(p.gap) + alongPoint(x, p);
+            pushPoint(x, p, load(p.normalMass) * larger(-gap * settings.share, Vec{}), mass, a, b);
+        }
         a.x() -= x.sumX * a.mass();
         a.y() -= x.sumY * a.mass();
         a.turn() = x.spinA;
@@ -318,8 +319,9 @@ inline Unit turnedOn(const Unit& heading, Vec angle) {
     const Vec s = turn * (one - square * (SweepReal(1.0 / 6) - square * SweepReal(1.0 / 120)));
     return rotated(heading, c, s);
 }
-/// What is so near to a limit is there: so that what lies does not seem to come and go.
-constexpr SweepReal reached = SweepReal(1 + 1.0 / 64);
+/// What is so near to a limit is there: so that what lies does not seem to come and go. Round
+/// things, which may be as thick as they are large, have a direction to lose.
+constexpr SweepReal reached = SweepReal(1 + 1.0 / 64), reachedRound = SweepReal(1 + 1.0 / 1024);
 
 /// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
 /// not come so far.
@@ -339,7 +341,7 @@ inline Vec momentOfPoints(const Unit& start, const Unit& way, Vec limit) {
     const Vec moment = (-b - root(discriminant)) / larger(a, zero + SweepReal(1e-30));
     const Vec coming = b < zero ? clamped(moment, zero, one) : one;
     const Vec square = start.x * start.x + start.y * start.y;
-    return square > reached * reached * limit * limit ? coming : zero;
+    return square > reachedRound * reachedRound * limit * limit ? coming : zero;
 }
 /// From the reference of one body to that of the other, in double until both are subtracted.
 inline Unit between(const double* reference, const std::uint32_t* from, const std::uint32_t* to) {
@@ -370,6 +372,15 @@ inline Before seenFromSide(const Pose& pose, const ManifoldFeature& f, Vec owner
     return {ox * in.x + oy * in.y - load(f.offset), ox * in.y - oy * in.x - load(f.middle)};
 }
 
+/// m, by how much surfaces have moved against each other since the pair was looked at.
+inline Vec movedSinceLook(const Pose& pose, const ManifoldShape& shape) {
+    const Unit inA = rotatedBack(pose.headA, pose.apart.x, pose.apart.y);
+    const Unit turned = rotatedBack(pose.headA, pose.headB.x, pose.headB.y);
+    return magnitude(inA.x - load(shape.lookX)) + magnitude(inA.y - load(shape.lookY)) +
+           load(shape.reach) * (magnitude(turned.x - load(shape.lookCosine)) +
+                                magnitude(turned.y - load(shape.lookSine)));
+}
+
 std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, ManifoldBlock& block,
                               const ManifoldShape& shape) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
@@ -388,12 +399,9 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     const Pose end{{start.apart.x + way.x, start.apart.y + way.y},
                    turnedOn(restA, a.turn() + spinA),
                    turnedOn(restB, b.turn() + spinB)};
-    const Unit inA = rotatedBack(start.headA, start.apart.x, start.apart.y);
-    const Unit turned = rotatedBack(start.headA, start.headB.x, start.headB.y);
-    const Vec moved = magnitude(inA.x - load(shape.lookX)) + magnitude(inA.y - load(shape.lookY)) +
-                      load(shape.reach) * (magnitude(turned.x - load(shape.lookCosine)) +
-                                           magnitude(turned.y - load(shape.lookSine)));
+    const Vec moved = movedSinceLook(start, shape), ends = movedSinceLook(end, shape);
     const Vec thickness = load(shape.thickness), mass = a.mass() + b.mass();
+    const auto bothGo = (a.mass() > zero) & (b.mass() > zero);
     Vec pushX{}, pushY{}, twistA{}, twistB{};  // what turned impulses change
     // The place where both rub: the mean of the points that exist, and their normal.
     Vec midAX{}, midAY{}, midBX{}, midBY{}, sumX{}, sumY{}, count{};
@@ -403,21 +411,22 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec owner = load(f.owner), exists = magnitude(owner), half = load(f.half);
         const auto ofB = owner > 0;
         // Geometry is that of the moment at which the two come to touch, as far as is predicted:
-        // before a side, or, beyond its ends, round an end.
+        // before a side, or, beyond its ends, round an end. A disc is an end on all sides.
         const Before first = seenFromSide(start, f, owner, ofB);
         const Before last = seenFromSide(end, f, owner, ofB);
         const Vec height = first.height, rise = last.height - first.height;
         const Vec place = first.place, run = last.place - first.place;
         const Vec flat = momentOfHeight(height, last.height, thickness);
         const Vec there = place + flat * run, nearest = clamped(there, -half, half);
-        const auto round = (there != nearest) & (height + flat * rise > zero);
+        const auto round = ((there != nearest) & (height + flat * rise > zero)) | (half == zero);
         const Vec curved = momentOfPoints({place - nearest, height}, {run, rise}, thickness);
         const Vec moment = round ? curved : flat;
         const Vec up1 = height + moment * rise, aside1 = place + moment * run - nearest;
         const Vec far = root(aside1 * aside1 + up1 * up1);
         const Vec safe = larger(far, zero + SweepReal(1e-30));
         const Vec distance = round ? far : up1;
-        const Vec up = round ? up1 / safe : one, aside = round ? aside1 / safe : zero;
+        const auto apart = round & (far > zero);
+        const Vec up = apart ? up1 / safe : one, aside = apart ? aside1 / safe : zero;
         const Unit headA = turnedOn(restA, a.turn() + moment * spinA);
         const Unit headB = turnedOn(restB, b.turn() + moment * spinB);
         const Unit own = choose(ofB, headB, headA), other = choose(ofB, headA, headB);
@@ -434,9 +443,15 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec otherX = fromX - nx * back, otherY = fromY - ny * back;
         const Vec ax = ofB ? otherX : ownX, ay = ofB ? otherY : ownY;
         const Vec bx = ofB ? ownX : otherX, by = ofB ? ownY : otherY;
-        const Vec armA = exists * cross(ax, ay, nx, ny), armB = exists * cross(bx, by, nx, ny);
+        // Whoever moves by this step's end moves as from its start: the side's body makes up for
+        // what that is off the moment, so that no angular momentum is made. What stands fast takes
+        // any.
+        const Vec late = bothGo ? moment * cross(way.x, way.y, nx, ny) : zero;
+        const Vec armA = exists * (cross(ax, ay, nx, ny) - (ofB ? late : zero));
+        const Vec armB = exists * (cross(bx, by, nx, ny) + (ofB ? zero : late));
         const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
         store(p.normalMass, mobility > zero ? exists / mobility : zero);
+        store(p.mobility, exists * mobility);
         const Vec since = nx * (x + moment * way.x) + ny * (y + moment * way.y) +
                           armB * (b.turn() + moment * spinB) - armA * (a.turn() + moment * spinA);
         const Vec farAway = zero + SweepReal(1e18);
@@ -451,10 +466,11 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         store(p.normalY, ny);
         store(p.normalArmA, armA);
         store(p.normalArmB, armB);
-        midAX += exists * ax;
-        midAY += exists * ay;
-        midBX += exists * bx;
-        midBY += exists * by;
+        const Vec lateX = bothGo ? moment * way.x : zero, lateY = bothGo ? moment * way.y : zero;
+        midAX += exists * (ax - (ofB ? lateX : zero));
+        midAY += exists * (ay - (ofB ? lateY : zero));
+        midBX += exists * (bx + (ofB ? zero : lateX));
+        midBY += exists * (by + (ofB ? zero : lateY));
         sumX += nx;
         sumY += ny;
         count += exists;
@@ -476,8 +492,7 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
                   pb = load(p.normalArmB);
         const Vec qx = load(q.normalX), qy = load(q.normalY), qa = load(q.normalArmA),
                   qb = load(q.normalArmB);
-        const Vec k11 = mixed(px, py, pa, pb, px, py, pa, pb);
-        const Vec k22 = mixed(qx, qy, qa, qb, qx, qy, qa, qb);
+        const Vec k11 = load(p.mobility), k22 = load(q.mobility);
         const Vec k12 = mixed(px, py, pa, pb, qx, qy, qa, qb);
         const Vec t1 = mixed(tx, ty, armA, armB, px, py, pa, pb);
         const Vec t2 = mixed(tx, ty, armA, armB, qx, qy, qa, qb);
@@ -488,9 +503,7 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec answer2 = (k12 * t1 - k11 * t2) * inverse;
         const Vec held = mobility + answer1 * t1 + answer2 * t2;
         store(block.coupling, k12);
-        store(block.inverse11, k22 * inverse);
-        store(block.inverse12, -k12 * inverse);
-        store(block.inverse22, k11 * inverse);
+        store(block.inverse, inverse);
         store(block.answer1, answer1);
         store(block.answer2, answer2);
         store(block.heldMass, (held > zero) & (count > zero) ? one / held : zero);
@@ -512,7 +525,7 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     b.spin() += twistB * b.inertia();
     scatter(bodies, block.a, a);
     scatter(bodies, block.b, b);
-    return bits(moved > load(shape.margin));
+    return bits(larger(moved, ends - unnoticed * thickness) > load(shape.margin));
 }
 
 std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predictions,
@@ -586,8 +599,10 @@ inline Vec mobility(const Jacobian& j, const Bodies& p, const Bodies& a, const B
 inline Jacobian normalOf(const TouchBlock& t) {
     const Vec nx = load(t.normalX), ny = load(t.normalY), wa = load(t.weightA),
               wb = load(t.weightB);
-    return {nx,      ny,      load(t.normalArmP), wa * nx, wa * ny, load(t.normalArmA),
-            wb * nx, wb * ny, load(t.normalArmB)};
+    const Vec lx = load(t.lean) * load(t.sideX), ly = load(t.lean) * load(t.sideY);
+    return {nx,           ny,           load(t.normalArmP),
+            wa * nx - lx, wa * ny - ly, load(t.normalArmA),
+            wb * nx + lx, wb * ny + ly, load(t.normalArmB)};
 }
 inline Jacobian tangentOf(const TouchBlock& t) {
     const Vec tx = -load(t.normalY), ty = load(t.normalX), wa = load(t.weightA),
@@ -610,24 +625,26 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     }
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
     const Vec zero{};
+    if constexpr (first)
+        store(t.room, load(t.closing) + larger(load(t.gap) + placeAlong(normal, p, a, b), zero));
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
     const Vec speed = along(tangent, p, a, b) + load(t.sliding);
     const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, speed, pressed,
                                  load(t.staticFriction), load(t.kineticFriction), settings.creep);
     store(t.rubbing, rubbing);
     push(tangent, rubbing - rubbed, p, a, b);
-    const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
-    const Vec closing = along(normal, p, a, b) + (load(t.closing) + larger(gap, zero));
+    const Vec closing = along(normal, p, a, b) + load(t.room);
     const Vec pressing = larger(pressed - load(t.normalMass) * closing, zero);
     store(t.pressing, pressing);
     push(normal, pressing - pressed, p, a, b);
-    if constexpr (places)
+    if constexpr (places) {
+        const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
         pushPlace(normal, load(t.normalMass) * larger(-gap * settings.share, zero), p, a, b);
+    }
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
-    change = larger(change, magnitude(pressing - pressed) /
-                                larger(load(t.normalMass), zero + SweepReal(1e-30)));
+    change = larger(change, magnitude(pressing - pressed) * load(t.mobility));
 }
 
 template <bool first, bool places>
@@ -749,12 +766,38 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     store(t.rod, rod);
     store(t.sideX, sideX);
     store(t.sideY, sideY);
+    store(t.lean, zero);
     store(t.normalArmP, cross(atX, atY, nx, ny));
     store(t.tangentArmP, cross(atX, atY, tx, ty));
     store(t.normalArmA, weightA * cross(atAX, atAY, nx, ny));
     store(t.normalArmB, weightB * cross(atBX, atBY, nx, ny));
     store(t.tangentArmA, cross(atAX, atAY, weightA * tx - rod * sideX, weightA * ty - rod * sideY));
     store(t.tangentArmB, cross(atBX, atBY, weightB * tx + rod * sideX, weightB * ty + rod * sideY));
+    // Whoever moves by this step's end moves as from its start: the side makes up for what that is
+    // off the moment. A corner that stands fast takes any angular momentum.
+    const Unit nowA = sum(toA, Unit{a.x(), a.y()}), nowB = sum(toB, Unit{b.x(), b.y()});
+    const auto madeBy = [&](const Jacobian& j) {
+        return cross(p.x(), p.y(), j.px, j.py) + j.pTurn - cross(nowA.x, nowA.y, j.ax, j.ay) -
+               j.aTurn - cross(nowB.x, nowB.y, j.bx, j.by) - j.bTurn;
+    };
+    const auto cornerGoes = p.mass() > zero;
+    const Vec madeN = cornerGoes ? madeBy(normalOf(t)) : zero,
+              madeT = cornerGoes ? madeBy(tangentOf(t)) : zero;
+    const Unit span = difference(sum(nowB, armB), sum(nowA, armA));
+    const Vec lever = cross(span.x, span.y, sideX, sideY);
+    const auto turnsAlone = same | (magnitude(lever) < tiny);
+    const auto leanBy = [&](Vec made) {
+        return turnsAlone ? zero : clamped(made / (turnsAlone ? one : lever), -one, one);
+    };
+    const Vec leanN = leanBy(madeN), leanT = leanBy(madeT);
+    store(t.lean, leanN);
+    store(t.rod, rod + leanT);
+    const auto give = [&](Vec made, Vec lean, Lane& ofA, Lane& ofB) {
+        store(ofA, load(ofA) + (same ? made : zero) - lean * cross(atAX, atAY, sideX, sideY));
+        store(ofB, load(ofB) + lean * cross(atBX, atBY, sideX, sideY));
+    };
+    give(madeN, leanN, t.normalArmA, t.normalArmB);
+    give(madeT, leanT, t.tangentArmA, t.tangentArmB);
     const Jacobian normal = normalOf(t), tangent = tangentOf(t);
     const Vec ahead = moment * (along(normal, goesP, goesA, goesB) + along(normal, p, a, b));
     push(oldNormal, -pressing, p, a, b);
@@ -763,6 +806,7 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     push(tangent, rubbing, p, a, b);
     const Vec normalK = mobility(normal, p, a, b), tangentK = mobility(tangent, p, a, b);
     store(t.normalMass, normalK > zero ? one / normalK : zero);
+    store(t.mobility, normalK);
     store(t.tangentMass, tangentK > zero ? one / tangentK : zero);
     store(t.gap, distance - thickness - placeAlong(normal, p, a, b) - ahead);
     scatter(bodies, t.p, p);

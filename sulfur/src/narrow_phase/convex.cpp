@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t most = 32;
 
-/// What comes nearer in a step by more than this share of the thickness is looked at where it comes
-/// to touch: at slower speeds the place changes by less than a hundredth of the thickness.
-constexpr Real fast = Real(0.25);
+/// What comes nearer in a step by more than this share of the thickness is fast. If other features
+/// may come near in this step, it is looked at where it comes to touch.
+constexpr Real fast = unnoticed;
 constexpr int mostRounds = 16;
 /// rad, up to which the series for small turns is good to rounding.
 constexpr Real largeTurn = Real(0.3);
@@ -55,27 +55,28 @@ struct Outline {
     std::uint32_t after(std::uint32_t side) const { return side + 1 < corners ? side + 1 : 0; }
 };
 
-/// The side with the largest gap to all of the other outline, and the second largest gap.
-struct Best {
-    std::uint32_t side = 0;
-    Real gap = Real(-1e30), second = Real(-1e30);
-};
-Best widestGap(const Outline& own, const Outline& other) {
-    Best best;
-    for (std::uint32_t i = 0; i < own.sides; ++i) {
-        Real least = Real(1e30);
-        for (std::uint32_t j = 0; j < other.corners; ++j)
-            least = std::min(least, dot(own.out[i], other.at[j] - own.at[i]));
-        if (least > best.gap) {
-            best.second = best.gap;
-            best.gap = least;
-            best.side = i;
-        } else {
-            best.second = std::max(best.second, least);
+/// The gaps of all sides to all of the other outline, and the side with the largest.
+struct Gaps {
+    std::array<Real, most> of;  // m
+    std::uint32_t widest = 0;
+
+    Gaps(const Outline& own, const Outline& other) {
+        for (std::uint32_t i = 0; i < own.sides; ++i) {
+            Real least = Real(1e30);
+            for (std::uint32_t j = 0; j < other.corners; ++j)
+                least = std::min(least, dot(own.out[i], other.at[j] - own.at[i]));
+            of[i] = least;
+            if (least > of[widest]) widest = i;
         }
     }
-    return best;
-}
+    Real largest() const { return of[widest]; }
+    Real largestBut(std::uint32_t side, std::uint32_t sides) const {
+        Real gap = Real(-1e30);
+        for (std::uint32_t i = 0; i < sides; ++i)
+            if (i != side) gap = std::max(gap, of[i]);
+        return gap;
+    }
+};
 
 /// The axis along which two outlines are farthest apart, from the first to the second.
 struct Separation {
@@ -90,13 +91,13 @@ Separation separationOf(const Outline& a, const Outline& b) {
     }
     Separation best{{0, 1}, Real(-1e30)};
     if (a.sides > 0) {
-        const Best found = widestGap(a, b);
-        best = {a.out[found.side], found.gap};
+        const Gaps gaps(a, b);
+        best = {a.out[gaps.widest], gaps.largest()};
     }
     if (b.sides > 0) {
-        const Best found = widestGap(b, a);
-        const Xy out = b.out[found.side];
-        if (found.gap > best.gap) best = {{-out.x, -out.y}, found.gap};
+        const Gaps gaps(b, a);
+        const Xy out = b.out[gaps.widest];
+        if (gaps.largest() > best.gap) best = {{-out.x, -out.y}, gaps.largest()};
     }
     return best;
 }
@@ -122,13 +123,12 @@ public:
 
     void run() {
         if (outA_.sides == 0 || outB_.sides == 0) return pointAgainst();
-        const Best bestA = widestGap(outA_, outB_), bestB = widestGap(outB_, outA_);
-        const bool ofA = bestA.gap >= bestB.gap - Real(0.025) * thickness_;
-        const Best& best = ofA ? bestA : bestB;
-        const Real second = std::max({bestA.second, bestB.second, ofA ? bestB.gap : bestA.gap});
-        result_.gap = best.gap - thickness_;
+        const Gaps gapsA(outA_, outB_), gapsB(outB_, outA_);
+        const bool ofA = gapsA.largest() >= gapsB.largest() - Real(0.025) * thickness_;
+        const Gaps& gaps = ofA ? gapsA : gapsB;
+        result_.gap = gaps.largest() - thickness_;
         if (result_.gap > near_) return;
-        clip(ofA, best.side, (best.gap - second) / 2);
+        clip(ofA, gaps, ofA ? gapsB : gapsA);
     }
 
 private:
@@ -159,9 +159,10 @@ private:
         add({discChunk.firstCorner, otherChunk.firstSide + side, discIsB, result_.gap});
     }
 
-    void clip(bool ofA, std::uint32_t side, Real axisSlack) {
+    void clip(bool ofA, const Gaps& gaps, const Gaps& otherGaps) {
         const Outline &own = ofA ? outA_ : outB_, &other = ofA ? outB_ : outA_;
         const Chunk &ownChunk = ofA ? a_ : b_, &otherChunk = ofA ? b_ : a_;
+        const auto side = gaps.widest;
         const Xy out = own.out[side], tangent{-out.y, out.x};
         std::uint32_t facing = 0;
         Real deepest = 2, next = 2;
@@ -194,7 +195,10 @@ private:
             addNear({ownChunk.firstCorner + c, otherChunk.firstSide + facing, !ofA,
                      distanceTo(other, facing, own.at[c]) - thickness_});
         };
-        slack_ = std::min(axisSlack, (next - deepest) / 2 * reach_);
+        // Where the facing side has the largest gap instead, the same corners touch.
+        const Real second =
+            std::max(gaps.largestBut(side, own.sides), otherGaps.largestBut(facing, other.sides));
+        slack_ = std::min((gaps.largest() - second) / 2, (next - deepest) / 2 * reach_);
         least_ = Real(1e30);
         if (lowAt > high) {
             corner(lowCorner);
@@ -211,7 +215,7 @@ private:
         result_.gap = least_;
         const Real room = std::min(far_ - Real(0.3) * thickness_, slack_ + thickness_ / 5);
         result_.margin =
-            std::max({thickness_ / 5, std::min(room, Real(1.5) * thickness_),
+            std::max({thickness_ / 5, room,
                       std::min(least_ - thickness_ / 4, near_ - Real(0.3) * thickness_)});
     }
 
@@ -277,6 +281,13 @@ Pose poseAt(const Movers& movers, const Ways& w, Real moment) {
             {ha.cosine * hb.cosine + ha.sine * hb.sine, ha.cosine * hb.sine - ha.sine * hb.cosine}};
 }
 
+/// m, by how much surfaces have moved against each other: b turns where it is, reaching so far.
+Real movedBetween(const Pose& p, const Pose& q, Real reach) {
+    return std::abs(q.at.x - p.at.x) + std::abs(q.at.y - p.at.y) +
+           reach * (std::abs(q.heading.cosine - p.heading.cosine) +
+                    std::abs(q.heading.sine - p.heading.sine));
+}
+
 /// Conservative advancement along the axis that separates two outlines (Mirtich 1996): the share of
 /// the step after which their axes are as near as a limit, which follows from how near they begin;
 /// or 1.
@@ -318,14 +329,14 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     // The axis that separates them then, from a to b, and how near they end along it.
     const Pose then = poseAt(core.movers, ways, moment), end = poseAt(core.movers, ways, 1);
     const Outline outA(core.shapes, a, {1, 0}, {0, 0});
-    const Xy axis =
-        separationOf(outA, Outline(core.shapes, b, then.heading, then.at)).axis;
+    const Xy axis = separationOf(outA, Outline(core.shapes, b, then.heading, then.at)).axis;
     const Outline outB(core.shapes, b, end.heading, end.at);
     const Heading h = turnedBy(core.movers, a.frame, moment * ways.ofA.turn),
                   g = turnedBy(core.movers, a.frame, ways.ofA.turn);
     const Xy world = turned(h, axis), atEnd = turned({g.cosine, -g.sine}, world);
     Real highA = Real(-1e30), lowB = Real(1e30);
-    for (std::uint32_t k = 0; k < outA.corners; ++k) highA = std::max(highA, dot(atEnd, outA.at[k]));
+    for (std::uint32_t k = 0; k < outA.corners; ++k)
+        highA = std::max(highA, dot(atEnd, outA.at[k]));
     for (std::uint32_t k = 0; k < outB.corners; ++k) lowB = std::min(lowB, dot(atEnd, outB.at[k]));
     const Real depth = limit - (lowB - highA);
     if (depth > 0) passings.push_back({b.body, a.body, moment, {world.x, world.y}, depth});
@@ -336,23 +347,36 @@ Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a
     const Real thickness = a.radius + b.radius, near = thickness / 2 + 2 * closing;
     const Ways ways{a.frame, b.frame, motionNow(movers, a.frame), motionNow(movers, b.frame)};
     const Pose start = poseAt(movers, ways, 0);
+    const Real reach = movers.reach[b.frame];
     Manifold m;
     m.x = start.at.x;
     m.y = start.at.y;
     m.cosine = start.heading.cosine;
     m.sine = start.heading.sine;
-    const bool isFast = closing > fast * thickness;
-    const Real moment =
-        isFast ? advance(movers, shapes, a, b, ways, [&](Real) { return thickness; }) : 0;
-    const Pose then = moment > 0 ? poseAt(movers, ways, moment) : start;
-    const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, then.heading, then.at);
-    Finder(a, b, outA, outB, near, movers.reach[b.frame], m).run();
-    if (!isFast) return m;
+    const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, start.heading, start.at);
+    Finder(a, b, outA, outB, near, reach, m).run();
+    // What is near stays what it is until the step ends, or hardly changes.
+    if (m.count == 0 || closing <= fast * thickness ||
+        movedBetween(start, poseAt(movers, ways, 1), reach) <= m.margin + fast * thickness)
+        return m;
+    const Real gap = m.gap;
+    const Real moment = advance(movers, shapes, a, b, ways, [&](Real) { return thickness; });
+    if (moment > 0) {
+        const Pose then = poseAt(movers, ways, moment);
+        m.count = 0;
+        Finder(a, b, outA, Outline(shapes, b, then.heading, then.at), near, reach, m).run();
+    }
+    m.gap = std::min(m.gap, gap);
     // Nobody knows whether they go as is predicted.
     m.margin = 0;
-    const Outline now(shapes, b, start.heading, start.at);
-    m.gap = std::min(m.gap, separationOf(outA, now).gap - thickness);
     return m;
+}
+
+Real movedSinceLook(const Movers& movers, const Chunk& a, const Chunk& b, const Motion3& wayA,
+                    const Motion3& wayB, const ManifoldShape& shape, std::uint32_t lane) {
+    const Pose seen{{shape.lookX[lane], shape.lookY[lane]},
+                    {shape.lookCosine[lane], shape.lookSine[lane]}};
+    return movedBetween(seen, poseAt(movers, {a.frame, b.frame, wayA, wayB}, 1), shape.reach[lane]);
 }
 
 }  // namespace sulfur::detail

@@ -53,8 +53,9 @@ Xy way(const CornerWay& c) {
     return {c.wayX, c.wayY};
 }
 
-/// What is so near to a limit is there: so that what lies does not seem to come and go.
-constexpr Real reached = Real(1 + 1.0 / 64);
+/// What is so near to a limit is there: so that what lies does not seem to come and go. Round
+/// things, which may be as thick as they are large, have a direction to lose.
+constexpr Real reached = Real(1 + 1.0 / 64), reachedRound = Real(1 + 1.0 / 1024);
 
 /// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
 /// not come so far.
@@ -65,7 +66,7 @@ Real momentOfHeight(Real start, Real end, Real limit) {
 /// When two points come as near as a limit; or when they are nearest, or 1 if that is later.
 Real momentOfPoints(Xy start, Xy way, Real limit) {
     const Real a = dot(way, way), b = dot(start, way), c = dot(start, start) - limit * limit;
-    if (!(dot(start, start) > reached * reached * limit * limit)) return 0;
+    if (!(dot(start, start) > reachedRound * reachedRound * limit * limit)) return 0;
     if (!(b < 0)) return 1;
     return std::clamp<Real>((-b - std::sqrt(std::max<Real>(b * b - a * c, 0))) / a, 0, 1);
 }

@@ -33,7 +33,7 @@ void adopt(const State& state, Cluster& cluster) {
         angular += cross(turned(cluster.heading, state.clusters.places[k]), mv);
     }
     cluster.velocity = cluster.freeInverseMass * momentum;
-    cluster.spin = cluster.freeInverseInertia * angular;
+    if (!isDisc(cluster)) cluster.spin = cluster.freeInverseInertia * angular;
     cluster.stirred = 0;
 }
 

@@ -13,31 +13,32 @@ namespace sulfur::detail {
 class Truss;
 
 /// A rigid component. It turns about its centre of mass, or about its one pinned particle; with
-/// two pinned particles it stays where it is.
+/// two pinned particles it stays where it is. A disc is one of a single particle.
 ///
 /// The spin is a number of its own, never recovered from positions: without torque it does not
 /// change by a single bit.
-struct Cluster {
-    std::uint32_t body = none;                 // dense index
-    std::uint32_t first = 0, last = 0;         // its part of Clusters::members
+///
+/// What every step reads and writes comes first, in two cache lines.
+struct alignas(64) Cluster {
     Point centre{0, 0};                        // m, what it turns about, at the start of the tick
     Point heading{1, 0};                       // (cos, sin) of its orientation
-    Point massCentre{0, 0};                    // m, from the centre, in its own frame
-    double spin = 0;                           // rad/s
-    double mass = 0;                           // kg
-    double reach = 0;                          // m, from the centre to its farthest member
-    double freeInverseMass = 0;                // 1/kg while awake; 0 with a pinned particle
-    double freeInverseInertia = 0;             // 1/(kg m^2) while awake; 0 with two of them
-    Real inverseMass = 0, inverseInertia = 0;  // 0 while asleep
-    Point velocity{0, 0};                      // m/s of the centre
+    Vec2 displacement{0, 0}, predicted{0, 0};  // m, of the centre, in this tick
+    double angle = 0, predictedAngle = 0;      // rad, in this tick
 
-    // This tick's motion.
-    Vec2 displacement{0, 0}, predicted{0, 0};  // m, of the centre
-    double angle = 0, predictedAngle = 0;      // rad
-    Real sine = 0, versine = 0;                // of angle; 1 - cos, which keeps small angles
+    Point velocity{0, 0};                      // m/s of the centre
+    double spin = 0;                           // rad/s
     Vec2 shift{0, 0};                          // m, correction that becomes no velocity
     double twist = 0;                          // rad, the same
+    Real sine = 0, versine = 0;                // of angle; 1 - cos, which keeps small angles
+    Real inverseMass = 0, inverseInertia = 0;  // 0 while asleep
+    std::uint32_t first = 0, last = 0;         // its part of Clusters::members
 
+    Point massCentre{0, 0};              // m, from the centre, in its own frame
+    double mass = 0;                     // kg
+    double reach = 0;                    // m, from the centre to its farthest member
+    double freeInverseMass = 0;          // 1/kg while awake; 0 with a pinned particle
+    double freeInverseInertia = 0;       // 1/(kg m^2) while awake; 0 with two of them
+    std::uint32_t body = none;           // dense index
     std::uint8_t stirred = 1;            // somebody changed the velocities of its particles
     std::uint8_t watched = 0;            // has joints that may break
     std::shared_ptr<const Truss> truss;  // of a watched one, once it was needed; never archived
@@ -70,6 +71,16 @@ struct Cluster {
         a(watched);
     }
 };
+
+/// A particle with a radius that is a component by itself.
+inline bool isDisc(const Cluster& c) {
+    return c.last - c.first == 1;
+}
+
+/// Of a solid disc about its centre, kg m^2.
+inline double discInertia(double mass, double radius) {
+    return mass * radius * radius / 2;
+}
 
 /// A particle that two clusters share belongs to one of them and is the hinge of the other.
 struct Hinge {

@@ -48,6 +48,13 @@ std::uint32_t pinnedAmong(const State& state, const std::vector<std::uint32_t>& 
                       [&](std::uint32_t i) { return state.particles.pinned[i] != 0; }));
 }
 
+/// A particle with a radius, which is a component by itself where it is in no other: it turns. The
+/// particles of the paper do not.
+bool isDisc(const State& state, std::uint32_t particle) {
+    return state.particles.radius[particle] > 0 && !state.particles.pinned[particle] &&
+           state.settings.friction == Friction::coulomb;
+}
+
 /// What a cluster of these particles turns about, and how heavy it is.
 struct Measures {
     Point centre{0, 0}, massCentre{0, 0};  // m, in the world
@@ -68,6 +75,9 @@ Measures measure(const State& state, const std::vector<std::uint32_t>& particles
         if (p.pinned[i]) m.centre = p.position[i];
     for (const auto i : particles)
         m.inertia += static_cast<double>(p.mass[i]) * (p.position[i] - m.centre).squaredNorm();
+    if (particles.size() == 1)
+        m.inertia = discInertia(static_cast<double>(p.mass[particles[0]]),
+                                static_cast<double>(p.radius[particles[0]]));
     return m;
 }
 
@@ -133,17 +143,29 @@ private:
             state_.joints.inCluster[state_.jointSlots.dense(id)] = 0;
         if (body.kind != BodyKind::dynamic) return;
         const Framework frame(state_, index);
-        if (frame.bars.size() < 3) return;
-        if (std::any_of(frame.joints.begin(), frame.joints.end(),
-                        [&](std::uint32_t j) { return isStrained(state_, j); })) {
-            body.strained = true;
-            return;
+        std::vector<std::uint8_t> taken(frame.positions.size(), 0);
+        if (frame.bars.size() >= 3) {
+            body.strained = std::any_of(frame.joints.begin(), frame.joints.end(),
+                                        [&](std::uint32_t j) { return isStrained(state_, j); });
+            if (!body.strained)
+                addSets(index, frame, findRigidSets(frame.positions, frame.bars), taken);
         }
-        addSets(index, frame, findRigidSets(frame.positions, frame.bars));
+        for (std::uint32_t k = 0; k < taken.size(); ++k)
+            if (!taken[k] && isDisc(state_, frame.first + k)) addDisc(index, frame.first + k);
+    }
+
+    /// One that has been a disc before keeps how it turns.
+    void addDisc(std::uint32_t body, std::uint32_t particle) {
+        const auto old = state_.particles.cluster[particle];
+        if (!addCluster(body, {particle}, {}) || old == none) return;
+        const Cluster& before = state_.clusters.list[old];
+        if (!isDisc(before)) return;
+        next_.list.back().spin = before.spin;
+        next_.list.back().heading = before.heading;
     }
 
     void addSets(std::uint32_t body, const Framework& frame,
-                 const std::vector<std::uint32_t>& label) {
+                 const std::vector<std::uint32_t>& label, std::vector<std::uint8_t>& taken) {
         std::uint32_t sets = 0;
         for (const auto l : label)
             if (l != none) sets = std::max(sets, l + 1);
@@ -162,7 +184,9 @@ private:
                 std::sort(list->begin(), list->end());
                 list->erase(std::unique(list->begin(), list->end()), list->end());
             }
-            if (!addCluster(body, particles[set], shared[set])) continue;
+            if (particles[set].size() < 2 || !addCluster(body, particles[set], shared[set]))
+                continue;
+            for (const auto i : particles[set]) taken[i - frame.first] = 1;
             for (std::size_t i = 0; i < label.size(); ++i) {
                 if (label[i] != set) continue;
                 const auto j = frame.joints[i];
@@ -173,10 +197,9 @@ private:
         }
     }
 
-    /// False if too few particles are its own, or all in one place: then its joints are solved.
+    /// False if all of its particles are in one place: then its joints are solved.
     bool addCluster(std::uint32_t body, const std::vector<std::uint32_t>& particles,
                     const std::vector<std::uint32_t>& shared) {
-        if (particles.size() < 2) return false;
         const Measures m = measure(state_, particles);
         const auto pins = pinnedAmong(state_, particles);
         if (m.inertia <= 0) return false;

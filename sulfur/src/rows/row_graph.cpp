@@ -188,7 +188,7 @@ void RowGraph::rubManifold(Movers& movers, ManifoldBlock& block, std::uint32_t l
 void RowGraph::pressTouch(Movers& movers, TouchBlock& t, std::uint32_t l, Real normal,
                           Real tangent) {
     if (normal == 0 && tangent == 0) return;
-    const Real nx = t.normalX[l], ny = t.normalY[l], rod = t.rod[l] * tangent;
+    const Real nx = t.normalX[l], ny = t.normalY[l], rod = t.rod[l] * tangent + t.lean[l] * normal;
     const Real px = nx * normal - ny * tangent, py = ny * normal + nx * tangent;
     const Real rx = rod * t.sideX[l], ry = rod * t.sideY[l];
     SolverBody &p = movers.bodies[t.p[l]], &a = movers.bodies[t.a[l]], &b = movers.bodies[t.b[l]];

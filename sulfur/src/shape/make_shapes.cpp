@@ -373,6 +373,8 @@ private:
             side.radius = state_.particles.radius[i];
             newCorners_.front().radius = side.radius;
             newSides_.push_back(side);
+            // The way from its centre to where it touches turns with every step beside somebody.
+            movers_.fineness[newCorners_.front().mover] = side.radius / 100;
             const bool single =
                 state_.particles.cluster[i] != none || record().kind == BodyKind::fixed;
             finish(single ? ChunkKind::convex : ChunkKind::loose);

@@ -96,7 +96,6 @@ void runStages(State& state) {
     timed(state, Stage::breakage, breakJoints);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     tellContacts(state);
-    forgetAnswers(state);
     timed(state, Stage::sleep, updateSleep);
     state.idle = state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);
     state.nearby.valid = false;

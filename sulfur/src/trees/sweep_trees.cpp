@@ -26,7 +26,7 @@ constexpr double mostWhip = 0.2;
 constexpr int mostReleases = 4;
 /// Of a contact, as a share of the tree's own mobility: where a link points along the normal, both
 /// would otherwise be the same row.
-constexpr double softest = 1e-5;
+constexpr double softest = 1e-3;
 
 std::vector<std::uint32_t>& heldContacts() {
     thread_local std::vector<std::uint32_t> scratch;
@@ -235,26 +235,25 @@ private:
         auto& link = solver_.links[i];
         const TouchView t = viewOfTouch(state_, touch);
         if (t.pressing <= 0 && t.gap >= 0) return;
-        const Point n = t.normal.template cast<double>();
-        const double here = sideOf(t, node(i).particle),
-                     there = sideOf(t, node(node(i).parent).particle);
+        const Point here = directionOf(t, node(i).particle),
+                    there = directionOf(t, node(node(i).parent).particle);
         link.rows = 2;
-        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(Point(here * n), Point(0, 0));
-        link.rowThere[1] = link.columnThere[1] = rowAlong<N>(Point(there * n), Point(0, 0));
+        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(here, Point(0, 0));
+        link.rowThere[1] = link.columnThere[1] = rowAlong<N>(there, Point(0, 0));
         // What overlaps already is pushed apart elsewhere.
         link.value[1] =
             static_cast<double>(t.gap) - std::min(static_cast<double>(t.gapBefore), 0.0);
-        const double own = here * here * solver_.nodes[i].inverseMass[0] +
-                           there * there * solver_.nodes[link.parent].inverseMass[0];
+        const double own = here.squaredNorm() * solver_.nodes[i].inverseMass[0] +
+                           there.squaredNorm() * solver_.nodes[link.parent].inverseMass[0];
         const double other = static_cast<double>(t.inverseMass) - own;
         link.compliance[1] = touching_ * std::max(other, 0.0) + softest * own;
         held_.push_back(static_cast<std::uint32_t>(i));
     }
-    static double sideOf(const TouchView& t, std::uint32_t particle) {
-        double share = 0;
+    static Point directionOf(const TouchView& t, std::uint32_t particle) {
+        Point sum(0, 0);
         for (std::size_t k = 0; k < 3 && particle != none; ++k)
-            if (t.particles[k] == particle) share += static_cast<double>(t.shares[k]);
-        return share;
+            if (t.particles[k] == particle) sum += t.directions[k].cast<double>();
+        return sum;
     }
     double pressingAt(std::uint32_t at) const {
         return static_cast<double>(viewOfTouch(state_, at).pressing);

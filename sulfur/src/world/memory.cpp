@@ -147,14 +147,24 @@ MemoryUse ofBodies(const State& state) {
     return sum.as("bodies, and all handles", state.bodies.size(), false);
 }
 
+/// What a step needs only while it lasts.
+MemoryUse ofScratch(const State& state) {
+    const auto& c = state.core;
+    return Sum()
+        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.blows,
+             c.knocks, c.impulses, c.struck)
+        .addBytes(state.arena.bytes())
+        .as("scratch of a step", c.movers.size() - 1, true);
+}
+
 }  // namespace
 
 std::vector<MemoryUse> World::memory() const {
     const State& state = impl_->state;
     std::vector<MemoryUse> uses;
-    for (const auto use :
-         {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints, ofSweptJoints, ofWorkLists,
-          ofTriangles, ofClusters, ofTrees, ofMovers, ofShapes, ofPairs, ofRows, ofBodies})
+    for (const auto use : {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints,
+                           ofSweptJoints, ofWorkLists, ofTriangles, ofClusters, ofTrees, ofMovers,
+                           ofShapes, ofPairs, ofRows, ofBodies, ofScratch})
         uses.push_back(use(state));
     return uses;
 }

@@ -267,12 +267,20 @@ ParticleInfo World::info(ParticleId id) const {
     const State& state = impl_->state;
     const auto i = indexOf(state, id);
     const auto& p = state.particles;
+    double angle = 0, spin = 0;
+    if (p.cluster[i] != none && isDisc(state.clusters.list[p.cluster[i]])) {
+        const detail::Cluster& disc = state.clusters.list[p.cluster[i]];
+        angle = std::atan2(disc.heading[1], disc.heading[0]);
+        spin = disc.spin;
+    }
     return {state.bodies[p.body[i]].id,
             p.position[i],
             p.velocity[i].cast<Real>(),
             p.mass[i],
             p.radius[i],
-            p.pinned[i] != 0};
+            p.pinned[i] != 0,
+            angle,
+            spin};
 }
 
 JointInfo World::info(JointId id) const {
@@ -338,6 +346,8 @@ double World::energy() const {
                (v.squaredNorm() / 2 -
                 state.settings.gravity.cast<double>().dot(positionOfVelocity(state, i)));
     }
+    for (const detail::Cluster& c : state.clusters.list)
+        if (isDisc(c)) sum += c.spin * c.spin / (2 * c.freeInverseInertia);
     const auto& j = state.joints;
     for (std::size_t i = 0; i < j.size(); ++i) {
         if (j.stiffness[i] == infinite) continue;

@@ -16,10 +16,9 @@ constexpr std::uint64_t firstSeed = 1, lastSeed = 50;
 
 /// The laws that the library keeps in all of these seeds, and below those that it does not keep
 /// yet. A law moves up when it holds.
-const std::vector<Law> lawsThatHold{Law::finite, Law::valid, Law::restore};
-const std::vector<Law> lawsToSwitchOn{
-    Law::walls,  Law::speed,    Law::momentum, Law::angularMomentum,
-    Law::energy, Law::sleeping, Law::rest};
+const std::vector<Law> lawsThatHold{Law::finite,   Law::valid,    Law::restore,
+                                    Law::momentum, Law::sleeping, Law::rest};
+const std::vector<Law> lawsToSwitchOn{Law::walls, Law::speed, Law::angularMomentum, Law::energy};
 
 std::string textOf(const std::vector<Breach>& breaches) {
     std::string out;

@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 6773552566830579091u);
+    EXPECT_EQ(world.hash(), 12420544040306921613u);
 #else
-    EXPECT_EQ(world.hash(), 155800976045088446u);
+    EXPECT_EQ(world.hash(), 837708298833075304u);
 #endif
 }
 

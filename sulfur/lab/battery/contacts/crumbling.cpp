@@ -33,8 +33,13 @@ double belowFloor(const World& world, const std::vector<Body>& bodies, double ra
     return deepest;
 }
 
-/// At least `wanted` pieces.
-Rows hitWall(double strength, int wanted, const Setup& setup) {
+/// What becomes of a wall.
+struct Ruin {
+    int standing = 0, pieces = 0;
+    double below = 0, overlap = 0, fastest = 0;  // m, share of a radius, m/s
+};
+
+Ruin hitWall(double strength, double height, const Setup& setup) {
     constexpr double radius = 0.02, ballRadius = 0.3;  // m
     World world(still(setup, standardGravity));
     addFloor(world, 200);
@@ -45,38 +50,55 @@ Rows hitWall(double strength, int wanted, const Setup& setup) {
                             .strength = real(strength)}),
               {.position = Point(0, 1.5)});
     run(world, 1);
-    const auto standing = moving(world).size();
+    Ruin ruin;
+    ruin.standing = static_cast<int>(moving(world).size());
     const Body ball = world.add(shapes::ball({.radius = real(ballRadius), .mass = 50}),
-                                {.position = Point(-4, 1.5)});
+                                {.position = Point(-4, height)});
     world.setVelocity(ball, vec2(20, 3));
     run(world, setup.seconds(20, 10));
     std::vector<Body> bodies = moving(world);
-    const int pieces = static_cast<int>(bodies.size()) - 1;
+    ruin.pieces = static_cast<int>(bodies.size()) - 1;
     SpeedMeter meter(world, bodies);
-    double fastest = 0;
     for (int i = 0; i < setup.tickRate; ++i) {
         world.step();
-        fastest = worst(fastest, meter.add());
+        ruin.fastest = worst(ruin.fastest, meter.add());
     }
-    keepPicture(setup, fmt::format("crumbling-{:g}", strength), world);
-    const std::string name =
-        fmt::format("wall of strength {:g} N hit by a ball of 50 kg at 20 m/s: ", strength);
-    return {
-        atMost(name + "bodies before the hit beside the wall", static_cast<double>(standing) - 1,
-               0),
-        atMost(name + fmt::format("pieces missing to {}", wanted), std::max(0, wanted - pieces), 0),
-        reported(name + "pieces", pieces),
-        atMost(name + "deepest below the floor (m)", belowFloor(world, bodies, radius),
-               radius / 10),
-        fallsShort(name + "overlap at last (share of a radius)", deepestOverlap(world).share, 5, 0.1),
-        reported(name + "largest speed at last (m/s)", fastest)};
+    ruin.below = belowFloor(world, bodies, radius) / radius;
+    ruin.overlap = deepestOverlap(world).share;
+    keepPicture(setup, fmt::format("crumbling-{:g}-{:g}", strength, height), world);
+    return ruin;
+}
+
+/// At least `wanted` pieces of a wall, in the mean: where a wall breaks hangs on how it is hit.
+Rows hitWalls(double strength, int wanted, const Setup& setup) {
+    Ruin all;
+    int hits = 0;
+    for (const double height : {1.1, 1.3, 1.5, 1.7, 1.9}) {
+        const Ruin ruin = hitWall(strength, height, setup);
+        ++hits;
+        all.standing = std::max(all.standing, ruin.standing);
+        all.pieces += ruin.pieces;
+        all.below = worst(all.below, ruin.below);
+        all.overlap = worst(all.overlap, ruin.overlap);
+        all.fastest = worst(all.fastest, ruin.fastest);
+    }
+    const double pieces = static_cast<double>(all.pieces) / hits;
+    const std::string name = fmt::format(
+        "{} walls of strength {:g} N hit by a ball of 50 kg at 20 m/s: ", hits, strength);
+    return {atMost(name + "bodies before the hit beside the wall", all.standing - 1, 0),
+            atMost(name + fmt::format("pieces missing to {}, mean", wanted),
+                   std::max(0.0, wanted - pieces), 0),
+            reported(name + "pieces, mean", pieces),
+            atMost(name + "deepest below the floor (share of a radius)", all.below, 0.1),
+            atMost(name + "overlap at last (share of a radius)", all.overlap, 0.1),
+            reported(name + "largest speed at last (m/s)", all.fastest)};
 }
 
 }  // namespace
 
 Rows crumbling(const Setup& setup) {
     Rows rows;
-    for (Rows more : {hitWall(1500, 3, setup), hitWall(5000, 1, setup)})
+    for (Rows more : {hitWalls(1500, 3, setup), hitWalls(5000, 1, setup)})
         for (Row& row : more) rows.push_back(std::move(row));
     return rows;
 }

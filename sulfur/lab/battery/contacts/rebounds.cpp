@@ -16,6 +16,14 @@ namespace {
 constexpr double fall = 2, discRadius = 0.25;  // m
 constexpr std::size_t counted = 5;
 
+/// How high something rises, m: a low rebound lasts two or three ticks of 60 Hz. Symplectic Euler
+/// keeps this energy, and not that of the same velocity at the end of the step.
+double reach(const World& world, double height, double speed) {
+    const double step =
+        1 / (static_cast<double>(world.settings().tickRate) * world.statistics().substeps);
+    return height + speed * speed / (2 * standardGravity) - speed * step / 2;
+}
+
 /// The heights of the first rebounds of a disc, above its place on the floor, m.
 std::vector<double> heights(double restitution, const Setup& setup) {
     World world(still(setup, standardGravity));
@@ -33,7 +41,8 @@ std::vector<double> heights(double restitution, const Setup& setup) {
         if (height > before) {
             if (!rising) top = 0;
             rising = true;
-            top = std::max(top, height);
+            const double speed = static_cast<double>(world.velocity(disc.front()).y());
+            top = std::max(top, reach(world, height, speed));
         } else if (rising) {
             rising = false;
             // A rebound is not what a disc at rest trembles by.
@@ -58,7 +67,7 @@ Rows rebounds(const Setup& setup) {
                 fmt::format("disc dropped from {:g} m, restitution {:g}: height of rebound {} "
                             "(error, share)",
                             fall, e, n),
-                std::abs(found[n - 1] / expected - 1), 0.03));
+                std::abs(found[n - 1] / expected - 1), 3e-3));
         }
     }
     return rows;

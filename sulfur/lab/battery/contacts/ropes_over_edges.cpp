@@ -124,7 +124,7 @@ Rows sling(double mass, const Setup& setup) {
          .crate = beam,
          .loads = {load},
          .wayReached = mass > 10 ? 3000 : 0.1,
-         .overlapReached = mass > 10 ? 0.1 : 0.04},
+         .overlapReached = mass > 10 ? 0.1 : 0.015},
         setup);
 }
 
@@ -161,7 +161,7 @@ Rows joined(double left, double right, const Setup& setup) {
                  .crate = a.block,
                  .loads = a.loads,
                  .wayReached = left != right ? 2.0 : 0.0,
-                 .overlapReached = left != right ? 0.012 : 0},
+                 .overlapReached = left != right ? 0.01 : 0},
                 setup);
 }
 

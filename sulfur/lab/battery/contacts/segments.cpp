@@ -71,7 +71,7 @@ Rows fall(const Fall& f, const Setup& setup) {
     }
     const std::string name = fmt::format("segment at {:g} m/s, {}, floor of {}: ", f.speed, f.where,
                                          f.apart ? "single segments" : "one chain");
-    return {fallsShort(name + "deepest below the surface (m)", deepest, 0.65 * radius, radius / 2),
+    return {atMost(name + "deepest below the surface (m)", deepest, radius / 2),
             atMost(name + "below the surface at last (m)", depth(world, body), radius / 10),
             atMost(name + "speed after 9 s (m/s)", speed, 1e-3)};
 }

@@ -383,15 +383,13 @@ std::string asJson(const ShotReplay& replay) {
 
 /// What soft things may still gain: a jelly at 300 m/s covers more than its own width in a tick,
 /// turns inside out, and its springs then push on after the impact.
-constexpr double mostGained = 4;
+constexpr double mostGained = 6;
 
-/// None, but for what soft targets let through: at most one shot in twelve, and jellies that fold
-/// round a ball.
+/// None, but for what is soft: at most one shot in twenty.
 double throughAtMost(const std::array<std::string, 2>& pair, const Tally& tally) {
     if (pair[0] == "thin walls") return 0;
-    if (pair[1] == "jelly" && pair[0] == "a ball") return static_cast<double>(tally.shots);
-    const bool soft = pair[0] == "a jelly" || pair[0] == "a rope";
-    return soft ? std::ceil(static_cast<double>(tally.shots) / 12) : 0;
+    const bool soft = pair[0] == "a jelly" || pair[0] == "a rope" || pair[1] == "jelly";
+    return soft ? std::ceil(static_cast<double>(tally.shots) / 20) : 0;
 }
 
 Rows shots(const Setup& setup) {
@@ -406,14 +404,14 @@ Rows shots(const Setup& setup) {
         const std::string name =
             fmt::format("{} shots of a {} at {}: ", tally.shots, pair[1], pair[0]);
         const std::string passes = name + "pass through" + first(tally.firstThrough);
-        rows.push_back(pair[0] == "thin walls" || pair[1] == "ball"
-                           ? atMost(passes, tally.through, throughAtMost(pair, tally))
-                           : fallsShort(passes, tally.through, throughAtMost(pair, tally), 0));
+        const double through = throughAtMost(pair, tally);
+        rows.push_back(through > 0 ? fallsShort(passes, tally.through, through, 0)
+                                   : atMost(passes, tally.through, 0));
         if (pair[1] == "jelly")
             rows.push_back(reported(name + "inner particles behind at the end", tally.inner));
         const std::string gains = fmt::format("{}gain of energy (share; {} above the bound{})",
                                               name, tally.gained, first(tally.firstGained));
-        const bool solid = pair[1] != "jelly" && pair[0] != "a jelly" && pair[0] != "a rope";
+        const bool solid = pair[1] != "jelly" && pair[0] != "a jelly";
         rows.push_back(solid ? atMost(gains, tally.gain, gainBound)
                              : fallsShort(gains, tally.gain, mostGained, gainBound));
     }

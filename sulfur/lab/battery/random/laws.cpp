@@ -21,11 +21,6 @@ constexpr std::array<const char*, lawCount> names{
 constexpr int checkpoints = 8;
 constexpr double conserved = 1e-5, gained = 0.01, squeezed = 1.25, restingWay = 0.02;
 
-bool hasRubbingDisc(const Scene& scene) {
-    return std::any_of(scene.things.begin(), scene.things.end(),
-                       [](const Thing& t) { return t.kind == Kind::ball && t.friction > 0; });
-}
-
 /// A scene on trial.
 class Trial {
 public:
@@ -99,8 +94,7 @@ private:
 
     void check() {
         if (asks(Law::valid)) hold(Law::valid, staged_.world.validate().empty() ? 0 : 1, 0);
-        const bool angular = asks(Law::angularMomentum) && scene_.closed() && !lost_ &&
-                             !(scene_.contacts && hasRubbingDisc(scene_));
+        const bool angular = asks(Law::angularMomentum) && scene_.closed() && !lost_;
         const bool energy = asks(Law::energy) && scene_.undriven();
         if (!angular && !energy) return;
         const Momenta now = momentaOf(staged_.world, about_);

@@ -26,8 +26,8 @@ enum class Law : std::uint8_t {
     /// seen. Everything that moves counts there, so that rounding of the heavy may not be asked
     /// of the light.
     momentum,
-    /// Likewise for the sum of m r x v, about the centre at the start, over m |r| |v|. Not asked of
-    /// worlds with rubbing discs of one particle, whose spin nobody tells.
+    /// Likewise for the sum of m r x v and of the spin of discs, about the centre at the start, over
+    /// m |r| |v|.
     angularMomentum,
     /// Without a driver, kinetic, elastic and gravitational energy are together at most those of
     /// the

@@ -78,6 +78,10 @@ Momenta momentaOf(const World& world, const Point& about) {
             all.angular += m * cross(r, v);
             all.angularScale += m * r.norm() * v.norm();
             all.kinetic += m / 2 * v.squaredNorm();
+            const double radius = static_cast<double>(p.radius), inertia = m * radius * radius / 2;
+            all.angular += inertia * p.spin;
+            all.angularScale += inertia * std::abs(p.spin);
+            all.kinetic += inertia * p.spin * p.spin / 2;
             all.gravitational -= m * gravity.dot(p.position);
         });
         if (!isRigid(world, body)) continue;

@@ -101,15 +101,30 @@ void Staged::add(const Influence& influence) {
         world.add(WindField{.velocity = way.cast<Real>()});
 }
 
+std::vector<bool> Staged::whoGoes() const {
+    std::vector<bool> goes;
+    for (const Thing& thing : scene_.things)
+        goes.push_back(!thing.velocity.isZero() || thing.spin != 0);
+    for (bool more = true; more;) {
+        more = false;
+        for (const Tie& tie : scene_.ties) {
+            if (tie.kind == Tie::Kind::grab || goes[tie.a] == goes[tie.b]) continue;
+            goes[tie.a] = goes[tie.b] = more = true;
+        }
+    }
+    return goes;
+}
+
 void Staged::launch() {
     const auto asleep = [&] {
         const auto all = movers();
         return std::all_of(all.begin(), all.end(), [&](BodyId id) { return world.asleep(id); });
     };
     for (long i = std::lround(scene_.calm * scene_.rate); i > 0 && !asleep(); --i) world.step();
+    const std::vector<bool> goes = whoGoes();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Thing& thing = scene_.things[i];
-        if (thing.role == Role::driven || (thing.velocity.isZero() && thing.spin == 0)) continue;
+        if (thing.role == Role::driven || !goes[i]) continue;
         const Point centre = world.centreOfMass(bodies_[i]);
         for (const ParticleId id : bodies_[i].particles()) {
             const Vec r = world.position(id) - centre;

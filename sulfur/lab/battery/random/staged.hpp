@@ -31,6 +31,9 @@ public:
     World world;
 
 private:
+    /// What flies, and what is tied to it: a velocity that is set is that of the moment, others are
+    /// those of the middle of the step before, and momentum is that of one time.
+    std::vector<bool> whoGoes() const;
     void addRoom(double half);
     void add(const Thing& thing);
     void tie(const Tie& tie);
