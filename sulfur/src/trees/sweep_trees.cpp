@@ -96,6 +96,7 @@ public:
 
     void sweep() {
         held_.clear();
+        held_.reserve(count_);  // at once, so that a later step that presses more allocates nothing
         const auto first = state_.trees.contact.begin() + tree_.first;
         touching_ = static_cast<double>(
             std::count_if(first, first + static_cast<std::ptrdiff_t>(count_),
