@@ -12,6 +12,8 @@ function(sulfur_target target)
     -ffp-contract=off -fno-fast-math
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
     -Woverloaded-virtual -Wcast-align -Wunused -Wnull-dereference -Wdouble-promotion)
+  # With it, ccache keeps what is compiled with a precompiled header.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   if(SULFUR_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

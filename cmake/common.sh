@@ -78,6 +78,8 @@ configure_and_build() {
     [[ $# -eq 0 ]] || target_options=(--target "$@")
     if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache > /dev/null; then
         export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+        # Without these, what uses a precompiled header is never found in the cache.
+        export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
     fi
     mkdir -p "$root/build"
     log=$root/build/configure-$preset.log
