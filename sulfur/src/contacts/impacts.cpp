@@ -26,7 +26,7 @@ namespace {
 
 /// Slower impacts do not rebound, so that what lies comes to rest.
 constexpr Real slowestRebound = Real(0.1);  // m/s
-constexpr int mostRounds = 64, plasticSweeps = 8;
+constexpr int mostRounds = 64, plasticSweeps = 32;
 
 /// Whether a mover is all of its body and tied to no other: then what strikes it moves it alone.
 bool movesAlone(const State& state, std::uint32_t m) {
@@ -56,7 +56,7 @@ struct Meeting {
     std::array<Knock, 2> knock;             // what it is about, without impulses
     std::array<std::size_t, 2> side{1, 1};  // of each point: whose surface it is, of its bodies
     int points = 0;
-    Real restitution = 0, friction = 0;
+    Real restitution = 0, staticFriction = 0, kineticFriction = 0;
     std::uint32_t pair = none;
 };
 
@@ -140,7 +140,8 @@ private:
         Meeting m;
         m.pair = pair;
         m.restitution = core_.pairs[pair].restitution;
-        m.friction = block.kineticFriction[l];
+        m.staticFriction = block.staticFriction[l];
+        m.kineticFriction = block.kineticFriction[l];
         const auto strikeOf = [&](Real x, Real y, Real armA, Real armB) {
             Strike s;
             s.body = {block.b[l], block.a[l], 0};
@@ -174,7 +175,8 @@ private:
         m.pair = pair;
         m.points = 1;
         m.restitution = core_.pairs[pair].restitution;
-        m.friction = t.kineticFriction[l];
+        m.staticFriction = t.staticFriction[l];
+        m.kineticFriction = t.kineticFriction[l];
         const Vec2 n(t.normalX[l], t.normalY[l]), tangent(-n[1], n[0]);
         m.knock[0] = {particlesOf(core_.shapes, touch.corner, touch.side), n, 0, 0};
         const Vec2 side(t.sideX[l], t.sideY[l]), rod = t.rod[l] * side, lean = t.lean[l] * side;
@@ -278,7 +280,7 @@ private:
 
     /// Strikes if it closes. Returns whether it did.
     bool strike(const Meeting& m) {
-        std::array<Real, 2> closing{0, 0}, impulse{0, 0}, when{0, 0};
+        std::array<Real, 2> closing{0, 0}, when{0, 0};
         std::array<Strike, 2> normal = m.normal, tangent = m.tangent;
         bool any = false;
         for (int k = 0; k < m.points; ++k) {
@@ -295,27 +297,30 @@ private:
             closing[i] = motion(normal[i]) + normal[i].falls * (when[i] - Real(0.5));
         }
         if (!any) return false;
-        // The plastic impact of the points that close.
-        std::array<Real, 2> plastic{0, 0};
-        const Real coupling = m.points == 2 ? response(normal[0], normal[1]) : 0;
-        for (int sweep = 0; sweep < plasticSweeps; ++sweep)
-            for (int k = 0; k < m.points; ++k) {
-                const auto i = static_cast<std::size_t>(k);
-                if (!(normal[i].gap + closing[i] < 0)) continue;
-                const Real now = closing[i] + coupling * plastic[1 - i];
-                plastic[i] = std::max<Real>(-normal[i].mass * now, 0);
-            }
+        // Both points rub as one, from when the last of them strikes.
+        const auto closes = [&](std::size_t i) { return normal[i].gap + closing[i] < 0; };
+        const std::size_t last =
+            m.points == 2 && closes(1) && (!closes(0) || when[1] > when[0]) ? 1 : 0;
+        const Strike& rubs = tangent[last];
+        const Plastic plastic = plasticImpact(m, normal, closing, rubs, slideAt(rubs, when[last]));
+        std::array<Real, 2> impulse{0, 0};
         for (int k = 0; k < m.points; ++k) {
             const auto i = static_cast<std::size_t>(k);
-            impulse[i] = (1 + m.restitution) * plastic[i];
+            impulse[i] = (1 + m.restitution) * plastic.normal[i];
+            if (impulse[i] > 0) push(normal[i], impulse[i], when[i]);
+        }
+        const Real pressing = impulse[0] + impulse[1];
+        if (!(pressing > 0)) return true;
+        push(rubs, plastic.rubbing, when[last]);
+        const Real wanted = plastic.rubbing - rubs.mass * slideAt(rubs, when[last]);
+        const Real rubbing = rub(m, wanted, pressing);
+        push(rubs, rubbing - plastic.rubbing, when[last]);
+        for (int k = 0; k < m.points; ++k) {
+            const auto i = static_cast<std::size_t>(k);
             if (!(impulse[i] > 0)) continue;
-            push(normal[i], impulse[i], when[i]);
-            const Real most = m.friction * impulse[i];
-            const Real rubs = std::clamp(-tangent[i].mass * motion(tangent[i]), -most, most);
-            push(tangent[i], rubs, when[i]);
             core_.knocks.push_back(m.knock[i]);
             core_.knocks.back().pressing = impulse[i];
-            core_.knocks.back().rubbing = rubs;
+            core_.knocks.back().rubbing = rubbing * impulse[i] / pressing;
             core_.struck.push_back(m.pair);
             noteStruck(core_, core_.pairs[m.pair].encounter);
             core_.pairs[m.pair].blow += impulse[i] / h_;
@@ -323,6 +328,46 @@ private:
             approach = std::max(approach, -closing[i] / h_);
         }
         return true;
+    }
+
+    /// Impulses, kg m.
+    struct Plastic {
+        std::array<Real, 2> normal{0, 0};
+        Real rubbing = 0;
+    };
+
+    /// What stops the points that close, and their slide as far as Coulomb's law lets it. Two
+    /// points hold a face, which friction cannot turn; where one strikes alone, friction comes
+    /// after it.
+    Plastic plasticImpact(const Meeting& m, const std::array<Strike, 2>& normal,
+                          const std::array<Real, 2>& closing, const Strike& rubs,
+                          Real slide) const {
+        Plastic found;
+        const Real coupling = m.points == 2 ? response(normal[0], normal[1]) : 0;
+        std::array<Real, 2> turns{0, 0};
+        if (m.points == 2) turns = {response(normal[0], rubs), response(normal[1], rubs)};
+        for (int sweep = 0; sweep < plasticSweeps; ++sweep) {
+            for (int k = 0; k < m.points; ++k) {
+                const auto i = static_cast<std::size_t>(k);
+                if (!(normal[i].gap + closing[i] < 0)) continue;
+                const Real now =
+                    closing[i] + coupling * found.normal[1 - i] + turns[i] * found.rubbing;
+                found.normal[i] = std::max<Real>(-normal[i].mass * now, 0);
+            }
+            const Real now = slide + turns[0] * found.normal[0] + turns[1] * found.normal[1];
+            found.rubbing = rub(m, -rubs.mass * now, found.normal[0] + found.normal[1]);
+        }
+        return found;
+    }
+    /// Coulomb's law.
+    static Real rub(const Meeting& m, Real wanted, Real pressing) {
+        const bool sticks = std::abs(wanted) <= m.staticFriction * pressing;
+        const Real most = (sticks ? m.staticFriction : m.kineticFriction) * pressing;
+        return std::clamp(wanted, -most, most);
+    }
+    /// m, by which the surfaces slide in a step, at a moment within it.
+    Real slideAt(const Strike& tangent, Real when) const {
+        return motion(tangent) + tangent.falls * (when - Real(0.5));
     }
 
     /// What an impulse along one direction does along the other.

@@ -29,8 +29,8 @@ constexpr Real mostShare = Real(0.2);
 /// What is pushed apart faster does not rest.
 constexpr Real restingPush = Real(0.002);  // m/s
 
-/// m/s^2: what slips slower than this makes of a step is held by static friction.
-constexpr Real creepOfGravity = Real(0.1);
+/// What slips slower is held by static friction: noise of a tick does not let go of what rests.
+constexpr Real creepSpeed = Real(0.001);  // m/s
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     movers.reference[m] = at;
@@ -368,13 +368,12 @@ void refreshRows(State& state) {
     }
 }
 
-Real sweepRows(State& state, bool first, bool last) {
+Real sweepRows(State& state, SweepKind kind) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
     const Prediction* predictions = core.movers.predictions.data();
-    const SweepSettings settings{creepOfGravity * state.settings.gravity.norm() * state.h * state.h,
-                                 std::min(pushRate * state.h, mostShare), first, last};
+    const SweepSettings settings{creepSpeed * state.h, std::min(pushRate * state.h, mostShare), kind};
     Real change = 0;
     for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
         ManifoldList& manifolds = core.rows.manifolds[c];

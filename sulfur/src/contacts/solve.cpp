@@ -52,9 +52,9 @@ void sweepRigid(State& state) {
     sweepTrees(state);
 }
 
-Real sweepContacts(State& state, bool last) {
+Real sweepContacts(State& state, bool begins, bool last) {
     takeMotionAgain(state);
-    const Real change = sweepRows(state, true, last);
+    const Real change = sweepRows(state, {.begins = begins, .anew = true, .last = last});
     giveMotion(state);
     return change;
 }
@@ -72,16 +72,17 @@ void sweepUntilSettled(const State& state, int least, Sweep&& sweep) {
 
 /// Rows of contacts and nothing else.
 void sweepAlone(State& state) {
-    sweepUntilSettled(state, leastAlone,
-                      [&](bool first, bool last) { return sweepRows(state, first, last); });
+    sweepUntilSettled(state, leastAlone, [&](bool first, bool last) {
+        return sweepRows(state, {.begins = first, .anew = first, .last = last});
+    });
 }
 
 void sweepAll(State& state) {
     giveMotion(state);
-    sweepUntilSettled(state, state.settings.sweeps, [&](bool, bool last) {
+    sweepUntilSettled(state, state.settings.sweeps, [&](bool first, bool last) {
         solveImplicitJoints(state);
         solveAreas(state);
-        const Real change = sweepContacts(state, last);
+        const Real change = sweepContacts(state, first, last);
         sweepRigid(state);
         return change;
     });
@@ -93,7 +94,7 @@ void sweepAll(State& state) {
             if (i > 0 && strain > (1 - mended) * before) break;
             before = strain;
         }
-        sweepContacts(state, false);
+        sweepContacts(state, false, false);
         sweepRigid(state);
     }
 }

@@ -9,6 +9,7 @@ namespace sulfur::detail {
 
 struct State;
 struct ContactLoad;
+struct SweepKind;
 
 /// Shapes, pairs and lists follow bodies that were made, changed, fell asleep or woke.
 void updateShapes(State& state);
@@ -23,9 +24,8 @@ void endLeads(State& state);
 void lookAtPairs(State& state);
 /// Rows take up how their bodies have moved and turned.
 void refreshRows(State& state);
-/// All rows are swept. `first`: after predictions have changed; `last`: places too. Returns by how
-/// much that has changed the motion along any normal, m.
-Real sweepRows(State& state, bool first, bool last);
+/// All rows are swept. Returns by how much that has changed the motion along any normal, m.
+Real sweepRows(State& state, SweepKind kind);
 /// Impacts with restitution change the predicted motion; when the step ends, also places.
 void strikeRows(State& state);
 void endBlows(State& state);

@@ -75,6 +75,7 @@ struct alignas(sizeof(Lane)) ManifoldBlock {
     Lane coupling, inverse;
     Lane slip;     // m, by which the surfaces run along the tangent in this step
     Lane sliding;  // m, by which b slides along the tangent without rows
+    Lane early;    // m, of that what is over before they touch
     Lane rubbing;  // kg m, accumulated impulse
     ManifoldPoint points[2];
 };
@@ -117,7 +118,7 @@ struct alignas(sizeof(Lane)) TouchBlock {
     Lane gap;
     Lane normalMass, mobility, tangentMass;
     Lane slip;
-    Lane closing, room, sliding;
+    Lane closing, room, sliding, early;
     Lane pressing, rubbing;
 };
 
@@ -143,11 +144,18 @@ struct PoseView {
     const Prediction* predictions;
 };
 
+/// Which sweep of a step it is.
+struct SweepKind {
+    bool begins = false;  // the first of the step
+    bool anew = false;    // the first since motion was predicted
+    bool last = false;    // moves places, too
+};
+
 /// What sweeps have in common.
 struct SweepSettings {
     SweepReal creep;  // m, slower slips are held by static friction
     SweepReal share;  // of an overlap that goes in this step
-    bool first, last;
+    SweepKind kind;
 };
 
 struct RowKernels {

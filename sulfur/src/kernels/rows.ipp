@@ -107,14 +107,24 @@ inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
     for (int i = 0; i < 8; ++i) store(&bodies[at[i]].vx, g.of[i]);
 }
 
-/// Coulomb's law: what static friction can stop in this step sticks, and so does what hardly slips,
-/// up to what static friction gives; anything else is braked by the kinetic one.
-inline Vec friction(Vec wanted, Vec slip, Vec pressing, Vec staticCoefficient,
+/// Coulomb's law: what static friction brings to rest in this step, or to a creep, it holds with
+/// all that it has; anything else is braked by the kinetic one. `early`: the slide, m, that is not
+/// judged.
+inline Vec friction(Vec wanted, Vec early, Vec mass, Vec pressing, Vec staticCoefficient,
                     Vec kineticCoefficient, SweepReal creep) {
     const Vec hold = staticCoefficient * pressing, brake = kineticCoefficient * pressing;
-    const auto sticks = (magnitude(wanted) <= hold) | (magnitude(slip) <= creep);
+    const auto sticks = magnitude(wanted + mass * early) <= hold + creep * mass;
     const Vec most = sticks ? hold : brake;
     return clamped(wanted, -most, most);
+}
+
+/// The share of a step that is over when a gap has closed by itself, where nothing pressed in the
+/// step before. As much of the fall is left for the next step, and so it must be of the slide: what
+/// is put down does not slide because it still does at the end of the step.
+inline Vec shareBefore(Vec pressing, Vec gap, Vec closing) {
+    const Vec zero{}, one = zero + 1;
+    const Vec share = closing < zero ? smaller(gap / -closing, one) : one;
+    return pressing > zero ? zero : share;
 }
 
 // --- two bodies -------------------------------------------------------------------------------
@@ -140,19 +150,25 @@ inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, V
 }
 
 /// What the points of a block do in this step without rows.
-inline void predict(const Prediction* predictions, const Relative& x, ManifoldBlock& block) {
+inline void predict(const Prediction* predictions, const Relative& x, ManifoldBlock& block,
+                    bool begins) {
     Bodies a = gather(predictions, block.a), b = gather(predictions, block.b);
     const Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
-    store(block.sliding, along(v, load(block.tangentX), load(block.tangentY),
-                               load(block.tangentArmA), load(block.tangentArmB)) -
-                             load(block.slip));
+    Vec before = Vec{} + 1;
     for (ManifoldPoint& p : block.points) {
         const Vec nx = load(p.normalX), ny = load(p.normalY), armA = load(p.normalArmA),
                   armB = load(p.normalArmB);
         const Vec closing = along(v, nx, ny, armA, armB);
+        const Vec gap = larger(load(p.gap) + along(x, nx, ny, armA, armB), Vec{});
         store(p.closing, closing);
-        store(p.room, closing + larger(load(p.gap) + along(x, nx, ny, armA, armB), Vec{}));
+        store(p.room, closing + gap);
+        before = smaller(before, shareBefore(load(p.pressing), gap, closing));
     }
+    const Vec sliding = along(v, load(block.tangentX), load(block.tangentY),
+                              load(block.tangentArmA), load(block.tangentArmB)) -
+                        load(block.slip);
+    store(block.sliding, sliding);
+    if (begins) store(block.early, sliding * before);
 }
 
 inline void pushPoint(Relative& r, const ManifoldPoint& p, Vec impulse, Vec mass, const Bodies& a,
@@ -176,8 +192,9 @@ inline void solveFriction(Relative& v, ManifoldBlock& block, SweepReal creep, Ve
     const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
     const Vec before = load(block.rubbing);
     const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
-    const Vec after = friction(before - effective * speed, speed, pressing1 + pressing2,
-                               load(block.staticFriction), load(block.kineticFriction), creep);
+    const Vec after =
+        friction(before - effective * speed, load(block.early), effective, pressing1 + pressing2,
+                 load(block.staticFriction), load(block.kineticFriction), creep);
     const Vec more = after - before;
     store(block.rubbing, after);
     push(v, more, tx, ty, armA, armB, mass, a, b);
@@ -227,13 +244,13 @@ inline void solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodi
     change = larger(change, magnitude(after2 - before2) * k22);
 }
 
-template <bool first, bool places>
+template <bool anew, bool places>
 inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
                           const SweepSettings& settings, Vec& change) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     const Vec mass = a.mass() + b.mass();
     Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
-    if constexpr (first) predict(predictions, x, block);
+    if constexpr (anew) predict(predictions, x, block, settings.kind.begins);
     Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
     solveFriction(v, block, settings.creep, mass, a, b);
     solveNormals(v, block, mass, a, b, change);
@@ -265,22 +282,24 @@ inline SweepReal largest(const Vec& v) {
     return most;
 }
 
-template <bool first, bool places>
+template <bool anew, bool places>
 SweepReal sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
                     std::size_t count, const SweepSettings& settings) {
     Vec change{};
     for (std::size_t i = 0; i < count; ++i)
-        sweepManifold<first, places>(bodies, predictions, blocks[i], settings, change);
+        sweepManifold<anew, places>(bodies, predictions, blocks[i], settings, change);
     return largest(change);
 }
 
 SweepReal sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
                          std::size_t count, const SweepSettings& settings) {
-    if (settings.first)
-        return settings.last ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
-                             : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
-    return settings.last ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
-                         : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
+    if (settings.kind.anew)
+        return settings.kind.last
+                   ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
+                   : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
+    return settings.kind.last
+               ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
+               : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
 }
 
 /// A direction, or a rotation.
@@ -613,11 +632,11 @@ inline Jacobian tangentOf(const TouchBlock& t) {
             wb * tx + rx, wb * ty + ry, load(t.tangentArmB)};
 }
 
-template <bool first, bool places>
+template <bool anew, bool places>
 inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
                        const SweepSettings& settings, Vec& change) {
     const Jacobian tangent = tangentOf(t), normal = normalOf(t);
-    if constexpr (first) {
+    if constexpr (anew) {
         Bodies p = gather(predictions, t.p), a = gather(predictions, t.a),
                b = gather(predictions, t.b);
         store(t.sliding, along(tangent, p, a, b) - load(t.slip));
@@ -625,12 +644,17 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     }
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
     const Vec zero{};
-    if constexpr (first)
-        store(t.room, load(t.closing) + larger(load(t.gap) + placeAlong(normal, p, a, b), zero));
+    if constexpr (anew) {
+        const Vec gap = larger(load(t.gap) + placeAlong(normal, p, a, b), zero);
+        store(t.room, load(t.closing) + gap);
+        if (settings.kind.begins)
+            store(t.early, load(t.sliding) * shareBefore(load(t.pressing), gap, load(t.closing)));
+    }
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
     const Vec speed = along(tangent, p, a, b) + load(t.sliding);
-    const Vec rubbing = friction(rubbed - load(t.tangentMass) * speed, speed, pressed,
-                                 load(t.staticFriction), load(t.kineticFriction), settings.creep);
+    const Vec rubbing =
+        friction(rubbed - load(t.tangentMass) * speed, load(t.early), load(t.tangentMass), pressed,
+                 load(t.staticFriction), load(t.kineticFriction), settings.creep);
     store(t.rubbing, rubbing);
     push(tangent, rubbing - rubbed, p, a, b);
     const Vec closing = along(normal, p, a, b) + load(t.room);
@@ -647,22 +671,22 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     change = larger(change, magnitude(pressing - pressed) * load(t.mobility));
 }
 
-template <bool first, bool places>
+template <bool anew, bool places>
 SweepReal sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
                          std::size_t count, const SweepSettings& settings) {
     Vec change{};
     for (std::size_t i = 0; i < count; ++i)
-        sweepTouch<first, places>(bodies, predictions, blocks[i], settings, change);
+        sweepTouch<anew, places>(bodies, predictions, blocks[i], settings, change);
     return largest(change);
 }
 
 SweepReal sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
                        std::size_t count, const SweepSettings& settings) {
-    if (settings.first)
-        return settings.last
+    if (settings.kind.anew)
+        return settings.kind.last
                    ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
                    : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
-    return settings.last
+    return settings.kind.last
                ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
                : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
 }

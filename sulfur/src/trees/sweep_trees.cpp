@@ -426,6 +426,11 @@ void touchTrees(State& state) {
         const auto tree = state.core.awakeIsCluster[k] ? trees.ofCluster[i] : trees.ofParticle[i];
         if (tree != none) trees.touched[tree] = 1;
     }
+    for (const Lead& lead : state.core.leads) {
+        const BodyRecord& body = state.bodies[lead.body];
+        for (auto p = body.firstParticle; p < body.firstParticle + body.particles.size(); ++p)
+            touch(state, gripOf(state, p));
+    }
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             touch(state, gripOf(state, state.particleSlots.dense(grab.support[k])));

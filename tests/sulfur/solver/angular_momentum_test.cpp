@@ -108,7 +108,7 @@ TEST(AngularMomentum, DISABLED_FrictionKeepsIt) {
 /// Two wheels that turn alike at 1 rad/s meet at 1 m/s. Friction holds their rims together: each
 /// has w R of tangential speed, of which a solid disc of m R^2 / 2 gives a third to its centre and
 /// keeps a third of its spin. Rims are polygons, which leaves some percent.
-TEST(AngularMomentum, DISABLED_WheelsThatMeetRollOnEachOther) {
+TEST(AngularMomentum, WheelsThatMeetRollOnEachOther) {
     World world({.gravity = {0, 0}, .sleeping = false});
     const Blueprint wheel = shapes::wheel({.radius = Real(0.4), .segments = 48});
     const Body a = launch(world, wheel, {{-0.405, 0}, 0}, {Real(0.5), 0}, 1);

@@ -82,7 +82,7 @@ TEST(SleepingMomentum, DISABLED_ATrainOfSleepersTakesTheWholeBlow) {
 }
 
 /// A slick floor carries and takes nothing along x.
-TEST(SleepingMomentum, DISABLED_ASlickFloorTakesNothingOfABlow) {
+TEST(SleepingMomentum, ASlickFloorTakesNothingOfABlow) {
     for (const int rate : {60, 240, 500, 2000})
         for (const double gap : {0.0005, 0.002, 0.01})
             for (const int sleepers : {1, 2, 5}) {
@@ -94,7 +94,7 @@ TEST(SleepingMomentum, DISABLED_ASlickFloorTakesNothingOfABlow) {
 }
 
 /// Things of other kinds, struck at once by several.
-TEST(SleepingMomentum, DISABLED_SleepersOfAllKindsTakeTheWholeBlow) {
+TEST(SleepingMomentum, SleepersOfAllKindsTakeTheWholeBlow) {
     const std::vector<Blueprint> kinds{
         shapes::box({.size = {1, Real(0.5)}, .mass = 3}),
         shapes::ball({.radius = Real(0.5)}),

@@ -40,29 +40,52 @@ std::vector<Shot> shots() {
         {"1 t ball, crate of 1 g", ball(1000, 1), crate(0.001, 0.2), 150, 1.5, 0.1},
         {"20 kg ball, rope", ball(20, 0.2), shapes::rope({.from = {0, -1}, .to = {0, 1}}), 100, 0.5,
          0.1},
-        {"100 kg ball, sheet", ball(100, 0.25), shapes::cloth({.pinCorners = false}), 80, 1.5},
     };
 }
 
-TEST(SoftImpact, DISABLED_HeavyAndFastLosesNoMomentum) {
+Shot shotAtASheet() {
+    return {"100 kg ball, sheet", ball(100, 0.25), shapes::cloth({.pinCorners = false}), 80, 1.5};
+}
+
+/// Shoots, and expects that all momentum and no more than the energy is there afterwards.
+void expectNothingLost(const Shot& shot, int rate) {
+    World world({.gravity = {0, 0}, .tickRate = rate, .sleeping = false});
+    const Body target = world.add(shot.target);
+    const double y = world.centreOfMass(target).y() + shot.offset;
+    const Body projectile =
+        world.add(shot.projectile, {.position = {world.centreOfMass(target).x() - shot.reach, y}});
+    world.setVelocity(projectile, {shot.speed, 0});
+    const lab::Momenta before = lab::momentaOf(world, {0, 0});
+    double lost = 0;
+    for (int i = 0; i < rate / 5; ++i) {
+        world.step();
+        lost = std::max(lost, (lab::momentumOf(world).sum - before.linear.sum).norm());
+    }
+    const auto what = testing::Message() << shot.name << ", " << rate << " Hz";
+    EXPECT_LT(lost, 1e-5 * before.linear.scale) << what;
+    EXPECT_LT(lab::momentaOf(world, {0, 0}).energy, 1.01 * before.energy) << what;
+}
+
+TEST(SoftImpact, HeavyAndFastLosesNoMomentum) {
     for (const Shot& shot : shots())
-        for (const int rate : {60, 240, 500, 2000}) {
-            World world({.gravity = {0, 0}, .tickRate = rate, .sleeping = false});
-            const Body target = world.add(shot.target);
-            const double y = world.centreOfMass(target).y() + shot.offset;
-            const Body projectile = world.add(
-                shot.projectile, {.position = {world.centreOfMass(target).x() - shot.reach, y}});
-            world.setVelocity(projectile, {shot.speed, 0});
-            const lab::Momenta before = lab::momentaOf(world, {0, 0});
-            double lost = 0;
-            for (int i = 0; i < rate / 5; ++i) {
-                world.step();
-                lost = std::max(lost, (lab::momentumOf(world).sum - before.linear.sum).norm());
-            }
-            const auto what = testing::Message() << shot.name << ", " << rate << " Hz";
-            EXPECT_LT(lost, 1e-5 * before.linear.scale) << what;
-            EXPECT_LT(lab::momentaOf(world, {0, 0}).energy, 1.01 * before.energy) << what;
-        }
+        for (const int rate : {60, 240, 500, 2000}) expectNothingLost(shot, rate);
+}
+
+/// A ready-made blob that is struck a little higher or lower is led out of the crate by what it has
+/// come to lie in, and takes the crate's momentum with it.
+TEST(SoftImpact, WhatIsLedApartKeepsItsMomentum) {
+    for (int k = 0; k < 8; ++k)
+        expectNothingLost({"100 kg crate, default blob", crate(100, 0.5), shapes::blob(), 80, 1.1,
+                           0.1 + 0.01 * k},
+                          2000);
+}
+
+TEST(SoftImpact, ASheetGainsNothing) {
+    for (const int rate : {60, 240, 500}) expectNothingLost(shotAtASheet(), rate);
+}
+/// The sheet's springs, explicit at this rate, turn by a radian in a step.
+TEST(SoftImpact, DISABLED_ASheetGainsNothingAtHighRates) {
+    expectNothingLost(shotAtASheet(), 2000);
 }
 
 /// A central blow without rebound: both go on at m v / (m + n).
@@ -87,7 +110,7 @@ TEST(SoftImpact, ALightBallGoesAlongWithAHeavyOne) {
 }
 
 /// Nothing has to be held back where there is no wall: the light thing gives way.
-TEST(SoftImpact, DISABLED_NothingPassesThroughWhatIsSoft) {
+TEST(SoftImpact, NothingPassesThroughWhatIsSoft) {
     for (const int rate : {120, 500}) {
         World world({.gravity = {0, 0}, .tickRate = rate, .sleeping = false});
         const Body jelly = world.add(shapes::jelly());

@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 12420544040306921613u);
+    EXPECT_EQ(world.hash(), 3460692687247560426u);
 #else
-    EXPECT_EQ(world.hash(), 837708298833075304u);
+    EXPECT_EQ(world.hash(), 17258638117746765733u);
 #endif
 }
 
