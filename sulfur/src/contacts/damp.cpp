@@ -65,8 +65,8 @@ private:
     }
 
     void linkManifolds() {
-        for (const ManifoldList& list : core_.rows.manifolds)
-            for (const ManifoldBlock& r : list.blocks)
+        for (const auto c : core_.rows.inUse())
+            for (const ManifoldBlock& r : core_.rows.manifolds[c].blocks)
                 for (std::size_t l = 0; l < rowLanes; ++l) {
                     const Real one = r.points[0].pressing[l], other = r.points[1].pressing[l];
                     if (!(one > 0 && other > 0) || r.slip[l] != 0) continue;
@@ -88,7 +88,8 @@ private:
 
     /// Two corners of a body on sides that nothing pushes.
     void countTouches() {
-        for (const TouchList& list : core_.rows.touches)
+        for (const auto c : core_.rows.inUse()) {
+            const TouchList& list = core_.rows.touches[c];
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
                 const TouchBlock& t = list.blocks[k];
                 const TouchShape& shape = list.shapes[k];
@@ -113,6 +114,7 @@ private:
                     if (++count == 2) stand(m, on);
                 }
             }
+        }
     }
 
     Point placeOf(std::uint32_t m) const {
@@ -197,7 +199,7 @@ private:
 }  // namespace
 
 void dampSticking(State& state) {
-    if (stepNumber(state) % interval != 0) return;
+    if (stepNumber(state) % interval != 0 || state.core.rows.empty()) return;
     Damper(state).run();
 }
 

@@ -157,7 +157,8 @@ private:
 
     template <class Lists, class Kernel, class PairOf>
     void notePressing(Lists& lists, Kernel&& kernel, PairOf&& pairOf) {
-        for (auto& list : lists)
+        for (const auto c : core_.rows.inUse()) {
+            auto& list = lists[c];
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
                 const std::uint32_t now = kernel(list.blocks[k]);
                 for (auto set = now ^ list.pressing[k]; set != 0; set &= set - 1) {
@@ -168,6 +169,7 @@ private:
                 }
                 list.pressing[k] = static_cast<std::uint8_t>(now);
             }
+        }
     }
 
     void follow(Encounter& encounter) {

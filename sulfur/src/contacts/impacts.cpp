@@ -109,7 +109,7 @@ private:
                 }
             }
         };
-        for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {
+        for (const auto c : core_.rows.inUse()) {
             look(
                 core_.rows.manifolds[c], c, kernels.meetingManifolds,
                 [](const ManifoldShape& s, std::uint32_t lane) { return s.pair[lane]; },

@@ -101,14 +101,14 @@ void markMoved(ContactCore& core) {
             list.dirty[k / 64] |= any << k % 64;
         }
     };
-    for (auto& list : core.rows.manifolds)
-        markIn(list, [&](const ManifoldBlock& r, std::size_t l) {
+    for (const auto c : core.rows.inUse()) {
+        markIn(core.rows.manifolds[c], [&](const ManifoldBlock& r, std::size_t l) {
             return static_cast<std::uint64_t>(moved[r.a[l]] | moved[r.b[l]]);
         });
-    for (auto& list : core.rows.touches)
-        markIn(list, [&](const TouchBlock& r, std::size_t l) {
+        markIn(core.rows.touches[c], [&](const TouchBlock& r, std::size_t l) {
             return static_cast<std::uint64_t>(moved[r.p[l]] | moved[r.a[l]] | moved[r.b[l]]);
         });
+    }
 }
 
 /// Where and how a mover is, its masses, and how it moves in this step.
@@ -232,7 +232,7 @@ void addUpAllRows(State& state) {
         sums[mover].add(push, twist);
     };
     const auto addAll = [&](const auto& lists) {
-        for (std::uint32_t c = 0; c < RowGraph::colours; ++c)
+        for (const auto c : core.rows.inUse())
             for (std::size_t k = 0; k < lists[c].blocks.size(); ++k) {
                 const auto rows = RowGraph::rowsIn(lists[c], c, k);
                 for (std::uint32_t l = 0; l < std::min<std::uint32_t>(rows, rowLanes); ++l)
@@ -349,7 +349,7 @@ void refreshRows(State& state) {
     markMoved(core);
     for (int round = 0; round < 2; ++round) {
         core.again.clear();
-        for (std::uint32_t c = 0; c < RowGraph::colours; ++c) {
+        for (const auto c : core.rows.inUse()) {
             refresh(core.rows.manifolds[c], kernels.refreshManifolds,
                     [&](auto& list, std::size_t k, std::uint32_t lane) {
                         if (lane < RowGraph::rowsIn(list, c, k))
@@ -373,12 +373,16 @@ Real sweepRows(State& state, SweepKind kind) {
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
     const Prediction* predictions = core.movers.predictions.data();
-    const SweepSettings settings{creepSpeed * state.h, std::min(pushRate * state.h, mostShare), kind};
+    const SweepSettings settings{creepSpeed * state.h, std::min(pushRate * state.h, mostShare),
+                                 kind};
     Real change = 0;
-    for (std::uint32_t c = RowGraph::colours; c-- > 0;) {
+    // From the last colour, so that the first rows of each body, on which it rests, are solved
+    // last.
+    for (auto left = core.rows.inUse().bits(); left != 0;) {
+        const auto c = static_cast<std::uint32_t>(std::bit_width(left)) - 1;
+        left ^= std::uint64_t{1} << c;
         ManifoldList& manifolds = core.rows.manifolds[c];
         TouchList& touches = core.rows.touches[c];
-        if (manifolds.blocks.empty() && touches.blocks.empty()) continue;
         change =
             std::max(change, kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
                                                     manifolds.blocks.size(), settings));

@@ -40,9 +40,7 @@ bool sweepsOthers(const State& state) {
 void countRows(State& state) {
     Statistics& statistics = state.statistics;
     statistics.candidates = static_cast<std::uint32_t>(state.core.watches.size());
-    statistics.contacts = 0;
-    for (const ManifoldList& list : state.core.rows.manifolds) statistics.contacts += list.rows;
-    for (const TouchList& list : state.core.rows.touches) statistics.contacts += list.rows;
+    statistics.contacts = static_cast<std::uint32_t>(state.core.rows.size());
 }
 
 void sweepRigid(State& state) {

@@ -109,6 +109,7 @@ RowPlace RowGraph::addManifold(Movers& movers, std::uint32_t pair, std::uint32_t
     const auto colour = takeColour<2>(movers, {a, b});
     ManifoldList& list = manifolds[colour];
     const RowPlace place = append(list, colour, manifoldPlaces);
+    noteUse(colour);
     const auto lane = laneOf(place);
     list.blocks.back().a[lane] = a;
     list.blocks.back().b[lane] = b;
@@ -121,6 +122,7 @@ RowPlace RowGraph::addTouch(Movers& movers, std::uint32_t touch, std::uint32_t p
     const auto colour = takeColour<3>(movers, {p, a, b});
     TouchList& list = touches[colour];
     const RowPlace place = append(list, colour, touchPlaces);
+    noteUse(colour);
     const auto lane = laneOf(place);
     list.blocks.back().p[lane] = p;
     list.blocks.back().a[lane] = a;
@@ -139,6 +141,7 @@ std::uint32_t RowGraph::removeManifold(Movers& movers, RowPlace place) {
     giveColourBack<2>(movers, {block.a[lane], block.b[lane]}, place.colour);
     const auto moved = list.rows - 1;
     closeGap(list, place, manifoldPlaces);
+    noteUse(place.colour);
     return moved == place.index ? none : manifoldShape(place).pair[lane];
 }
 
@@ -150,6 +153,7 @@ std::uint32_t RowGraph::removeTouch(Movers& movers, RowPlace place) {
     giveColourBack<3>(movers, {block.p[lane], block.a[lane], block.b[lane]}, place.colour);
     const auto moved = list.rows - 1;
     closeGap(list, place, touchPlaces);
+    noteUse(place.colour);
     return moved == place.index ? none : touchShape(place).touch[lane];
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/set_bits.hpp"
 #include "kernels/rows.hpp"
 #include "shape/movers.hpp"
 
@@ -47,6 +48,10 @@ struct RowGraph {
 
     std::array<ManifoldList, colours> manifolds;
     std::array<TouchList, colours> touches;
+
+    /// Colours that have rows, from the lowest: most scenes have a few of them.
+    SetBits inUse() const { return SetBits(used); }
+    bool empty() const { return used == 0; }
 
     static std::uint32_t blockOf(RowPlace place) {
         return place.colour == overflow ? place.index : place.index / rowLanes;
@@ -104,8 +109,7 @@ struct RowGraph {
 
     std::size_t size() const {
         std::size_t sum = 0;
-        for (const auto& list : manifolds) sum += list.rows;
-        for (const auto& list : touches) sum += list.rows;
+        for (const auto c : inUse()) sum += manifolds[c].rows + touches[c].rows;
         return sum;
     }
     std::size_t bytes() const {
@@ -123,9 +127,17 @@ struct RowGraph {
     void archive(Archive& a) {
         for (auto& list : manifolds) list.archive(a);
         for (auto& list : touches) list.archive(a);
+        for (std::uint32_t c = 0; c < colours; ++c) noteUse(c);
     }
 
 private:
+    std::uint64_t used = 0;  // a bit for each colour that has rows
+
+    void noteUse(std::uint32_t colour) {
+        const std::uint64_t bit = std::uint64_t{1} << colour;
+        const bool hasRows = manifolds[colour].rows > 0 || touches[colour].rows > 0;
+        used = hasRows ? used | bit : used & ~bit;
+    }
     static void mark(std::vector<std::uint64_t>& dirty, std::uint32_t block) {
         dirty[block / 64] |= std::uint64_t{1} << block % 64;
     }
