@@ -144,8 +144,15 @@ bool isAwake(const State& state, std::uint32_t bodySlot) {
     return state.awake(state.bodySlots.denseOf(bodySlot));
 }
 
+/// Whether a pair is near enough to have rows and has none, as while it sleeps.
+bool lacksRows(const ContactCore& core, const Pair& pair) {
+    if (pair.firstTouch != none) return !core.touches[pair.firstTouch].row;
+    return isNear(pair) && !pair.row;
+}
+
 /// Pairs of sleepers and of what never moves are not watched. Only with somebody awake that rows
-/// can push they have rows; with what the caller may move they are watched without.
+/// can push they have rows; with what the caller may move they are watched without, and looked at
+/// as soon as the sleeper wakes.
 void watchAwake(State& state) {
     ContactCore& core = state.core;
     for (std::uint32_t k = 0; k < core.pairs.size(); ++k) {
@@ -159,7 +166,7 @@ void watchAwake(State& state) {
             hasRows |= state.bodies[state.bodySlots.denseOf(slot)].kind == BodyKind::dynamic;
         }
         if (pair.watch != none && !hasRows) keepRows(state, k);
-        if (isWatched && pair.watch == none)
+        if (isWatched && (pair.watch == none || (hasRows && lacksRows(core, pair))))
             watchPair(state, k, -1);
         else if (!isWatched && pair.watch != none)
             unwatchPair(state, k);

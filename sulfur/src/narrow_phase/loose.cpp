@@ -25,6 +25,10 @@ constexpr Real togetherWithin = Real(1.2);
 /// nothing slips through where two sides meet.
 constexpr Real beyondEnds = Real(1e-5);
 
+/// Where a corner has a row already, whose refresh tells when it leaves what it is before, another
+/// one may come so much too late, in the least thickness: that much a seam is felt.
+constexpr Real held = Real(0.1);
+
 struct Xy {
     Real x = 0, y = 0;
 };
@@ -115,6 +119,7 @@ public:
           result_(result) {
         origin_ = movers_.reference[shapes_.corners[a.firstCorner].mover];
         finest_ = a.fineness + b.fineness;
+        mayBar_ = a.body == b.body || !state.core.linked.empty();
     }
 
     void run() {
@@ -148,6 +153,12 @@ private:
                 w.wayY + motion.turn * arm.x};
     }
 
+    /// Between two bodies that nothing ties everything may touch.
+    bool bars(std::uint32_t corner, std::uint32_t sideA, std::uint32_t sideB, Real radius,
+              const Chunk& other) const {
+        return mayBar_ && isBarred(state_, corner, sideA, sideB, other.body, radius);
+    }
+
     // --- corners before sides ----------------------------------------------------------------
 
     void againstSides(const Chunk& own, const std::vector<CornerWay>& corners, const Chunk& other,
@@ -162,13 +173,11 @@ private:
         const Real radius = shapes_.corners[corner].radius;
         auto& before = result_.before;
         before.clear();
-        Real nearest = Real(1e30), depth = 0;
+        Real nearest = Real(1e30), depth = 0, entrance = Real(1e30);
         std::uint32_t nearestSide = none;
         for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
             const Side& side = shapes_.sides[s];
-            if (side.a == side.b ||
-                isBarred(state_, corner, side.a, side.b, other.body, side.radius))
-                continue;
+            if (side.a == side.b || bars(corner, side.a, side.b, side.radius, other)) continue;
             const CornerWay &a = ends[side.a - other.firstCorner],
                             &b = ends[side.b - other.firstCorner];
             const Xy along = at(b) - at(a), from = at(p) - at(a);
@@ -197,10 +206,12 @@ private:
             if (beside <= 0)
                 before.push_back({corner, s, height < 0 ? 1u : 0u, outward});
             else
-                enter(std::min(beside, besidesAt(p, a, b, 0)));
+                entrance = std::min(
+                    entrance, std::max(std::min(beside, besidesAt(p, a, b, 0)), far - thickness));
         }
         if (nearestSide == none) return;
         if (depth > radius) {
+            enter(entrance, false);
             // What is part of an outline is behind most of its sides, and not in it.
             if (movers_.body[shapes_.corners[corner].mover] != other.body)
                 leaveThroughNearest(corner, at(p), other);
@@ -213,6 +224,7 @@ private:
         for (const Nearness& n : before)
             if (behind ? n.side == nearestSide : n.end == 0)
                 result_.near.push_back({n.corner, n.side, 0, n.outward});
+        enter(entrance, !before.empty());
     }
 
     std::int32_t sideSoFar(std::uint32_t corner, std::uint32_t side) const {
@@ -238,9 +250,16 @@ private:
         const Real foot = dot(from, along) / length;
         return std::max(-foot, foot - length) - beyondEnds * length;
     }
-    /// Something that is near comes before a side or a corner after so many metres, counted from
-    /// where it is: nobody knows whether it goes as is predicted.
-    void enter(Real after) { entrance_ = std::min(entrance_, std::max<Real>(after, 0)); }
+    /// Something that is near comes before a side or a corner, and touches it, after so many metres
+    /// at the earliest, counted from where it is: nobody knows whether it goes as is predicted.
+    /// `isHeld`: it has a row, whose refresh tells when it leaves what it is before.
+    void enter(Real after, bool isHeld) {
+        entrance_ = std::min(entrance_, std::max(after, isHeld ? held * finest_ : Real(0)));
+    }
+    bool isHeld(std::uint32_t corner) const {
+        return std::any_of(result_.near.begin(), result_.near.end(),
+                           [&](const Nearness& n) { return n.corner == corner; });
+    }
 
     /// Deep in a body a corner counts before the nearest side of all its outline, if that is of
     /// this chunk.
@@ -319,8 +338,7 @@ private:
         const CornerWay& q = result_.cornersB[corner - b_.firstCorner];
         for (auto c = a_.firstCorner; c < a_.firstCorner + a_.corners; ++c) {
             if (!shapes_.corners[c].owned || (&a_ == &b_ && c >= corner)) continue;
-            if (isBarred(state_, c, corner, corner, b_.body, shapes_.corners[corner].radius))
-                continue;
+            if (bars(c, corner, corner, shapes_.corners[corner].radius, b_)) continue;
             const CornerWay& p = result_.cornersA[c - a_.firstCorner];
             const Real thickness = shapes_.corners[c].radius + shapes_.corners[corner].radius;
             const Xy from = at(p) - at(q), closing = way(p) - way(q);
@@ -336,8 +354,10 @@ private:
             const Real beside =
                 std::max(beforeSpokes(corner, qAt, pAt, moment), beforeSpokes(c, pAt, qAt, moment));
             if (beside > 0)
-                enter(std::min({beside, beforeSpokes(corner, at(q), at(p), 0),
-                                beforeSpokes(c, at(p), at(q), 0)}));
+                enter(std::max(std::min({beside, beforeSpokes(corner, at(q), at(p), 0),
+                                         beforeSpokes(c, at(p), at(q), 0)}),
+                               far - thickness),
+                      isHeld(c) || isHeld(corner));
             else
                 result_.near.push_back({c, side, end, 0});
         }
@@ -351,6 +371,7 @@ private:
     LooseLook& result_;
     Point origin_{0, 0};
     Real finest_ = 0;
+    bool mayBar_ = true;
     Real spare_ = 0;     // m, to what is farther than what counts
     Real entrance_ = 0;  // m, until something that is as near comes before a side or a corner
 };

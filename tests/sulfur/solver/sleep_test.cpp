@@ -384,6 +384,21 @@ TEST_F(Platform, TakesItsSleepersAlong) {
     }
 }
 
+TEST(SleepOnADriver, WhatWakesOnAKinematicCrateStaysOnIt) {
+    World world;
+    Blueprint plan = shapes::box({.size = {4, 1}});
+    plan.kind = BodyKind::kinematic;
+    const Body platform = world.add(plan, {.position = {0, 0}});
+    const Body box = world.add(crate(), {.position = {0.5, 1.05}});
+    ASSERT_TRUE(runUntilAsleep(world));
+    const Point before = world.centreOfMass(box);
+    world.setVelocity(platform, {Real(0.4), 0});
+    for (int i = 0; i < 1000; ++i) world.step();
+    const Point moved = world.centreOfMass(box) - before;
+    EXPECT_NEAR(moved[0], 0.8 - 0.4 * 0.4 / (2 * 0.5 * 9.81), 0.002);
+    EXPECT_NEAR(moved[1], 0, 1e-4);
+}
+
 TEST_F(Platform, WakesItsSleepersWhenItTurnsAboutItsEnd) {
     for (const double rate : {0.3, -0.3}) {
         world.restore(start);
