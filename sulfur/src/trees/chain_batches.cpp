@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/limits.hpp"
-#include "trees/point_chain.hpp"
 #include "trees/step_judgement.hpp"
 #include "world/state.hpp"
 
@@ -93,13 +92,9 @@ ChainRules rulesOf(const State& state) {
             .calmTurn = calmTurn};
 }
 
-struct alignas(chainAlignment) ChainScratch {
-    std::byte bytes[chainScratch];
-};
-
 class BatchStepper {
 public:
-    BatchStepper(State& state, std::vector<std::uint32_t>& left)
+    BatchStepper(State& state, std::pmr::vector<std::uint32_t>& left)
         : state_(state), left_(left), view_(viewOf(state)), rules_(rulesOf(state)) {}
 
     void run() {
@@ -122,7 +117,6 @@ private:
         batch.share = all.share.data() + lanes.indices;
         batch.firsts = lanes.firsts.data();
         batch.heldRoot = lanes.heldRoot;
-        if (scratch_.size() < lanes.nodes) scratch_.resize(lanes.nodes);
         // Those that need as many steps go together.
         for (std::uint32_t waiting = (1u << lanes.lanes) - 1; waiting != 0;) {
             batch.steps = tree(lanes, static_cast<std::size_t>(std::countr_zero(waiting))).steps;
@@ -142,7 +136,7 @@ private:
         ChainOutcome outcome{0, 0};
         const double step = rules_.tick / batch.steps;
         if ((batch.lanes & (batch.lanes - 1)) != 0 && batch.steps < mostSteps)
-            outcome = kernels_.step(view_, rules_, batch, scratch_.data());
+            outcome = kernels_.step(view_, rules_, batch, state_.work.chains.scratch.data());
         for (std::uint32_t k = 0; k < lanes.lanes; ++k) {
             if ((batch.lanes >> k & 1u) == 0) continue;
             if ((outcome.done >> k & 1u) == 0) {
@@ -157,17 +151,11 @@ private:
         }
     }
 
-    static std::vector<ChainScratch>& scratch() {
-        thread_local std::vector<ChainScratch> memory;
-        return memory;
-    }
-
     State& state_;
-    std::vector<std::uint32_t>& left_;
+    std::pmr::vector<std::uint32_t>& left_;
     const ChainKernels& kernels_ = chainKernels();
     const ChainView view_;
     const ChainRules rules_;
-    std::vector<ChainScratch>& scratch_ = scratch();
 };
 
 }  // namespace
@@ -182,10 +170,13 @@ void listChainBatches(State& state) {
     batches.share.clear();
     batches.others.clear();
     batches.others.reserve(state.work.lonelyTrees.size());
-    thread_local std::vector<std::uint32_t> chains;
-    chains.clear();
+    std::pmr::vector<std::uint32_t> chains(&state.arena);
+    chains.reserve(state.work.lonelyTrees.size());
     for (const auto tree : state.work.lonelyTrees)
-        (isChainOfRigidLinks(state, tree) ? chains : batches.others).push_back(tree);
+        if (isChainOfRigidLinks(state, tree))
+            chains.push_back(tree);
+        else
+            batches.others.push_back(tree);
     std::sort(chains.begin(), chains.end(), [&](std::uint32_t a, std::uint32_t b) {
         return std::pair(nodesOf(state, a), a) < std::pair(nodesOf(state, b), b);
     });
@@ -201,12 +192,14 @@ void listChainBatches(State& state) {
             batches.others.push_back(chains[first]);
         first += count;
     }
-    // What falls out of its lane goes by itself.
-    if (!chains.empty()) reserveForChains(nodesOf(state, chains.back()));
+    // The last ones are the longest. What falls out of its lane goes by itself.
+    if (!batches.list.empty() && batches.scratch.size() < batches.list.back().nodes)
+        batches.scratch.resize(batches.list.back().nodes);
+    if (!chains.empty()) state.trees.scratch.chain.reserve(nodesOf(state, chains.back()));
     std::sort(batches.others.begin(), batches.others.end());
 }
 
-void stepChainBatches(State& state, std::vector<std::uint32_t>& left) {
+void stepChainBatches(State& state, std::pmr::vector<std::uint32_t>& left) {
     if (state.work.chains.list.empty()) return;
     BatchStepper(state, left).run();
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "kernels/chain_lanes.hpp"
@@ -22,6 +24,11 @@ struct LanesOfChains {
     std::array<std::uint32_t, chainLanes> firsts{};  // of each lane, its node among all
 };
 
+/// Memory that a node of a batch needs while the batch is led through the tick.
+struct alignas(chainAlignment) LanesScratch {
+    std::byte bytes[chainScratch];
+};
+
 /// Derived from the trees that move alone and are awake.
 struct ChainBatches {
     std::vector<LanesOfChains> list;
@@ -30,6 +37,7 @@ struct ChainBatches {
     std::vector<double> inverseMass;    // 1/kg
     std::vector<double> rest, share;    // m and 1/m
     std::vector<std::uint32_t> others;  // trees that are in no batch
+    std::vector<LanesScratch> scratch;  // for each node of the longest batch
 };
 
 /// Finds the batches among WorkLists::lonelyTrees.
@@ -37,6 +45,6 @@ void listChainBatches(State& state);
 
 /// Leads the chains of all batches through the tick. Those that need more steps than they had
 /// before have not moved; their trees are added to `left`.
-void stepChainBatches(State& state, std::vector<std::uint32_t>& left);
+void stepChainBatches(State& state, std::pmr::vector<std::uint32_t>& left);
 
 }  // namespace sulfur::detail

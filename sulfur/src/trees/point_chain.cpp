@@ -19,8 +19,11 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Two numbers in one register, which every x86-64 has.
-using Pair [[gnu::vector_size(16)]] = double;
+using Pair = ChainScratch::Pair;
+using ChainNode = ChainScratch::Node;
+using ChainLink = ChainScratch::Link;
+using ChainSpring = ChainScratch::Spring;
+using ChainFactor = ChainScratch::Factor;
 
 inline double dot(Pair a, Pair b) {
     const Pair product = a * b;
@@ -35,73 +38,14 @@ inline Pair pairOf(const Point& p) {
     return Pair{p[0], p[1]};
 }
 
-/// A node in this tick.
-struct ChainNode {
-    Pair displacement{0, 0};  // m, of this step
-    Pair velocity{0, 0};      // m/s
-    Pair moved{0, 0};         // m, since the tick began
-    Pair acceleration{0, 0};  // m/s^2
-    Pair startVelocity{0, 0};
-    double inverseMass = 0;  // 1/kg
-};
-
-/// A link that leads to the node of the same number from the one before it.
-struct ChainLink {
-    Pair apart{0, 0};    // m, when the tick began
-    Pair now{0, 0};      // m, when the step began
-    Pair start{0, 0};    // unit vector, when the step began
-    Pair present{0, 0};  // gradient of the constraint
-    double value = 0;    // C, m
-    double lambda = 0, impulse = 0;
-    double target = 0, scale = 0;  // m and 1/m: length to reach and its inverse
-    double inverseLength = 0;      // when the step began
-    double masses = 0;             // 1/kg, of both ends together
-    double rest = 0, guess = 0;
-    double share = 0;  // shareOf(rest)
-};
-
-/// The part of an elastic link that is no force.
-struct ChainSpring {
-    double stiffness = 0, damping = 0;
-    double hk = 0, hb = 0, compliance = 0;
-    bool rigid = true;
-};
-
-/// Factors of the tridiagonal matrix; `towards` and `away` are seen from an end to the middle.
-struct ChainFactor {
-    double inverse = 0;  // of the pivot
-    double back = 0;     // what the eliminated neighbour, nearer to the end, adds
-    double ahead = 0;    // what the neighbour nearer to the middle contributes, over the pivot
-    double right = 0;    // right-hand side
-};
-
-struct Scratch {
-    std::vector<ChainNode> nodes;
-    std::vector<ChainLink> links;
-    std::vector<ChainSpring> springs;
-    std::vector<ChainFactor> factors;
-
-    void reserve(std::size_t count) {
-        if (nodes.size() >= count) return;
-        nodes.resize(count);
-        links.resize(count);
-        springs.resize(count);
-        factors.resize(count);
-    }
-};
-
-Scratch& scratch() {
-    thread_local Scratch memory;
-    return memory;
-}
-
 class ChainStepper {
 public:
-    ChainStepper(State& state, Tree& tree, Scratch& scratch)
+    ChainStepper(State& state, Tree& tree)
         : state_(state),
           tree_(tree),
           count_(tree.last - tree.first),
           tick_(static_cast<double>(state.h)) {
+        ChainScratch& scratch = state.trees.scratch.chain;
         scratch.reserve(count_);
         nodes_ = scratch.nodes.data();
         links_ = scratch.links.data();
@@ -490,11 +434,7 @@ private:
 }  // namespace
 
 bool stepChain(State& state, Tree& tree) {
-    return ChainStepper(state, tree, scratch()).run();
-}
-
-void reserveForChains(std::size_t nodes) {
-    scratch().reserve(nodes);
+    return ChainStepper(state, tree).run();
 }
 
 }  // namespace sulfur::detail

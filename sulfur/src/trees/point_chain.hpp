@@ -11,7 +11,4 @@ namespace sulfur::detail {
 /// are no longer finite. Tree::steps then says how many steps to begin with.
 bool stepChain(State& state, Tree& tree);
 
-/// Takes the memory for chains of as many nodes now, so that no tick has to.
-void reserveForChains(std::size_t nodes);
-
 }  // namespace sulfur::detail

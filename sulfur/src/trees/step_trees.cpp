@@ -24,60 +24,21 @@ namespace {
 
 constexpr int mostPasses = 6, mostFallbackPasses = 20;
 
-struct Motion {
-    Point place{0, 0};  // of the node's centre
-    Point velocity{0, 0};
-    double spin = 0;
-    double angle = 0;          // since the tick began
-    Point heading{1, 0};       // of that angle
-    Point displacement{0, 0};  // of this step
-    double turning = 0;
-};
-
-struct NodeData {
-    Motion start;
-    Point acceleration{0, 0};
-    double angular = 0;
-    double inverseMass = 0, inverseInertia = 0;
-    double mostSpin = 0;  // rad/s
-    double pull = 0;      // kg, sum of the tensions over lengths, times h^2
-};
-
-struct LinkData {
-    Point armHere{0, 0}, armThere{0, 0};  // when the tick began
-    Elastic elastic;                      // of one step
-    double stiffness = 0, damping = 0;
-    double rest = 0;
-    Point direction{0, 0};  // when the step began
-    Span start;
-    double length = 0;                    // when the step began
-    std::array<double, 2> left{0, 0};     // of the error, what this step need not close
-    std::array<double, 2> lambda{0, 0};   // of this step
-    std::array<double, 2> impulse{0, 0};  // sum of lambda / step, kg m/s
-    double guess = 0;                     // N, tension that was seen last
-    bool inert = false;
-};
-
-/// Scratch memory, kept from tree to tree.
-template <int N>
-struct Workshop {
-    Elimination<N> elimination;
-    std::vector<NodeData> nodes;
-    std::vector<Motion> motion, before;
-    std::vector<LinkData> links;
-};
+using Motion = StepScratch::Motion;
+using NodeData = StepScratch::Node;
+using LinkData = StepScratch::Link;
 
 template <int N>
 class TreeStepper {
 public:
-    TreeStepper(State& state, Tree& tree, Workshop<N>& shop)
+    TreeStepper(State& state, Tree& tree)
         : state_(state),
           tree_(tree),
-          solver_(shop.elimination),
-          nodes_(shop.nodes),
-          motion_(shop.motion),
-          before_(shop.before),
-          links_(shop.links),
+          solver_(state.trees.scratch.elimination<N>()),
+          nodes_(state.trees.scratch.step.nodes),
+          motion_(state.trees.scratch.step.motion),
+          before_(state.trees.scratch.step.before),
+          links_(state.trees.scratch.step.links),
           count_(tree.last - tree.first) {}
 
     void run() {
@@ -458,13 +419,11 @@ private:
 };
 
 void stepTree(State& state, Tree& tree) {
-    thread_local Workshop<2> points;
-    thread_local Workshop<3> bodies;
     if (tree.chain && stepChain(state, tree)) return;
     if (tree.points)
-        TreeStepper<2>(state, tree, points).run();
+        TreeStepper<2>(state, tree).run();
     else
-        TreeStepper<3>(state, tree, bodies).run();
+        TreeStepper<3>(state, tree).run();
     for (auto k = tree.first; k < tree.last; ++k)
         if (const auto p = state.trees.nodes[k].particle; p != none)
             state.particles.force[p] = Point(0, 0);
@@ -474,13 +433,12 @@ void stepTree(State& state, Tree& tree) {
 
 void stepTrees(State& state) {
     if (state.work.lonelyTrees.empty()) return;
-    thread_local std::vector<std::uint32_t> left;
-    left.clear();
+    std::pmr::vector<std::uint32_t> left(&state.arena);
     left.reserve(state.work.lonelyTrees.size());
     state.trees.predicted.resize(state.trees.nodes.size());
     stepChainBatches(state, left);
-    for (const auto* list : {&left, &state.work.chains.others})
-        for (const auto i : *list) stepTree(state, state.trees.list[i]);
+    for (const auto i : left) stepTree(state, state.trees.list[i]);
+    for (const auto i : state.work.chains.others) stepTree(state, state.trees.list[i]);
 }
 
 }  // namespace sulfur::detail

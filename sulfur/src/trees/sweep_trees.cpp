@@ -28,11 +28,6 @@ constexpr int mostReleases = 4;
 /// would otherwise be the same row.
 constexpr double softest = 1e-3;
 
-std::vector<std::uint32_t>& heldContacts() {
-    thread_local std::vector<std::uint32_t> scratch;
-    return scratch;
-}
-
 /// What impacts have given to a node.
 struct Blown {
     Point way{0, 0};  // m
@@ -42,10 +37,10 @@ struct Blown {
 template <int N>
 class TreeSweeper {
 public:
-    TreeSweeper(State& state, std::uint32_t tree, Elimination<N>& solver)
+    TreeSweeper(State& state, std::uint32_t tree)
         : state_(state),
           tree_(state.trees.list[tree]),
-          solver_(solver),
+          solver_(state.trees.scratch.elimination<N>()),
           count_(tree_.last - tree_.first) {
         solver_.resize(count_);
         for (std::size_t i = 0; i < count_; ++i) loadMasses(i);
@@ -332,18 +327,16 @@ private:
     std::size_t count_;
     double touching_ = 0;   // contacts of the tree
     double lengthNow_ = 0;  // of the link that was updated last; negative when its ends have passed
-    std::vector<std::uint32_t>& held_ = heldContacts();
+    std::vector<std::uint32_t>& held_ = state_.trees.scratch.held;
 };
 
 template <class Function>
 void withSweeper(State& state, std::uint32_t tree, Function&& f) {
-    thread_local Elimination<2> points;
-    thread_local Elimination<3> bodies;
     if (state.trees.list[tree].points) {
-        TreeSweeper<2> sweeper(state, tree, points);
+        TreeSweeper<2> sweeper(state, tree);
         f(sweeper);
     } else {
-        TreeSweeper<3> sweeper(state, tree, bodies);
+        TreeSweeper<3> sweeper(state, tree);
         f(sweeper);
     }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/slots.hpp"
+#include "trees/tree_scratch.hpp"
 
 namespace sulfur::detail {
 
@@ -94,6 +95,7 @@ struct Trees {
     /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
     std::vector<std::uint32_t> contact;
     std::vector<std::uint32_t> nodeOfParticle;
+    TreeScratch scratch;
 
     template <class Archive>
     void archive(Archive& a) {

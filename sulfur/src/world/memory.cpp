@@ -150,9 +150,13 @@ MemoryUse ofBodies(const State& state) {
 /// What a step needs only while it lasts.
 MemoryUse ofScratch(const State& state) {
     const auto& c = state.core;
+    const auto& t = state.trees.scratch;
     return Sum()
         .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.blows,
              c.knocks, c.impulses, c.struck)
+        .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
+             t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
+             t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
         .addBytes(state.arena.bytes())
         .as("scratch of a step", c.movers.size() - 1, true);
 }
