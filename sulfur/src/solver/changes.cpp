@@ -67,15 +67,14 @@ void listTrees(State& state) {
 }
 
 /// Pins of ropes and pendulums: the trees forget their forces, so that nothing is left to predict.
-const std::vector<std::uint8_t>& heldByTrees(const State& state) {
-    thread_local std::vector<std::uint8_t> held;
-    held.assign(state.particles.size(), 0);
+std::pmr::vector<bool> heldByTrees(State& state) {
+    std::pmr::vector<bool> held(state.particles.size(), false, &state.arena);
     for (const auto t : state.work.lonelyTrees) {
         const Tree& tree = state.trees.list[t];
         for (auto k = tree.first; k < tree.last; ++k)
             if (const auto p = state.trees.nodes[k].particle;
                 p != none && state.particles.inverseMass[p] == 0)
-                held[p] = 1;
+                held[p] = true;
     }
     return held;
 }
@@ -104,7 +103,7 @@ void clearAwake(const State& state, WorkLists& work) {
 void listAwakeParticles(State& state, const Counts& before) {
     WorkLists& work = state.work;
     if (before.bodies == 0) clearAwake(state, work);
-    const auto* held = before.bodies == 0 ? &heldByTrees(state) : nullptr;
+    const auto held = before.bodies == 0 ? heldByTrees(state) : std::pmr::vector<bool>();
     for (std::uint32_t b = before.bodies; b < state.bodies.size(); ++b) {
         const BodyRecord& body = state.bodies[b];
         if (body.asleep) ++work.sleepers;
@@ -120,7 +119,7 @@ void listAwakeParticles(State& state, const Counts& before) {
             if (state.particles.cluster[i] != none) continue;
             append(work.points, i);
             if (state.trees.ofParticle[i] != none) continue;
-            if (held && (*held)[i] != 0 && body.kind == BodyKind::dynamic)
+            if (!held.empty() && held[i] && body.kind == BodyKind::dynamic)
                 work.heldNodes.push_back(i);
             else
                 append(work.free, i);

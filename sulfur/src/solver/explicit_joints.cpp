@@ -15,15 +15,15 @@ constexpr std::uint32_t fewest = 4;
 
 /// One more than that of any joint before it that shares a particle with it. Returns the highest.
 std::uint32_t findLevels(const State& state, const std::vector<std::uint32_t>& list,
-                         std::vector<std::uint32_t>& levelOfJoint) {
-    thread_local std::vector<std::uint32_t> levelOfParticle;
-    levelOfParticle.assign(state.particles.size(), 0);
-    levelOfJoint.resize(state.joints.size());
+                         ExplicitJoints& all) {
+    if (list.empty()) return 0;
+    all.levelOfParticle.assign(state.particles.size(), 0);
+    all.levelOfJoint.resize(state.joints.size());
     std::uint32_t highest = 0;
     for (const auto j : list) {
-        auto& a = levelOfParticle[state.joints.a[j]];
-        auto& b = levelOfParticle[state.joints.b[j]];
-        levelOfJoint[j] = a = b = std::max(a, b) + 1;
+        auto& a = all.levelOfParticle[state.joints.a[j]];
+        auto& b = all.levelOfParticle[state.joints.b[j]];
+        all.levelOfJoint[j] = a = b = std::max(a, b) + 1;
         highest = std::max(highest, a);
     }
     return highest;
@@ -60,11 +60,12 @@ void fill(const State& state, const std::vector<std::uint32_t>& list, ExplicitJo
 }  // namespace
 
 void batchExplicitJoints(State& state) {
-    thread_local std::vector<std::uint32_t> level, scratch, start;
     auto& list = state.work.explicitJoints;
     ExplicitJoints& all = state.work.explicitBatches;
-    const std::uint32_t highest = findLevels(state, list, level);
-    countingSort(list, scratch, start, highest + 1, [&](std::uint32_t j) { return level[j]; });
+    const std::uint32_t highest = findLevels(state, list, all);
+    const auto& level = all.levelOfJoint;
+    countingSort(list, all.sorted, all.levelStart, highest + 1,
+                 [&](std::uint32_t j) { return level[j]; });
     all.batches.clear();
     all.byBodies = true;
     std::size_t places = 0;

@@ -25,6 +25,8 @@ struct ExplicitJoints {
     bool byBodies = false;  // each in one body, and those of a batch in the order of the bodies
     std::vector<std::uint32_t> joint, a, b;
     std::vector<Real> rest, stiffness, damping;
+    // Scratch of batchExplicitJoints().
+    std::vector<std::uint32_t> levelOfParticle, levelOfJoint, sorted, levelStart;
 };
 
 /// Orders the list of explicit joints so that joints that share a particle stay in their order, and

@@ -22,13 +22,11 @@ bool isFree(const State& state, std::uint32_t j) {
 class Parts {
 public:
     /// Into one part where joints hold clusters or bodies to each other.
-    Parts(const State& state, const std::vector<std::uint32_t>& list) : state_(state) {
+    Parts(State& state, const std::vector<std::uint32_t>& list) : state_(state) {
         constexpr std::size_t leastJoints = 512;  // in a part; less is not worth the lanes
         const auto parts = std::min<std::size_t>(most, list.size() / leastJoints);
         if (parts < 2) return;
-        thread_local std::vector<std::uint32_t> scratch;
-        std::vector<std::uint32_t>& joints = scratch;  // by bodies
-        joints.assign(state.bodies.size(), 0);
+        std::pmr::vector<std::uint32_t> joints(state.bodies.size(), 0, &state.arena);  // by bodies
         for (const auto j : list) ++joints[state.particles.body[state.joints.a[j]]];
         std::size_t before = 0;
         for (std::size_t body = 0; body < joints.size() && count_ < parts; ++body) {
@@ -87,7 +85,7 @@ void fillLanes(const State& state, const std::vector<std::uint32_t>& list, std::
 
 }  // namespace
 
-void batchJoints(const State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
+void batchJoints(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
     swept.batches.clear();
     const Parts parts(state, list);
     swept.parts = parts.count();

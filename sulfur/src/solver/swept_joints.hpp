@@ -47,6 +47,6 @@ struct SweptJoints {
 };
 
 /// Divides a list, which stands in the order of its joints' colours, into batches.
-void batchJoints(const State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept);
+void batchJoints(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept);
 
 }  // namespace sulfur::detail

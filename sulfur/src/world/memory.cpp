@@ -151,12 +151,14 @@ MemoryUse ofBodies(const State& state) {
 MemoryUse ofScratch(const State& state) {
     const auto& c = state.core;
     const auto& t = state.trees.scratch;
+    const auto& e = state.work.explicitBatches;
     return Sum()
         .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.blows,
              c.knocks, c.impulses, c.struck)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
+        .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
         .addBytes(state.arena.bytes())
         .as("scratch of a step", c.movers.size() - 1, true);
 }
