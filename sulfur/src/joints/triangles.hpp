@@ -47,6 +47,10 @@ struct PressedTriangle {
     Real least = 0;                   // m^2, twice the area that it keeps in this tick
     Real response = 0;                // m^2/kg, to pushes along the slopes
     Real lambda = 0;                  // kg, what it pushes with
+    /// When the tick ends it is led back: m^2, of twice its area, that are wanted of that. Slopes,
+    /// response and lambda are then those of that.
+    bool led = false;
+    Real rise = 0;
 };
 
 /// Derived from joints and rigid components, and never archived.

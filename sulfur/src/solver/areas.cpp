@@ -133,41 +133,32 @@ void solveArea(State& state, PressedTriangle& t) {
     turned ? widen(now, best) : widen(t.slopes, along);
 }
 
-/// What is led back, with the slopes to which the tick leads.
-struct Recovery {
-    const PressedTriangle* triangle;
-    Slopes slopes;
-    Real rise;      // m^2, of twice the area, that is wanted in this tick
-    Real response;  // 1/kg m^2
-    Real lambda = 0;
-};
-
-/// Adds what is to be led back of a triangle, if anything is.
-void addRecovery(const State& state, const PressedTriangle& t, std::vector<Recovery>& list) {
+/// Finds out whether a triangle is to be led back, along the slopes to which the tick leads.
+void startRecovery(const State& state, PressedTriangle& t) {
     const auto [toB, toC] = sidesOf(state, t);
     const Real lacks = recoveredShare * t.rest - cross(toB, toC);
     // (Less is rounding, and what sweeps leave.)
     if (!(lacks > Real(0.01) * t.rest)) return;
-    Recovery recovery{&t, slopesOf(toB, toC), 0, 0};
-    recovery.response = response(state, t, recovery.slopes, recovery.slopes);
-    if (!(recovery.response > 0)) return;
+    t.slopes = slopesOf(toB, toC);
+    t.response = response(state, t, t.slopes, t.slopes);
+    if (!(t.response > 0)) return;
     const Real most = recoverySpeed * state.h * std::sqrt(t.rest);
-    recovery.rise = std::min(lacks * recoveryShare, most);
-    list.push_back(recovery);
+    t.rise = std::min(lacks * recoveryShare, most);
+    t.lambda = 0;
+    t.led = true;
 }
 
 template <bool held>
-void recover(State& state, Recovery& r) {
-    const PressedTriangle& t = *r.triangle;
+void recover(State& state, PressedTriangle& t) {
     auto& shifts = state.particles.shift;
     Real risen = 0;
     for (std::size_t i = 0; i < 3; ++i)
         risen +=
-            r.slopes[i].dot(held ? shiftOf(state, t.corners[i]) : shifts[t.corners[i].particle]);
-    const Real before = r.lambda;
-    r.lambda = std::max<Real>(before + (r.rise - risen) / r.response, 0);
+            t.slopes[i].dot(held ? shiftOf(state, t.corners[i]) : shifts[t.corners[i].particle]);
+    const Real before = t.lambda;
+    t.lambda = std::max<Real>(before + (t.rise - risen) / t.response, 0);
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec2 impulse = (r.lambda - before) * r.slopes[i];
+        const Vec2 impulse = (t.lambda - before) * t.slopes[i];
         if (held)
             shift(state, t.corners[i], impulse);
         else
@@ -251,36 +242,40 @@ void noteFlat(State& state, Real share, std::size_t firstBlock, std::size_t last
     }
 }
 
+/// A triangle that is pressed anew.
+struct Found {
+    std::uint32_t triangle = 0, turn = 0;  // among those of its body
+};
+using FoundTriangles = std::pmr::vector<Found>;
+
 /// Orders triangles, which come body by body, so that the first of each body come first, then the
 /// second ones, and so on: those of one body keep their order and wait for each other, those of
 /// several do not.
-void interleave(const State& state, std::vector<std::uint32_t>& triangles) {
-    thread_local std::vector<std::uint32_t> rank, scratch, start;
-    const AwakeTriangles& awake = state.triangles.awake;
-    rank.resize(awake.count);
+void interleave(State& state, FoundTriangles& triangles) {
     std::uint32_t body = none, next = 0, most = 0;
-    for (const auto i : triangles) {
-        const auto owner = state.particles.body[awake[i].a];
+    for (Found& found : triangles) {
+        const auto owner = state.particles.body[state.triangles.awake[found.triangle].a];
         next = owner == std::exchange(body, owner) ? next + 1 : 0;
         most = std::max(most, next);
-        rank[i] = next;
+        found.turn = next;
     }
-    countingSort(triangles, scratch, start, most + 1, [&](std::uint32_t i) { return rank[i]; });
+    FoundTriangles scratch(&state.arena);
+    std::pmr::vector<std::uint32_t> start(&state.arena);
+    countingSort(triangles, scratch, start, most + 1, [](const Found& f) { return f.turn; });
 }
 
 /// Finds the triangles that are pressed anew where the displacements so far lead to less than a
 /// share of their area.
-const std::vector<std::uint32_t>& findPressed(State& state, Real share) {
-    thread_local std::vector<std::uint32_t> found;
+FoundTriangles findPressed(State& state, Real share) {
+    FoundTriangles found(&state.arena);
     AwakeTriangles& awake = state.triangles.awake;
-    found.clear();
     inPieces(state.tasks, awake.blocks(), seenInMicrosecond,
              [&](std::size_t first, std::size_t last) { noteFlat(state, share, first, last); });
     for (std::size_t block = 0; block < awake.blocks(); ++block) {
         std::uint32_t fresh = awake.flat[block] & ~awake.pressed[block];
         for (; fresh != 0; fresh &= fresh - 1) {
             const auto i = block * sweepLanes + static_cast<std::size_t>(std::countr_zero(fresh));
-            if (i < awake.count) found.push_back(static_cast<std::uint32_t>(i));
+            if (i < awake.count) found.push_back({static_cast<std::uint32_t>(i)});
         }
         awake.pressed[block] |= awake.flat[block];
     }
@@ -293,14 +288,14 @@ const std::vector<std::uint32_t>& findPressed(State& state, Real share) {
 void pressBelow(State& state, Real share) {
     Triangles& triangles = state.triangles;
     if (triangles.awake.count == 0) return;
-    const auto& found = findPressed(state, share);
+    const FoundTriangles found = findPressed(state, share);
     const std::size_t before = triangles.pressed.size();
     triangles.pressed.resize(before + found.size());
-    inPieces(state.tasks, found.size(), pressedInMicrosecond,
-             [&](std::size_t first, std::size_t last) {
-                 for (auto k = first; k < last; ++k)
-                     press(state, triangles.awake[found[k]], triangles.pressed[before + k]);
-             });
+    inPieces(
+        state.tasks, found.size(), pressedInMicrosecond, [&](std::size_t first, std::size_t last) {
+            for (auto k = first; k < last; ++k)
+                press(state, triangles.awake[found[k].triangle], triangles.pressed[before + k]);
+        });
     triangles.anyHeld |=
         std::any_of(triangles.pressed.begin() + static_cast<std::ptrdiff_t>(before),
                     triangles.pressed.end(), [](const PressedTriangle& t) { return t.held; });
@@ -359,19 +354,18 @@ void applyRecovery(State& state, const Grip& grip) {
 void recoverAreas(State& state) {
     if (state.triangles.pressed.empty()) return;
     inShares(state, ledInMicrosecond, [&](const Share& share) {
-        thread_local std::vector<Recovery> scratch;
-        std::vector<Recovery>& recoveries = scratch;
-        recoveries.clear();
-        for (const PressedTriangle& t : state.triangles.pressed)
-            if (share.has(t)) addRecovery(state, t, recoveries);
+        auto& pressed = state.triangles.pressed;
+        for (PressedTriangle& t : pressed)
+            if (share.has(t)) startRecovery(state, t);
         for (int sweep = 0; sweep < state.settings.sweeps; ++sweep)
-            for (Recovery& r : recoveries)
-                r.triangle->held ? recover<true>(state, r) : recover<false>(state, r);
-        for (const Recovery& r : recoveries) {
-            for (const Grip& grip : r.triangle->corners) applyRecovery(state, grip);
+            for (PressedTriangle& t : pressed)
+                if (share.has(t) && t.led)
+                    t.held ? recover<true>(state, t) : recover<false>(state, t);
+        for (const PressedTriangle& t : pressed) {
+            if (!share.has(t) || !t.led) continue;
+            for (const Grip& grip : t.corners) applyRecovery(state, grip);
             // It must not fall asleep as it is.
-            const auto body = state.particles.body[r.triangle->corners[0].particle];
-            state.bodies[body].restingTime = 0;
+            state.bodies[state.particles.body[t.corners[0].particle]].restingTime = 0;
         }
     });
 }
