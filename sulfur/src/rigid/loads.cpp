@@ -9,6 +9,9 @@
 
 namespace sulfur::detail {
 
+/// Numbers in memory that somebody lends.
+using MappedVector = Eigen::Map<Eigen::VectorXd>;
+
 /// The joints of a cluster as bars of an elastic truss, held where particles are pinned.
 class Truss {
 public:
@@ -44,13 +47,11 @@ public:
         inversePivots_ = solver_.vectorD().cwiseInverse();
     }
 
-    /// Tensions (N, positive pulls) under forces in balance, in the cluster's frame.
+    /// Tensions (N, positive pulls) under forces in balance, in the cluster's frame. `x` lends
+    /// memory: the solver's own solve() would take some in every call.
     template <class Function>
-    void solve(const Eigen::VectorXd& forces, Function&& tell) const {
-        // The solver's own solve() takes memory in every call.
-        thread_local Eigen::VectorXd x;
+    void solve(const MappedVector& forces, MappedVector& x, Function&& tell) const {
         const auto& order = solver_.permutationP().indices();
-        x.resize(forces.size());
         for (Eigen::Index i = 0; i < x.size(); ++i) x[order[i]] = forces[i];
         solver_.matrixL().solveInPlace(x);
         x.array() *= inversePivots_.array();
@@ -159,7 +160,7 @@ void loadByGrabs(State& state) {
 }
 
 /// Applied forces less mass times acceleration, in the frame of the cluster.
-void balanceForces(const State& state, const Cluster& c, Eigen::VectorXd& forces) {
+void balanceForces(const State& state, const Cluster& c, MappedVector& forces) {
     const auto& members = state.clusters.members;
     const Particles& p = state.particles;
     Point sum(0, 0);
@@ -171,7 +172,6 @@ void balanceForces(const State& state, const Cluster& c, Eigen::VectorXd& forces
     }
     const Point acceleration = static_cast<double>(c.inverseMass) * sum;
     const double turning = static_cast<double>(c.inverseInertia) * torque;
-    forces.resize(2 * static_cast<Eigen::Index>(c.last - c.first));
     const Point back(c.heading[0], -c.heading[1]);
     for (auto k = c.first; k < c.last; ++k) {
         const auto i = members[k];
@@ -203,12 +203,16 @@ void recoverLoads(State& state) {
     loadByJoints(state);
     loadByAttachments(state);
     loadByGrabs(state);
-    thread_local Eigen::VectorXd forces;
+    std::pmr::vector<double> memory(&state.arena);
     for (const auto index : state.work.watchedClusters) {
         Cluster& c = state.clusters.list[index];
         if (!c.truss) c.truss = std::make_shared<const Truss>(state, c);
+        const std::size_t size = 2 * (c.last - c.first);
+        if (memory.size() < 2 * size) memory.resize(2 * size);
+        MappedVector forces(memory.data(), static_cast<Eigen::Index>(size));
+        MappedVector x(memory.data() + size, static_cast<Eigen::Index>(size));
         balanceForces(state, c, forces);
-        c.truss->solve(forces, [&](JointId joint, double tension) {
+        c.truss->solve(forces, x, [&](JointId joint, double tension) {
             state.joints.force[state.jointSlots.dense(joint)] = static_cast<Real>(tension);
         });
     }

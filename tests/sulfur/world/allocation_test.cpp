@@ -179,6 +179,17 @@ TEST(Allocation, NoneByCratesThatCanBreak) {
     expectNoAllocations(world);
 }
 
+/// Those of rigid components of several sizes, in turn.
+TEST(Allocation, NoneByCratesAndWheelsThatCanBreak) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 3; ++i) {
+        world.add(shapes::box({.strength = Real(1e6)}), {.position = {6.0 * i - 9, 0.55}});
+        world.add(shapes::wheel({.strength = Real(1e6)}), {.position = {6.0 * i - 6, 0.55}});
+    }
+    expectNoAllocations(world);
+}
+
 TEST(Allocation, NoneByARopeWithACrate) {
     World world;
     const Body line = world.add(rope(20));
