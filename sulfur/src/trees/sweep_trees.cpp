@@ -121,6 +121,7 @@ public:
             if (n.kind != LinkKind::joint || state_.joints.kind[n.link] != JointKind::rigid)
                 continue;
             updateLink(i);
+            if (solver_.links[i].rows == 0) continue;  // without a direction it has no value
             const double rest = static_cast<double>(state_.joints.restLength[n.link]);
             most = std::max(most, std::abs(solver_.links[i].value[0]) / rest);
         }
