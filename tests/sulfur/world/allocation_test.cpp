@@ -8,6 +8,7 @@
 #include <limits>
 #include <new>
 #include <sulfur/sulfur.hpp>
+#include <thread>
 
 namespace {
 
@@ -141,8 +142,7 @@ TEST(Allocation, NoneByTicksOfSeveralSteps) {
     EXPECT_GT(ended, 5u);
 }
 
-/// All that can be divided is. (By one thread: each has scratch memory of its own, and which of
-/// them meets which piece first is chance.)
+/// All that can be divided is. (By one thread, so that allocations are counted one by one.)
 TEST(Allocation, NoneByDividedWork) {
     struct Divided final : Tasks {
         std::size_t threads() const override { return 3; }
@@ -188,6 +188,29 @@ TEST(Allocation, NoneByCratesAndWheelsThatCanBreak) {
         world.add(shapes::wheel({.strength = Real(1e6)}), {.position = {6.0 * i - 6, 0.55}});
     }
     expectNoAllocations(world);
+}
+
+/// Scratch memory belongs to the world, so that a thread that has stepped none before needs none.
+TEST(Allocation, NoneInAnotherThread) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 2; ++i) {
+        world.add(shapes::box({.strength = Real(1e6)}), {.position = {2.0 * i - 10, 0.55}});
+        world.add(shapes::jelly({.size = {1, 1}, .columns = 3, .rows = 3}),
+                  {.position = {2.0 * i - 5, 0.6}});
+        world.add(rope(20, Real(0.02)), {.position = {4.0 * i, 0.3}});
+        const Body line = world.add(rope(20), {.position = {4.0 * i, 10}});
+        const Body crate = world.add(shapes::box(), {.position = {4.0 * i + 2.5, 10}});
+        if (i == 1) world.attach(line[20], crate.id(), Vec2(Real(-0.5), 0));
+    }
+    for (int i = 0; i < 200; ++i) world.step();
+    std::size_t taken = 1;
+    std::thread([&] {
+        const std::size_t before = allocations;
+        for (int i = 0; i < 100; ++i) world.step();
+        taken = allocations - before;
+    }).join();
+    EXPECT_EQ(taken, 0u);
 }
 
 TEST(Allocation, NoneByARopeWithACrate) {
