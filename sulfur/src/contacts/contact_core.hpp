@@ -206,4 +206,7 @@ struct ContactCore {
     }
 };
 
+/// Whether a body, by slot, is tied to another one or to itself.
+bool hasLinks(const ContactCore& core, std::uint32_t bodySlot);
+
 }  // namespace sulfur::detail

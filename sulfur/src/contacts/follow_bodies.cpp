@@ -90,6 +90,15 @@ std::uint32_t countBouncing(const State& state, const BodyRecord& body) {
         }));
 }
 
+template <class Function>
+void forEachChunk(const ContactCore& core, std::uint32_t bodySlot, Function&& f) {
+    const auto& first = core.shapes.firstChunk;
+    for (auto c = bodySlot < first.size() ? first[bodySlot] : none; c != none;) {
+        const auto chunk = std::exchange(c, core.shapes.chunks[c].nextOfBody);
+        f(chunk);
+    }
+}
+
 /// What one mover carries of an awake chunk.
 void listMover(State& state, std::uint32_t m) {
     ContactCore& core = state.core;
@@ -106,6 +115,19 @@ void listMover(State& state, std::uint32_t m) {
     core.moverIsCluster[m] = core.awakeIsCluster.back();
 }
 
+/// What is awake of one body goes to the end of the lists.
+void listBody(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    const bool awake = state.awake(index);
+    forEachChunk(core, state.bodies[index].id.index - 1, [&](std::uint32_t c) {
+        const Chunk& chunk = core.shapes.chunks[c];
+        if (awake) core.awakeChunks.push_back(c);
+        if (awake && chunk.uses > 1) core.awakeStrips.push_back(c);
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+            listMover(state, core.shapes.uses[u].mover);
+    });
+}
+
 /// Lists what is awake of the bodies that are not in the lists yet.
 void listAwake(State& state) {
     ContactCore& core = state.core;
@@ -114,18 +136,73 @@ void listAwake(State& state) {
     for (; core.listedBodies < state.bodies.size(); ++core.listedBodies) {
         const BodyRecord& body = state.bodies[core.listedBodies];
         core.bouncingPairs += countBouncing(state, body);
-        const bool awake = state.awake(core.listedBodies);
-        const auto slot = body.id.index - 1;
-        if (slot >= core.shapes.firstChunk.size()) continue;
-        for (auto c = core.shapes.firstChunk[slot]; c != none;
-             c = core.shapes.chunks[c].nextOfBody) {
-            const Chunk& chunk = core.shapes.chunks[c];
-            if (awake) core.awakeChunks.push_back(c);
-            if (awake && chunk.uses > 1) core.awakeStrips.push_back(c);
-            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
-                listMover(state, core.shapes.uses[u].mover);
-        }
+        if (body.sensor) state.sensing.bodies.push_back(core.listedBodies);
+        if (body.gone == 0) listBody(state, core.listedBodies);
     }
+}
+
+/// The part [first, second) of a list in the order of bodies that belongs to one of them.
+template <class BodyOf>
+std::pair<std::ptrdiff_t, std::ptrdiff_t> partOf(const std::vector<std::uint32_t>& list,
+                                                 std::uint32_t body, BodyOf&& bodyOf) {
+    const auto from = std::partition_point(list.begin(), list.end(),
+                                           [&](std::uint32_t i) { return bodyOf(i) < body; });
+    const auto to =
+        std::find_if(from, list.end(), [&](std::uint32_t i) { return bodyOf(i) != body; });
+    return {from - list.begin(), to - list.begin()};
+}
+
+/// Takes what a body carries out of the lists. With capsules between bodies, which carry movers of
+/// both, all lists are made anew instead.
+void unlistBody(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    if (core.listsStale || index >= core.listedBodies) return;
+    core.listsStale = !core.tiedCapsules.empty();
+    if (core.listsStale) return;
+    const auto bodyOfChunk = [&](std::uint32_t c) {
+        return state.bodySlots.denseOf(core.shapes.chunks[c].body);
+    };
+    const auto bodyOfMover = [&](std::uint32_t m) {
+        return state.bodySlots.denseOf(core.movers.body[m]);
+    };
+    const auto take = [](auto& list, std::pair<std::ptrdiff_t, std::ptrdiff_t> part) {
+        list.erase(list.begin() + part.first, list.begin() + part.second);
+    };
+    take(core.awakeChunks, partOf(core.awakeChunks, index, bodyOfChunk));
+    take(core.awakeStrips, partOf(core.awakeStrips, index, bodyOfChunk));
+    const auto part = partOf(core.awakeMovers, index, bodyOfMover);
+    for (auto k = part.first; k < part.second; ++k)
+        core.denseOfMover[core.awakeMovers[static_cast<std::size_t>(k)]] = none;
+    take(core.awakeMovers, part);
+    take(core.awakeDense, part);
+    take(core.awakeIsCluster, part);
+}
+
+/// Lists a body that is in no list, in the order of bodies.
+void enlistBody(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    if (core.listsStale || index >= core.listedBodies) return;
+    const auto chunks = static_cast<std::ptrdiff_t>(core.awakeChunks.size());
+    const auto strips = static_cast<std::ptrdiff_t>(core.awakeStrips.size());
+    const auto movers = static_cast<std::ptrdiff_t>(core.awakeMovers.size());
+    listBody(state, index);
+    const auto comesBefore = [&](std::uint32_t bodySlot) {
+        return state.bodySlots.denseOf(bodySlot) < index;
+    };
+    const auto ofChunk = [&](std::uint32_t c) { return comesBefore(core.shapes.chunks[c].body); };
+    const auto ofMover = [&](std::uint32_t m) { return comesBefore(core.movers.body[m]); };
+    const auto placeIn = [](const auto& list, std::ptrdiff_t had, auto&& before) {
+        return std::partition_point(list.begin(), list.begin() + had, before) - list.begin();
+    };
+    const auto bringTo = [](auto& list, std::ptrdiff_t place, std::ptrdiff_t had) {
+        std::rotate(list.begin() + place, list.begin() + had, list.end());
+    };
+    bringTo(core.awakeChunks, placeIn(core.awakeChunks, chunks, ofChunk), chunks);
+    bringTo(core.awakeStrips, placeIn(core.awakeStrips, strips, ofChunk), strips);
+    const auto place = placeIn(core.awakeMovers, movers, ofMover);
+    bringTo(core.awakeMovers, place, movers);
+    bringTo(core.awakeDense, place, movers);
+    bringTo(core.awakeIsCluster, place, movers);
 }
 
 void clearLists(State& state) {
@@ -135,6 +212,7 @@ void clearLists(State& state) {
         list->clear();
     core.awakeIsCluster.clear();
     core.moverIsCluster.clear();
+    state.sensing.bodies.clear();
     core.listedBodies = core.bouncingPairs = 0;
     for (const auto j : state.work.tiedJoints)
         if (state.joints.material[j].restitution > 0) ++core.bouncingPairs;
@@ -153,23 +231,36 @@ bool lacksRows(const ContactCore& core, const Pair& pair) {
 /// Pairs of sleepers and of what never moves are not watched. Only with somebody awake that rows
 /// can push they have rows; with what the caller may move they are watched without, and looked at
 /// as soon as the sleeper wakes.
-void watchAwake(State& state) {
+void watchPairOfTurned(State& state, std::uint32_t index) {
     ContactCore& core = state.core;
-    for (std::uint32_t k = 0; k < core.pairs.size(); ++k) {
-        const Pair& pair = core.pairs[k];
-        if (pair.a == none) continue;
-        bool isWatched = false, hasRows = false;
-        for (const auto chunk : {pair.a, pair.b}) {
-            const auto slot = core.shapes.chunks[chunk].body;
-            if (!isAwake(state, slot)) continue;
-            isWatched = true;
-            hasRows |= state.bodies[state.bodySlots.denseOf(slot)].kind == BodyKind::dynamic;
-        }
-        if (pair.watch != none && !hasRows) keepRows(state, k);
-        if (isWatched && (pair.watch == none || (hasRows && lacksRows(core, pair))))
-            watchPair(state, k, -1);
-        else if (!isWatched && pair.watch != none)
-            unwatchPair(state, k);
+    const Pair& pair = core.pairs[index];
+    bool isWatched = false, hasRows = false;
+    for (const auto chunk : {pair.a, pair.b}) {
+        const auto slot = core.shapes.chunks[chunk].body;
+        if (!isAwake(state, slot)) continue;
+        isWatched = true;
+        hasRows |= state.bodies[state.bodySlots.denseOf(slot)].kind == BodyKind::dynamic;
+    }
+    if (pair.watch != none && !hasRows) keepRows(state, index);
+    if (isWatched && (pair.watch == none || (hasRows && lacksRows(core, pair))))
+        watchPair(state, index, -1);
+    else if (!isWatched && pair.watch != none)
+        unwatchPair(state, index);
+}
+
+/// Who woke or fell asleep since the last step.
+void followTurned(State& state) {
+    ContactCore& core = state.core;
+    for (const auto slot : state.work.turned) {
+        const auto body = state.bodySlots.denseOf(slot);
+        if (body == none) continue;
+        unlistBody(state, body);
+        enlistBody(state, body);
+        forEachChunk(core, slot, [&](std::uint32_t c) {
+            for (auto at = core.shapes.chunks[c].firstPair; at != none;
+                 at = core.pairs[at / 2].next[at % 2])
+                watchPairOfTurned(state, at / 2);
+        });
     }
 }
 
@@ -183,32 +274,50 @@ void shapeIsStale(State& state, std::uint32_t bodySlot) {
 void removeShape(State& state, std::uint32_t slot) {
     ContactCore& core = state.core;
     if (slot >= core.shapes.firstChunk.size() || core.shapes.firstChunk[slot] == none) return;
-    for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody) {
+    if (const auto body = state.bodySlots.denseOf(slot); body != none) unlistBody(state, body);
+    forEachChunk(core, slot, [&](std::uint32_t c) {
         endPairs(state, c);
         core.grid.remove(core.shapes.chunks, c);
-    }
+    });
     dropShape(state, slot);
-    core.listsStale = true;
+}
+
+void forgetBody(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    const BodyRecord& body = state.bodies[index];
+    if (!core.listsStale && index < core.listedBodies)
+        core.bouncingPairs -= countBouncing(state, body);
+    if (body.sensor) std::erase(state.sensing.bodies, index);
+    state.sensing.anew = true;
+    removeShape(state, body.id.index - 1);
+}
+
+bool hasLinks(const ContactCore& core, std::uint32_t bodySlot) {
+    const auto& linked = core.linkedBodies;
+    const auto at = std::lower_bound(linked.begin(), linked.end(), std::pair(bodySlot, 0u));
+    return at != linked.end() && at->first == bodySlot;
 }
 
 void updateShapes(State& state) {
     ContactCore& core = state.core;
     if (state.structureChanged) findLinks(state);
     state.structureChanged = false;
-    bool sleeps = false;  // somebody whose shape is made anew, or never moves
     if (!core.staleShapes.empty()) {
         spreadStaleness(state);
         auto& stale = core.staleShapes;
         std::sort(stale.begin(), stale.end());
         stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
         core.keepsHeirs = true;
+        core.listsStale |= std::any_of(stale.begin(), stale.end(), [&](std::uint32_t slot) {
+            return state.bodySlots.denseOf(slot) < core.listedBodies;
+        });
         for (const auto slot : stale) removeShape(state, slot);
         core.keepsHeirs = false;
         for (const auto slot : stale) {
             const auto body = state.bodySlots.denseOf(slot);
             if (body == none) continue;
-            if (body < core.listedBodies) core.listsStale = true;
-            sleeps = sleeps || !state.awake(body);
+            // New pairs of sleepers are looked at once, and not watched any more.
+            if (!state.awake(body)) state.turned.push_back(slot);
             makeShape(state, body);
             for (auto c = core.shapes.firstChunk.size() > slot ? core.shapes.firstChunk[slot]
                                                                : none;
@@ -217,12 +326,11 @@ void updateShapes(State& state) {
         }
         stale.clear();
     }
+    if (core.listsStale || !core.newChunks.empty()) state.sensing.anew = true;
+    followTurned(state);
     if (core.listsStale) clearLists(state);
-    if (core.listsStale || !core.newChunks.empty()) listSensors(state);
+    core.listsStale = false;
     listAwake(state);
-    if (core.listsStale) watchAwake(state);
-    // New pairs of sleepers are looked at once, and not watched any more.
-    core.listsStale = sleeps;
 }
 
 }  // namespace sulfur::detail

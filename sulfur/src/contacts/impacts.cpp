@@ -32,9 +32,7 @@ constexpr int mostRounds = 64, plasticSweeps = 32;
 bool movesAlone(const State& state, std::uint32_t m) {
     const auto slot = state.core.movers.body[m];
     const BodyRecord& body = state.bodies[state.bodySlots.denseOf(slot)];
-    const auto& linked = state.core.linkedBodies;
-    const auto tie = std::lower_bound(linked.begin(), linked.end(), std::pair(slot, 0u));
-    if (tie != linked.end() && tie->first == slot) return false;
+    if (hasLinks(state.core, slot)) return false;
     if (!state.core.moverIsCluster[m]) return body.particles.size() == 1;
     const Cluster& c = state.clusters.list[state.core.denseOfMover[m]];
     return c.last - c.first == body.particles.size();

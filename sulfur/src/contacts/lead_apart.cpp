@@ -199,9 +199,7 @@ void addVelocity(State& state, std::uint32_t body, const Vec2& by) {
 /// Whoever was put somewhere is looked at once.
 void findOverlaps(State& state) {
     ContactCore& core = state.core;
-    for (BodyRecord& body : state.bodies) {
-        if (!std::exchange(body.placed, false)) continue;
-        const auto slot = body.id.index - 1;
+    for (const auto slot : state.placed) {
         if (slot >= core.shapes.firstChunk.size()) continue;
         for (auto c = core.shapes.firstChunk[slot]; c != none; c = core.shapes.chunks[c].nextOfBody)
             for (auto at = core.shapes.chunks[c].firstPair; at != none;
@@ -210,7 +208,7 @@ void findOverlaps(State& state) {
     }
     std::sort(core.leading.begin(), core.leading.end());
     core.leading.erase(std::unique(core.leading.begin(), core.leading.end()), core.leading.end());
-    state.anyPlaced = false;
+    state.placed.clear();
 }
 
 bool isFree(const State& state, BodyId id) {
@@ -280,7 +278,7 @@ bool lead(State& state, std::uint32_t index) {
 void leadApart(State& state) {
     ContactCore& core = state.core;
     core.leads.clear();
-    if (state.anyPlaced) findOverlaps(state);
+    if (!state.placed.empty()) findOverlaps(state);
     findEntwined(state);
     if (core.leading.empty()) return;
     std::erase_if(core.leading, [&](std::uint32_t index) {

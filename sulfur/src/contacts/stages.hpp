@@ -54,6 +54,8 @@ void updateSleep(State& state);
 
 /// Takes away pairs, rows and chunks of a body, by its slot; impulses are kept for heirs.
 void removeShape(State& state, std::uint32_t bodySlot);
+/// Takes a body that goes away, by dense index, out of all that contacts and sensors know.
+void forgetBody(State& state, std::uint32_t body);
 /// The shape of a body, by its slot, is made anew before the next step.
 void shapeIsStale(State& state, std::uint32_t bodySlot);
 

@@ -34,6 +34,9 @@ public:
         free_.push_back(id.index - 1);
     }
 
+    /// The handle is void from now on. The slot stays taken until it is erased.
+    void retire(Id id) { dense_[id.index - 1] = none; }
+
     bool contains(Id id) const {
         return id.index != 0 && id.index <= dense_.size() &&
                generation_[id.index - 1] == id.generation && dense_[id.index - 1] != none;

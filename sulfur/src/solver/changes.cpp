@@ -3,11 +3,15 @@
 
 #include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
+#include "solver/work_lists.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
 namespace {
+
+/// So many bodies, or a sixteenth of all if that is more, may turn before all lists are made anew.
+constexpr std::size_t leastFew = 8;
 
 bool anyAwake(const State& state, std::uint32_t a, std::uint32_t b) {
     const auto& body = state.particles.body;
@@ -77,13 +81,6 @@ std::pmr::vector<bool> heldByTrees(State& state) {
                 held[p] = true;
     }
     return held;
-}
-
-std::uint32_t countSurfaces(const State& state, const BodyRecord& body) {
-    const auto first = state.particles.reach.begin() + body.firstParticle;
-    return static_cast<std::uint32_t>(
-        std::count_if(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
-                      [](Real reach) { return reach > 0; }));
 }
 
 void clearAwake(const State& state, WorkLists& work) {
@@ -273,13 +270,18 @@ std::uint32_t sizeOf(const auto& list) {
 void count(State& state) {
     Statistics& statistics = state.statistics;
     const WorkLists& work = state.work;
-    statistics.particles = sizeOf(state.particles);
-    statistics.joints = sizeOf(state.joints);
-    statistics.bodies = sizeOf(state.bodies);
+    statistics.particles = sizeOf(state.particles) - state.gone.particles;
+    statistics.joints = sizeOf(state.joints) - state.gone.joints;
+    statistics.bodies = sizeOf(state.bodies) - state.gone.bodies;
     statistics.awakeParticles = work.awakeParticles;
     statistics.clusters = sizeOf(work.awakeClusters);
-    statistics.trees = sizeOf(work.lonelyTrees);
     statistics.breakableJoints = sizeOf(work.breakableJoints);
+}
+
+void countTrees(State& state) {
+    Statistics& statistics = state.statistics;
+    const WorkLists& work = state.work;
+    statistics.trees = sizeOf(work.lonelyTrees);
     statistics.triangles = static_cast<std::uint32_t>(state.triangles.awake.count);
     statistics.sweptJoints = sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
     statistics.explicitJoints = statistics.dampedJoints = 0;
@@ -293,17 +295,29 @@ void count(State& state) {
                                                     : statistics.implicitJoints);
 }
 
-}  // namespace
-
-void updateStructure(State& state) {
-    watchStrain(state);
-    if (state.structure.stale) deriveStructure(state);
+/// Bodies that woke or fell asleep since the lists were made enter and leave them one by one, if
+/// they are few and plain.
+void followTurned(State& state) {
+    WorkLists& work = state.work;
+    work.turned.clear();
+    std::swap(work.turned, state.turned);
+    if (work.stale && !work.onlyAdded) return;
+    const std::size_t few = leastFew + state.bodies.size() / 16;
+    if (work.turned.size() > few) return work.changed();
+    state.looked(Stage::changes, work.turned.size());
+    for (const auto slot : work.turned) {
+        const auto body = state.bodySlots.denseOf(slot);
+        if (body == none || body >= work.listed.bodies) continue;
+        if (!isPlain(state, body)) return work.changed();
+        unlist(state, body);
+        enlist(state, body);
+        state.anyForced = true;
+    }
 }
 
-void applyChanges(State& state) {
-    updateStructure(state);
+/// The lists of all bodies, or of those that were added if nothing else has changed.
+void listAnew(State& state) {
     WorkLists& work = state.work;
-    if (!work.stale) return;
     const Counts before = work.onlyAdded ? work.listed : Counts{};
     updateReach(state, before);
     if (!work.onlyAdded) listTrees(state);
@@ -318,11 +332,27 @@ void applyChanges(State& state) {
         listStrained(state);
         listTriangles(state);
         state.core.listsStale = true;
+        countTrees(state);
     }
-    count(state);
     state.anyForced = true;  // of who woke, too
     work.listed = countsOf(state);
+    for (auto* list : {&work.turned, &state.turned}) list->reserve(state.bodies.size());
     work.stale = work.onlyAdded = false;
+}
+
+}  // namespace
+
+void updateStructure(State& state) {
+    watchStrain(state);
+    if (state.structure.stale) deriveStructure(state);
+}
+
+void applyChanges(State& state) {
+    updateStructure(state);
+    followTurned(state);
+    WorkLists& work = state.work;
+    if (work.stale) listAnew(state);
+    count(state);
 }
 
 }  // namespace sulfur::detail

@@ -94,13 +94,6 @@ void tell(State& state) {
 
 }  // namespace
 
-void listSensors(State& state) {
-    state.sensing.bodies.clear();
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
-        if (state.bodies[i].sensor) state.sensing.bodies.push_back(i);
-    state.sensing.anew = true;
-}
-
 void updateSensors(State& state) {
     Sensing& sensing = state.sensing;
     if (sensing.bodies.empty() && sensing.visits.empty()) return;

@@ -50,8 +50,8 @@ void wakeBody(State& state, std::uint32_t index) {
         body->asleep = false;
         body->restingTime = 0;
         restoreInverseMass(state, index);
+        state.turned.push_back(body->id.index - 1);
         body = &state.bodies[state.bodySlots.dense(body->nextAsleep)];
-        state.work.changed();
     }
 }
 
@@ -72,7 +72,7 @@ void sleepBody(State& state, std::uint32_t index) {
         state.particles.inverseMass[i] = 0;
     }
     restoreClusterMasses(state, index);
-    state.work.changed();
+    state.turned.push_back(body.id.index - 1);
 }
 
 }  // namespace sulfur::detail

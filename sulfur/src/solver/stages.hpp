@@ -35,9 +35,6 @@ void sleepBody(State& state, std::uint32_t body);
 /// Joins the rings of two sleepers, so that they wake together.
 void joinSleepers(State& state, std::uint32_t a, std::uint32_t b);
 
-/// Derives the list of sensors from the bodies.
-void listSensors(State& state);
-
 /// One tick.
 void step(State& state);
 

@@ -57,8 +57,8 @@ void noteItems(State& state) {
 
 /// Whether something has been changed by hand since the lists were made.
 bool isChanged(const State& state) {
-    return state.structure.stale || state.work.stale || !state.fresh.empty() ||
-           !state.influences.grabs.empty();
+    return state.structure.stale || state.work.stale || !state.turned.empty() ||
+           !state.fresh.empty() || !state.influences.grabs.empty();
 }
 
 /// Whether a tick would change nothing but the clock: all that could move sleeps.

@@ -24,9 +24,9 @@ struct BodyRecord {
     bool moving = false;              // kinematic: has a target for the next tick
     bool stopping = false;            // kinematic: had a target for the last tick
     bool clustersStale = true;        // its rigid components must be found again
-    bool placed = true;               // made or moved by hand since the last tick
     bool selfCollision = false;       // its own parts touch each other
     bool strained = false;            // they were not, because it was bent out of shape
+    std::uint32_t gone = 0;           // removed: so many of its particles still take place
     Real restingTime = 0;             // s for which its island has been at rest
     BodyId nextAsleep;                // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index
@@ -50,8 +50,8 @@ struct BodyRecord {
         a(stopping);
         a(clustersStale);
         a(strained);
+        a(gone);
         a(selfCollision);
-        a(placed);
         a(restingTime);
         a(nextAsleep);
         a(firstParticle);

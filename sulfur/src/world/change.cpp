@@ -230,7 +230,8 @@ void World::setPosition(ParticleId id, Point position) {
     detail::wakeTouching(state, state.particles.body[i]);
     if (state.particles.position[i] == position) return;
     state.particles.position[i] = position;
-    state.bodies[state.particles.body[i]].placed = state.anyPlaced = true;
+    const auto slot = state.bodies[state.particles.body[i]].id.index - 1;
+    if (state.placed.empty() || state.placed.back() != slot) state.placed.push_back(slot);
     detail::shapeChanged(state, state.particles.body[i]);
     state.particles.displacement[i] = Vec2(0, 0);
     if (state.bodies[state.particles.body[i]].kind != BodyKind::fixed) return;

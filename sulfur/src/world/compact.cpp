@@ -1,7 +1,13 @@
 // Removing things and closing the gaps that they leave.
+//
+// A body that nothing is tied to goes at once, but its particles and joints keep their places in
+// the arrays until half of these are gaps: removing costs what is removed, whatever else there is.
 #include <algorithm>
 
 #include "contacts/stages.hpp"
+#include "rigid/find_clusters.hpp"
+#include "solver/stages.hpp"
+#include "solver/work_lists.hpp"
 #include "trees/tree_solver.hpp"
 #include "world/skins.hpp"
 #include "world/state.hpp"
@@ -65,6 +71,60 @@ void forgetHandles(State& state, const Removal& removal) {
     std::erase_if(state.vetoes, [&](const BodyPair& pair) {
         return !state.bodySlots.contains(pair.a) || !state.bodySlots.contains(pair.b);
     });
+}
+
+/// Whether joints or attachments hold on to a body from outside.
+bool isTied(const State& state, std::uint32_t body) {
+    const bool linksAreKnown =
+        !state.structureChanged && (!state.structure.stale || state.structure.onlyAdded);
+    if (linksAreKnown) return hasLinks(state.core, state.bodies[body].id.index - 1);
+    const auto isOurs = [&](std::uint32_t i) { return state.particles.body[i] == body; };
+    const Joints& joints = state.joints;
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none && (isOurs(joints.a[j]) || isOurs(joints.b[j]))) return true;
+    return std::any_of(
+        state.attachments.begin(), state.attachments.end(), [&](const Attachment& held) {
+            const auto end = held.support.begin() + held.count;
+            return isOurs(held.particle) || std::any_of(held.support.begin(), end, isOurs);
+        });
+}
+
+/// Takes a body that is tied to nothing away and leaves a gap.
+void retire(State& state, std::uint32_t index) {
+    BodyRecord& body = state.bodies[index];
+    const bool derived = !state.structure.stale ||
+                         (state.structure.onlyAdded && index < state.structure.before.bodies);
+    if (derived && isInTree(state, index))
+        state.structure.changed();
+    else if (derived && !isPlain(state, index))
+        state.work.changed();
+    else
+        unlist(state, index);
+    forgetBody(state, index);
+    state.idle = false;
+    for (const ParticleId id : body.particles) state.particleSlots.retire(id);
+    for (const JointId id : body.joints) {
+        state.joints.inCluster[state.jointSlots.dense(id)] = 1;  // nobody solves it
+        state.jointSlots.retire(id);
+    }
+    std::erase_if(state.vetoes,
+                  [&](const BodyPair& pair) { return pair.a == body.id || pair.b == body.id; });
+    const auto at =
+        std::partition_point(state.bodyIds.begin(), state.bodyIds.end(),
+                             [&](BodyId id) { return state.bodySlots.dense(id) < index; });
+    state.bodyIds.erase(at);
+    state.bodySlots.retire(body.id);
+    BodyRecord gap;
+    gap.id = body.id;
+    gap.kind = BodyKind::fixed;
+    gap.clustersStale = false;
+    gap.firstParticle = body.firstParticle;
+    gap.gone = static_cast<std::uint32_t>(body.particles.size());
+    state.gone.bodies += 1;
+    state.gone.particles += gap.gone;
+    state.gone.joints += static_cast<std::uint32_t>(body.joints.size());
+    body = std::move(gap);
+    restoreInverseMass(state, index);
 }
 
 void squeezeBodies(State& state, const Removal& removal) {
@@ -160,8 +220,12 @@ void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex)
 }
 
 void compact(State& state, Removal& removal) {
+    for (std::size_t i = 0; i < removal.bodies.size(); ++i)
+        if (state.bodies[i].gone > 0) removal.bodies[i] = true;
+    state.gone = {};
     dissolveTrees(state);
     spreadRemoval(state, removal);
+    state.core.listsStale = true;
     for (std::size_t i = 0; i < removal.bodies.size(); ++i)
         if (removal.bodies[i]) removeShape(state, state.bodies[i].id.index - 1);
     markChangedBodies(state, removal);
@@ -180,6 +244,16 @@ void compact(State& state, Removal& removal) {
     }
     updateReach(state);
     state.structure.changed();
+}
+
+void removeBody(State& state, std::uint32_t body) {
+    wakeTouching(state, body);
+    const bool tied = isTied(state, body);
+    if (!tied) retire(state, body);
+    if (!tied && 2 * state.gone.particles < state.particles.size()) return;
+    Removal removal(state);
+    if (tied) removal.bodies[body] = true;
+    compact(state, removal);
 }
 
 }  // namespace sulfur::detail

@@ -231,7 +231,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
             {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
             spec.restLength.value_or(apart.norm()), index));
     }
-    state.anyPlaced = true;
+    state.placed.push_back(body.id.index - 1);
     state.bodyIds.push_back(body.id);
     state.bodies.push_back(std::move(body));
     detail::restoreInverseMass(state, index);
@@ -243,12 +243,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
 }
 
 void World::remove(BodyId id) {
-    detail::State& state = impl_->state;
-    const auto index = indexOf(state, id);
-    detail::wakeTouching(state, index);
-    detail::Removal removal(state);
-    removal.bodies[index] = true;
-    detail::compact(state, removal);
+    detail::removeBody(impl_->state, indexOf(impl_->state, id));
 }
 
 JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions& options) {

@@ -11,7 +11,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x36735f7266756c53u;  // "Slfr_s6", little-endian
+constexpr std::uint64_t snapshotMark = 0x37735f7266756c53u;  // "Slfr_s7", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>
@@ -35,7 +35,8 @@ void archiveDecisive(Archive& a, State& state) {
     a(state.structure);
     a(state.fresh);
     a(state.vetoes);
-    a(state.anyPlaced);
+    a(state.placed);
+    a(state.turned);
     a(state.core);
 }
 
@@ -47,6 +48,7 @@ void archiveAll(Archive& a, State& state) {
     state.structure.archiveAdded(a);
     a(state.bodies);
     a(state.bodyIds);
+    a(state.gone);
     a(state.particleSlots);
     a(state.jointSlots);
     a(state.bodySlots);
@@ -66,7 +68,6 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.restingTime);
         hasher(body.nextAsleep);
         hasher(body.selfCollision);
-        hasher(body.placed);
         hasher(body.material);
         hasher(body.filter);
         if (body.sensor) hasher(body.sensor);

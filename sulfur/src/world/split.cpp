@@ -92,7 +92,6 @@ void makePiece(State& state, std::uint32_t from, const std::vector<std::uint32_t
     BodyRecord piece = state.bodies[from];
     piece.id = state.bodySlots.insert(index);
     piece.clustersStale = true;
-    piece.placed = false;
     cutSkin(piece, [&](std::size_t k) {
         return std::binary_search(group.begin(), group.end(),
                                   piece.firstParticle + static_cast<std::uint32_t>(k));

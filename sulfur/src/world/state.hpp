@@ -116,6 +116,7 @@ struct WorkLists {
     std::vector<std::uint32_t> kinematic;   // of these
     std::vector<std::uint32_t> strained;    // bodies that were bent out of shape
     std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
+    std::vector<std::uint32_t> turned;      // bodies by slot that this step begins to follow
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
     bool stale = true;
@@ -185,8 +186,9 @@ struct State {
     std::vector<Attachment> attachments;
     Clusters clusters;
     Trees trees;
-    std::vector<BodyRecord> bodies;
-    std::vector<BodyId> bodyIds;
+    std::vector<BodyRecord> bodies;  // also those that are gone, until their gaps are closed
+    std::vector<BodyId> bodyIds;     // of the others
+    Counts gone;                     // what is no longer there and still takes place
     Influences influences;
 
     Slots<ParticleId> particleSlots;
@@ -200,6 +202,9 @@ struct State {
 
     Structure structure;
     WorkLists work;
+    /// Bodies by slot that woke or fell asleep since the lists were made, and those that were made
+    /// or moved by hand since the last tick.
+    std::vector<std::uint32_t> turned, placed;
     Triangles triangles;
     std::vector<std::uint32_t> surface;  // by particle, the joint whose surface it shows, or none
     std::vector<ContactLoad> contacts;   // of this step, where rigid components may break
@@ -209,13 +214,12 @@ struct State {
     Sensing sensing;
     ContactCore core;
     bool structureChanged = true;  // since links between bodies were listed
-    FrameArena arena;  // of a step
+    FrameArena arena;              // of a step
     Events events;
     std::vector<ParticleStart> starts;  // of a tick of several steps: what was awake
     Statistics statistics;
     bool profiling = false;
     Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
-    bool anyPlaced = true;   // a body was made or moved by hand since the last tick
     bool anyStirred = true;  // some cluster is stirred
     bool anyForced = true;   // members of awake clusters may have forces that are still to act
     /// What follows from who is awake, found at the end of a tick and void after any change: no
@@ -256,6 +260,8 @@ struct Removal {
           bodies(state.bodies.size()) {}
 };
 void compact(State& state, Removal& removal);
+/// Takes a body away, with what is tied to it. What touched it wakes.
+void removeBody(State& state, std::uint32_t body);
 
 /// All that names particles by their index follows them to new ones, except the arrays themselves.
 /// Trees must have been dissolved. `none`: the particle is gone.

@@ -26,7 +26,8 @@ bool evenlyLong(const Arrays& arrays) {
 std::string validateArrays(const State& state) {
     if (!evenlyLong(state.particles)) return "arrays of particles of different lengths";
     if (!evenlyLong(state.joints)) return "arrays of joints of different lengths";
-    if (state.bodyIds.size() != state.bodies.size()) return "a list of bodies of another length";
+    if (state.bodyIds.size() + state.gone.bodies != state.bodies.size())
+        return "a list of bodies of another length";
     if (!state.particleSlots.sound() || !state.jointSlots.sound() || !state.bodySlots.sound() ||
         !state.attachmentSlots.sound())
         return "handles that fit no list";
@@ -50,6 +51,7 @@ std::string validateParticles(const State& state) {
         if (p.body[i] >= state.bodies.size()) return problem("particle without a body", i);
         if (p.cluster[i] != none && p.cluster[i] >= clusters)
             return problem("particle of a rigid component that there is not", i);
+        if (state.bodies[p.body[i]].gone > 0) continue;
         if (!state.particleSlots.contains(p.id[i]) || state.particleSlots.dense(p.id[i]) != i)
             return problem("particle handle leads elsewhere", i);
     }
@@ -64,6 +66,7 @@ std::string validateJoints(const State& state) {
         if (j.a[i] == j.b[i]) return problem("joint from a particle to itself", i);
         if (j.body[i] != none && j.body[i] >= state.bodies.size())
             return problem("joint of a body that there is not", i);
+        if (state.bodies[state.particles.body[j.a[i]]].gone > 0) continue;
         if (!state.jointSlots.contains(j.id[i]) || state.jointSlots.dense(j.id[i]) != i)
             return problem("joint handle leads elsewhere", i);
     }
@@ -85,21 +88,34 @@ std::string validateAttachments(const State& state) {
 }
 
 std::string validateBodies(const State& state) {
-    std::size_t next = 0;
+    std::size_t next = 0, listed = 0;
+    Counts gone;
     for (std::size_t i = 0; i < state.bodies.size(); ++i) {
         const BodyRecord& body = state.bodies[i];
+        const std::size_t size = body.gone > 0 ? body.gone : body.particles.size();
         if (body.firstParticle != next) return problem("body does not follow its predecessor", i);
-        if (body.particles.size() > state.particles.size() - next)
+        if (size > state.particles.size() - next)
             return problem("body has more particles than there are", i);
-        for (std::size_t k = 0; k < body.particles.size(); ++k)
+        for (std::size_t k = 0; k < size; ++k)
             if (state.particles.body[next + k] != i) return problem("particle of another body", i);
-        next += body.particles.size();
+        next += size;
+        if (body.gone > 0) {
+            if (body.kind != BodyKind::fixed || body.asleep || !body.particles.empty() ||
+                state.bodySlots.contains(body.id))
+                return problem("a body that is gone takes part", i);
+            ++gone.bodies;
+            gone.particles += body.gone;
+            continue;
+        }
         for (const JointId id : body.joints)
             if (!state.jointSlots.contains(id)) return problem("body with a joint that is gone", i);
         if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)
             return problem("body handle leads elsewhere", i);
-        if (state.bodyIds[i] != body.id) return problem("body under another handle", i);
+        if (listed == state.bodyIds.size() || state.bodyIds[listed++] != body.id)
+            return problem("body under another handle", i);
     }
+    if (gone.bodies != state.gone.bodies || gone.particles != state.gone.particles)
+        return "gaps that are not counted";
     return next == state.particles.size() ? std::string() : "particles outside of bodies";
 }
 
