@@ -1,4 +1,7 @@
-// Worlds that sleep: what a tick costs in all, and with one body awake.
+// Worlds that sleep: what a tick costs in all, and with one body awake; what coming and going costs.
+#include <chrono>
+#include <vector>
+
 #include "battery/contacts/stage.hpp"
 #include "battery/scenes.hpp"
 #include "stepping.hpp"
@@ -29,6 +32,56 @@ void sleepers(benchmark::State& state) {
 BENCHMARK(sleepers)
     ->ArgNames({"n", "awake"})
     ->ArgsProduct({{1000, 25000}, {0, 1}})
+    ->Unit(benchmark::kMicrosecond);
+
+enum class Part { remove, tickAfter, add };
+
+/// Of removing one of so many sleeping crates and putting it back: the call, or the next tick.
+void coming(benchmark::State& state, Part part) {
+    WorldSettings settings = still({}, standardGravity);
+    settings.sleeping = true;
+    World world(settings);
+    const auto count = static_cast<std::size_t>(state.range(0));
+    addFloor(world, 1.5 * static_cast<double>(count), {});
+    const Blueprint plan = crate();
+    const auto place = [&](std::size_t i) {
+        return Point(1.5 * (static_cast<double>(i) - static_cast<double>(count) / 2), 0.5);
+    };
+    std::vector<Body> crates;
+    for (std::size_t i = 0; i < count; ++i) crates.push_back(world.add(plan, {place(i)}));
+    run(world, 1.2);
+    const auto timed = [&](Part which, auto&& act) {
+        const auto start = std::chrono::steady_clock::now();
+        act();
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        if (which == part) state.SetIterationTime(took.count());
+    };
+    std::size_t k = 0;
+    for (auto _ : state) {
+        k = (k + 37) % count;
+        timed(Part::remove, [&] { world.remove(crates[k]); });
+        timed(Part::tickAfter, [&] { world.step(); });
+        timed(Part::add, [&] { crates[k] = world.add(plan, {place(k)}); });
+        run(world, 0.7);
+    }
+}
+BENCHMARK_CAPTURE(coming, remove, Part::remove)
+    ->Arg(1000)
+    ->Arg(25000)
+    ->Iterations(40)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(coming, tickAfter, Part::tickAfter)
+    ->Arg(1000)
+    ->Arg(25000)
+    ->Iterations(40)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(coming, add, Part::add)
+    ->Arg(1000)
+    ->Arg(25000)
+    ->Iterations(40)
+    ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

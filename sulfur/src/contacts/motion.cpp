@@ -6,6 +6,7 @@
 
 #include "contacts/contact_core.hpp"
 #include "contacts/pair_table.hpp"
+#include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
@@ -162,30 +163,6 @@ void scaleImpulses(ContactCore& core, double step) {
         body.vy *= share;
         body.spin *= share;
     }
-}
-
-/// Calls f(mover, impulse, its moment) for whom a row pushes.
-template <class Function>
-void forEachPush(const ManifoldBlock& r, std::uint32_t l, Function&& f) {
-    Vec2 push = r.rubbing[l] * Vec2(r.tangentX[l], r.tangentY[l]);
-    Real twistA = r.rubbing[l] * r.tangentArmA[l], twistB = r.rubbing[l] * r.tangentArmB[l];
-    for (const ManifoldPoint& p : r.points) {
-        push += p.pressing[l] * Vec2(p.normalX[l], p.normalY[l]);
-        twistA += p.pressing[l] * p.normalArmA[l];
-        twistB += p.pressing[l] * p.normalArmB[l];
-    }
-    f(r.a[l], Vec2(-push), -twistA);
-    f(r.b[l], push, twistB);
-}
-template <class Function>
-void forEachPush(const TouchBlock& t, std::uint32_t l, Function&& f) {
-    const Real n = t.pressing[l], r = t.rubbing[l];
-    if (n == 0 && r == 0) return;
-    const Vec2 push(t.normalX[l] * n - t.normalY[l] * r, t.normalY[l] * n + t.normalX[l] * r);
-    const Vec2 rod = (t.rod[l] * r + t.lean[l] * n) * Vec2(t.sideX[l], t.sideY[l]);
-    f(t.p[l], push, t.normalArmP[l] * n + t.tangentArmP[l] * r);
-    f(t.a[l], Vec2(rod - t.weightA[l] * push), -(t.normalArmA[l] * n + t.tangentArmA[l] * r));
-    f(t.b[l], Vec2(-rod - t.weightB[l] * push), -(t.normalArmB[l] * n + t.tangentArmB[l] * r));
 }
 
 /// Impulses of rows that push one mover.

@@ -116,6 +116,7 @@ void solveConstraints(State& state) {
     if (state.settings.friction == Friction::sliding) dragRows(state);
     dampSticking(state);
     endMotion(state);
+    giveWay(state);
     endBlows(state);
     holdBackFast(state);
     endLeads(state);

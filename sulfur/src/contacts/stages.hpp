@@ -17,6 +17,9 @@ void updateShapes(State& state);
 void takeMotion(State& state);
 /// Boxes that something leaves in this step are made anew, with their pairs.
 void updateBoxes(State& state);
+/// What a driver squeezes against something that cannot give way begins the next step without
+/// impulses.
+void giveWay(State& state);
 /// Bodies that were put into each other are led apart; when the step ends, their places too.
 void leadApart(State& state);
 void endLeads(State& state);

@@ -101,7 +101,7 @@ void retire(State& state, std::uint32_t index) {
     else
         unlist(state, index);
     forgetBody(state, index);
-    state.idle = false;
+    state.idle = state.nearby.valid = false;
     for (const ParticleId id : body.particles) state.particleSlots.retire(id);
     for (const JointId id : body.joints) {
         state.joints.inCluster[state.jointSlots.dense(id)] = 1;  // nobody solves it

@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 341996959165483883u);
+    EXPECT_EQ(world.hash(), 7253248795731822789u);
 #else
     EXPECT_EQ(world.hash(), 180460094774116811u);
 #endif

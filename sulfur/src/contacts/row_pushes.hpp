@@ -1,0 +1,50 @@
+// Whom a row pushes, one lane at a time.
+#pragma once
+
+#include <cstdint>
+
+#include "contacts/contact_core.hpp"
+
+namespace sulfur::detail {
+
+/// Calls f(mover, impulse, its moment) for whom a row pushes; kg m and kg m^2.
+template <class Function>
+void forEachPush(const ManifoldBlock& r, std::uint32_t l, Function&& f) {
+    Vec2 push = r.rubbing[l] * Vec2(r.tangentX[l], r.tangentY[l]);
+    Real twistA = r.rubbing[l] * r.tangentArmA[l], twistB = r.rubbing[l] * r.tangentArmB[l];
+    for (const ManifoldPoint& p : r.points) {
+        push += p.pressing[l] * Vec2(p.normalX[l], p.normalY[l]);
+        twistA += p.pressing[l] * p.normalArmA[l];
+        twistB += p.pressing[l] * p.normalArmB[l];
+    }
+    f(r.a[l], Vec2(-push), -twistA);
+    f(r.b[l], push, twistB);
+}
+template <class Function>
+void forEachPush(const TouchBlock& t, std::uint32_t l, Function&& f) {
+    const Real n = t.pressing[l], r = t.rubbing[l];
+    if (n == 0 && r == 0) return;
+    const Vec2 push(t.normalX[l] * n - t.normalY[l] * r, t.normalY[l] * n + t.normalX[l] * r);
+    const Vec2 rod = (t.rod[l] * r + t.lean[l] * n) * Vec2(t.sideX[l], t.sideY[l]);
+    f(t.p[l], push, t.normalArmP[l] * n + t.tangentArmP[l] * r);
+    f(t.a[l], Vec2(rod - t.weightA[l] * push), -(t.normalArmA[l] * n + t.tangentArmA[l] * r));
+    f(t.b[l], Vec2(-rod - t.weightB[l] * push), -(t.normalArmB[l] * n + t.tangentArmB[l] * r));
+}
+
+/// What a row presses, kg m.
+inline Real pressingOf(const ManifoldBlock& r, std::uint32_t l) {
+    return r.points[0].pressing[l] + r.points[1].pressing[l];
+}
+inline Real pressingOf(const TouchBlock& t, std::uint32_t l) {
+    return t.pressing[l];
+}
+
+/// A row gives its bodies nothing any more.
+inline void forgetImpulses(ManifoldBlock& r, std::uint32_t l) {
+    r.rubbing[l] = r.points[0].pressing[l] = r.points[1].pressing[l] = 0;
+}
+inline void forgetImpulses(TouchBlock& t, std::uint32_t l) {
+    t.rubbing[l] = t.pressing[l] = 0;
+}
+
+}  // namespace sulfur::detail
