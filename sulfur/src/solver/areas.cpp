@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/bucket_sort.hpp"
+#include "core/counting_sort.hpp"
 #include "core/pieces.hpp"
 #include "kernels/area_look.hpp"
 #include "rigid/grip.hpp"
@@ -311,13 +311,6 @@ void startAreas(State& state) {
     }
     triangles.anyHeld = false;
     pressBelow(state, watchedShare);
-}
-
-bool morePressed(State& state) {
-    if (state.contacts.empty()) return false;
-    const std::size_t before = state.triangles.pressed.size();
-    pressBelow(state, leastShare);
-    return state.triangles.pressed.size() > before;
 }
 
 void solveAreas(State& state) {

@@ -11,8 +11,6 @@ namespace sulfur::detail {
 void startAreas(State& state);
 /// Displacements change until those have the area that they must have.
 void solveAreas(State& state);
-/// Whether contacts have pressed others too flat since startAreas(); these take part from then on.
-bool morePressed(State& state);
 /// What was too flat or turned over already when the tick began is led back by moving positions,
 /// not displacements, so that nothing is thrown.
 void recoverAreas(State& state);

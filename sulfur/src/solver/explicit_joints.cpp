@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/bucket_sort.hpp"
+#include "core/counting_sort.hpp"
 #include "kernels/joint_sweep.hpp"
 #include "world/state.hpp"
 

@@ -46,8 +46,6 @@ Real whip(const State& state, std::uint32_t j, Real w, Real start) {
 }
 
 constexpr Real mostWhip = Real(0.2);
-/// Of its length, by which a rigid joint may be wrong after the sweeps.
-constexpr Real mostStrain = Real(1e-3);
 
 /// The unit vector along which a joint pulls that pointed along `before` at the start of the tick
 /// and does along `now` at its end, so far: the former (SHAKE, Ryckaert et al. 1977). Only so does

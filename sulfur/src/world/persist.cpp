@@ -148,6 +148,7 @@ void World::restore(const Snapshot& snapshot) {
     reader(seal);
     if (!reader.finished() || !detail::findBroken(fresh->state).empty()) detail::refuseDamaged();
     fresh->state.profiling = impl_->state.profiling;
+    fresh->state.tasks = impl_->state.tasks;
     impl_ = std::move(fresh);
 }
 

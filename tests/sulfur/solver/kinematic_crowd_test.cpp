@@ -74,8 +74,8 @@ private:
     double angle_ = 0;
 };
 
-/// `squeezed`: so many times as fast as the rod throws.
-void expectNobodyFasterThanTheRodThrows(int rate, Real restitution, double squeezed) {
+/// `times`: as fast as the rod throws.
+void expectNobodyFasterThanTheRodThrows(int rate, Real restitution, double times) {
     Mixer mixer(rate, restitution);
     double most = 0;
     for (int i = 0; i < rate; ++i) {
@@ -83,7 +83,7 @@ void expectNobodyFasterThanTheRodThrows(int rate, Real restitution, double squee
         most = std::max(most, fastest(mixer.world));
     }
     const auto what = testing::Message() << rate << " Hz, e = " << restitution;
-    EXPECT_LT(most, squeezed * (1 + static_cast<double>(restitution)) * Mixer::tip) << what;
+    EXPECT_LT(most, times * (1 + static_cast<double>(restitution)) * Mixer::tip) << what;
     EXPECT_LT(mixer.farthest(), Mixer::wall) << what;
     EXPECT_EQ(mixer.world.validate(), "") << what;
 }

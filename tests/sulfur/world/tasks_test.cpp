@@ -74,6 +74,18 @@ TEST(Tasks, ThreadsDoNotMatter) {
 }
 
 /// What is very large stands in a grid of its own, and touches colliders of all pieces.
+TEST(Tasks, StayLentWhenAWorldIsRestored) {
+    World world;
+    build(world);
+    Backwards tasks(2);
+    world.setTasks(&tasks);
+    world.step();
+    world.restore(world.snapshot());
+    const int before = tasks.runs;
+    world.step();
+    EXPECT_GT(tasks.runs, before);
+}
+
 TEST(Tasks, DoNotMatterAmongThingsOfAllSizes) {
     const auto playRoof = [](Tasks* tasks) {
         World world;
