@@ -131,6 +131,7 @@ void squeezeBodies(State& state, const Removal& removal) {
     squeeze(state.bodies, removal.bodies);
     std::uint32_t first = 0;
     state.bodyIds.clear();
+    state.sensing.bodies.clear();
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
         BodyRecord& body = state.bodies[i];
         cutSkin(body,
@@ -142,6 +143,7 @@ void squeezeBodies(State& state, const Removal& removal) {
         first += static_cast<std::uint32_t>(body.particles.size());
         state.bodySlots.move(body.id, i);
         state.bodyIds.push_back(body.id);
+        if (body.sensor) state.sensing.bodies.push_back(i);
     }
 }
 

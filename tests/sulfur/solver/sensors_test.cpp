@@ -47,6 +47,30 @@ TEST(Sensors, FeelWhatFallsThroughAndDoNotTouchIt) {
     EXPECT_EQ(world.position(ball.front()), empty.position(free.front()));
 }
 
+/// What breaks in a tick closes the gaps of what was removed before it; sensors stay who they are.
+TEST(Sensors, StayThemselvesWhenSomethingBreaksAfterOthersWent) {
+    World world({.gravity = {0, 0}});
+    std::vector<Body> others;
+    for (int i = 0; i < 20; ++i)
+        others.push_back(world.add(shapes::box(), {.position = {10.0 + 2 * i, 0}}));
+    Blueprint dumbbell;
+    for (const Real x : {Real(-1), Real(1)})
+        dumbbell.particles.push_back({.position = {x, 0}, .radius = Real(0.1)});
+    dumbbell.joints.push_back({.a = 0, .b = 1, .strength = Real(0.01)});
+    const Body breaks = world.add(dumbbell, {.position = {-10, 0}});
+    const Body zone = world.add(sensing(shapes::box({.size = {4, 4}})), {.position = {0, 0}});
+    const Body crate = world.add(shapes::box());
+    for (int i = 0; i < 10; ++i) world.add(shapes::box(), {.position = {10.0 + 2 * i, 5}});
+    world.step();
+    for (int i = 0; i < 8; ++i) world.remove(others[static_cast<std::size_t>(i)]);
+    world.applyForce(breaks[0], {-50, 0});
+    world.step();
+    EXPECT_EQ(world.events().jointsBroken.size(), 1u);
+    ASSERT_EQ(world.visitors(zone).size(), 1u);
+    EXPECT_EQ(world.visitors(zone)[0], crate.id());
+    EXPECT_TRUE(world.events().sensorsLeft.empty());
+}
+
 TEST(Sensors, ABodyWhollyInsideCountsAndStaysCounted) {
     World world({.gravity = {0, 0}});
     // Drawn either way round: a sensor is never a room.
