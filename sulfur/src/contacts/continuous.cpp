@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
+#include "model/clusters.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
 #include "narrow_phase/time_of_impact.hpp"
-#include "rigid/clusters.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

@@ -2,9 +2,9 @@
 // added once, after the sweeps, which know no friction then.
 #include <bit>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
-#include "world/state.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

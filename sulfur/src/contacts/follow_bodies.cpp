@@ -3,13 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
-#include "rigid/clusters.hpp"
+#include "model/clusters.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 #include "shape/make_shapes.hpp"
-#include "solver/stages.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 
@@ -265,11 +264,6 @@ void followTurned(State& state) {
 }
 
 }  // namespace
-
-void shapeIsStale(State& state, std::uint32_t bodySlot) {
-    auto& stale = state.core.staleShapes;
-    if (stale.empty() || stale.back() != bodySlot) stale.push_back(bodySlot);
-}
 
 void removeShape(State& state, std::uint32_t slot) {
     ContactCore& core = state.core;

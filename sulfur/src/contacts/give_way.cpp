@@ -6,10 +6,10 @@
 // been solved begin the next one without impulses, with all that stands in their way.
 #include <utility>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
-#include "world/state.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

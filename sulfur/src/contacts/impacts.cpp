@@ -13,12 +13,12 @@
 #include <memory_resource>
 #include <utility>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/stages.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 #include "rigid/grip.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

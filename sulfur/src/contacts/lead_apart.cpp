@@ -5,10 +5,10 @@
 #include <limits>
 #include <memory_resource>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
-#include "rigid/clusters.hpp"
-#include "world/state.hpp"
+#include "model/clusters.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -7,10 +7,10 @@
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
+#include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
 #include "narrow_phase/loose.hpp"
 #include "shape/materials.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

@@ -7,8 +7,8 @@
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
+#include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

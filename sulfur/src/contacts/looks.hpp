@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <sulfur/math.hpp>
 
-#include "contacts/contact_core.hpp"
+#include "model/contact_core.hpp"
 
 namespace sulfur::detail {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

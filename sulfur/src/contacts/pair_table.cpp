@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/encounters.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "contacts/contact_core.hpp"
+#include "model/contact_core.hpp"
 
 namespace sulfur::detail {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/contact_core.hpp"
+#include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
 #include "core/disjoint_sets.hpp"
-#include "solver/stages.hpp"
-#include "world/state.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

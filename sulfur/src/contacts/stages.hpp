@@ -8,6 +8,7 @@
 namespace sulfur::detail {
 
 struct State;
+struct ContactCore;
 struct ContactLoad;
 struct SweepKind;
 
@@ -47,19 +48,20 @@ void takeMotionAgain(State& state);
 /// The same at the end of the step; places take up what the rows have pushed.
 void endMotion(State& state);
 
-/// What the stages together do to displacements: contacts and all that is swept beside them.
-void solveConstraints(State& state);
 /// Points that push, with the impacts of the last step; with those of sleepers where it is asked
 /// for.
 void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleep(State& state);
 
+/// Wakes a body that goes away or leaves its place, and what is near or tied to it.
+void wakeTouching(State& state, std::uint32_t body);
+/// Whether a body, by slot, is tied to another one or to itself.
+bool hasLinks(const ContactCore& core, std::uint32_t bodySlot);
+
 /// Takes away pairs, rows and chunks of a body, by its slot; impulses are kept for heirs.
 void removeShape(State& state, std::uint32_t bodySlot);
 /// Takes a body that goes away, by dense index, out of all that contacts and sensors know.
 void forgetBody(State& state, std::uint32_t body);
-/// The shape of a body, by its slot, is made anew before the next step.
-void shapeIsStale(State& state, std::uint32_t bodySlot);
 
 }  // namespace sulfur::detail

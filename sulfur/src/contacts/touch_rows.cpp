@@ -1,8 +1,8 @@
 #include "contacts/touch_rows.hpp"
 
-#include "contacts/contact_core.hpp"
-#include "rigid/clusters.hpp"
-#include "world/state.hpp"
+#include "model/clusters.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

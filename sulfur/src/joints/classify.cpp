@@ -1,7 +1,7 @@
 // How each joint is solved, derived from stiffness, masses and the tick.
 #include <algorithm>
 
-#include "world/state.hpp"
+#include "joints/classify.hpp"
 
 namespace sulfur::detail {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "joints/classify.hpp"
 #include "kernels/joint_sweep.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

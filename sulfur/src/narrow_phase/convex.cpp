@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/contact_core.hpp"
+#include "model/contact_core.hpp"
 #include "narrow_phase/time_of_impact.hpp"
 
 namespace sulfur::detail {

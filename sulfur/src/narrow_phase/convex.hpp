@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "shape/movers.hpp"
-#include "shape/shapes.hpp"
+#include "model/movers.hpp"
+#include "model/shapes.hpp"
 
 namespace sulfur::detail {
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

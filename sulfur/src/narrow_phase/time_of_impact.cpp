@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "contacts/contact_core.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
-#include "world/state.hpp"
+#include "narrow_phase/loose.hpp"
 
 namespace sulfur::detail {
 

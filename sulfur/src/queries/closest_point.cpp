@@ -6,8 +6,9 @@
 
 #include "core/error_checks.hpp"
 #include "core/segments.hpp"
+#include "model/impl.hpp"
 #include "queries/query.hpp"
-#include "world/impl.hpp"
+#include "shape/outline.hpp"
 
 namespace sulfur {
 

@@ -1,6 +1,7 @@
 #include "queries/nearby.hpp"
 
-#include "shape/shapes.hpp"
+#include "model/shapes.hpp"
+#include "shape/outline.hpp"
 
 namespace sulfur::detail {
 

@@ -11,7 +11,7 @@
 #include <sulfur/math.hpp>
 #include <vector>
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

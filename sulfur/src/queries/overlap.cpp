@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/error_checks.hpp"
+#include "model/impl.hpp"
 #include "queries/query.hpp"
-#include "world/impl.hpp"
 
 namespace sulfur {
 

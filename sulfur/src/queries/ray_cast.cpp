@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/error_checks.hpp"
+#include "model/impl.hpp"
 #include "queries/query.hpp"
-#include "world/impl.hpp"
 
 namespace sulfur {
 

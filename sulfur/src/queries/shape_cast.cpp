@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "core/segments.hpp"
+#include "model/impl.hpp"
 #include "queries/query.hpp"
-#include "world/impl.hpp"
 
 namespace sulfur {
 

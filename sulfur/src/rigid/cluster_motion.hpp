@@ -1,7 +1,7 @@
 // How rigid components move in a tick: in closed form, with their spin kept.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

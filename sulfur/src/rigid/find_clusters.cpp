@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/stages.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/rigidity.hpp"
+#include "shape/make_shapes.hpp"
 
 namespace sulfur::detail {
 

@@ -1,7 +1,7 @@
 // Finding the rigid components of bodies.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "core/trigonometry.hpp"
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

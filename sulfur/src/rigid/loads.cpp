@@ -4,8 +4,8 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 
+#include "particles/motion.hpp"
 #include "rigid/grip.hpp"
-#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 

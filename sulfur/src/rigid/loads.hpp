@@ -4,7 +4,7 @@
 #include <memory>
 #include <sulfur/ids.hpp>
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

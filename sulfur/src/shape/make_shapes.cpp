@@ -4,10 +4,11 @@
 #include <map>
 
 #include "core/trigonometry.hpp"
-#include "rigid/clusters.hpp"
+#include "model/clusters.hpp"
+#include "model/state.hpp"
 #include "shape/make_shapes.hpp"
 #include "shape/materials.hpp"
-#include "world/state.hpp"
+#include "shape/outline.hpp"
 
 namespace sulfur::detail {
 
@@ -385,7 +386,7 @@ private:
     /// chunks, the first of them has the spokes, and it alone is held off others as a corner.
     void giveSpokes() {
         std::map<std::uint32_t, std::vector<std::uint32_t>> ends;  // by particle slot: corners
-        std::map<std::uint32_t, Real> thickest;  // of these capsules, m
+        std::map<std::uint32_t, Real> thickest;                    // of these capsules, m
         std::map<std::uint32_t, std::uint32_t> owner;
         const auto forEachOwnChunk = [&](auto&& f) {
             std::vector<std::uint32_t> list;
@@ -474,6 +475,11 @@ void endUse(State& state, std::uint32_t use, std::uint32_t mover) {
 }
 
 }  // namespace
+
+void shapeIsStale(State& state, std::uint32_t bodySlot) {
+    auto& stale = state.core.staleShapes;
+    if (stale.empty() || stale.back() != bodySlot) stale.push_back(bodySlot);
+}
 
 void dropShape(State& state, std::uint32_t bodySlot) {
     Shapes& shapes = state.core.shapes;

@@ -1,7 +1,7 @@
 // Which material a surface is of.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

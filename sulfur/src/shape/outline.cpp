@@ -15,8 +15,9 @@
 #include <tuple>
 
 #include "core/disjoint_sets.hpp"
-#include "shape/shapes.hpp"
-#include "world/state.hpp"
+#include "model/shapes.hpp"
+#include "model/state.hpp"
+#include "shape/outline.hpp"
 
 namespace sulfur::detail {
 

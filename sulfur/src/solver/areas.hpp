@@ -3,7 +3,7 @@
 // would stay so.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -1,8 +1,8 @@
 // Attachments and hinges that no tree has taken: a place of one thing held at a place of another.
 #include "core/limits.hpp"
+#include "particles/motion.hpp"
 #include "rigid/held_point.hpp"
 #include "solver/constraint_kinds.hpp"
-#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 

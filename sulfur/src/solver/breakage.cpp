@@ -3,8 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/compact.hpp"
+#include "solver/split.hpp"
 #include "solver/stages.hpp"
-#include "world/split.hpp"
 
 namespace sulfur::detail {
 

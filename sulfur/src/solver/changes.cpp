@@ -1,9 +1,13 @@
 // Stage 1: what is derived from bodies and joints follows their changes.
 #include <algorithm>
 
+#include "joints/batches.hpp"
+#include "joints/classify.hpp"
+#include "joints/triangles.hpp"
 #include "rigid/find_clusters.hpp"
 #include "solver/stages.hpp"
 #include "solver/work_lists.hpp"
+#include "trees/chain_batches.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {

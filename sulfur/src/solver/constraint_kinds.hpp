@@ -1,7 +1,7 @@
 // The kinds of constraints that solveConstraints() sweeps over.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -1,7 +1,7 @@
 // Force fields, as the stage that applies them and the wake rule see them.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

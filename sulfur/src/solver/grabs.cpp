@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/limits.hpp"
+#include "particles/motion.hpp"
 #include "rigid/held_point.hpp"
-#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 

@@ -1,7 +1,7 @@
 // Grabs, as the constraint stage sees them.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

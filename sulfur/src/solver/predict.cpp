@@ -1,12 +1,12 @@
 // Stage: velocities and displacements that forces alone would give.
 #include <algorithm>
 
+#include "bodies/driven.hpp"
 #include "core/limits.hpp"
+#include "particles/motion.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/find_clusters.hpp"
 #include "rigid/loads.hpp"
-#include "solver/driven.hpp"
-#include "solver/motion.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 

@@ -2,7 +2,7 @@
 // name; those of contact are in contacts/stages.hpp.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 
@@ -16,24 +16,14 @@ void gatherForces(State& state);
 void applyFields(State& state);
 /// v += h (g + w f), air friction, d = h v.
 void predict(State& state);
+/// Displacements change until contacts and all that is swept beside them hold.
+void solveConstraints(State& state);
 /// Velocities from displacements, and the move itself.
 void updateVelocities(State& state);
 /// Cuts joints that were loaded beyond their strength.
 void breakJoints(State& state);
 /// Finds out who is in which sensor, and who came and went.
 void updateSensors(State& state);
-
-/// Makes a body take part again, with all that fell asleep with it or leans on it, or lets it rest,
-/// at once.
-void wakeBody(State& state, std::uint32_t body);
-/// Wakes a body that goes away or leaves its place, and what is near or tied to it.
-void wakeTouching(State& state, std::uint32_t body);
-/// Wakes the sleepers that a body may have come to overlap: those whose bounding boxes meet its
-/// own. Linear in the particles of the sleepers.
-void wakeNear(State& state, std::uint32_t body);
-void sleepBody(State& state, std::uint32_t body);
-/// Joins the rings of two sleepers, so that they wake together.
-void joinSleepers(State& state, std::uint32_t a, std::uint32_t b);
 
 /// One tick.
 void step(State& state);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "bodies/driven.hpp"
 #include "contacts/stages.hpp"
-#include "solver/driven.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {

@@ -4,9 +4,9 @@
 
 #include "core/limits.hpp"
 #include "core/pieces.hpp"
+#include "particles/motion.hpp"
 #include "rigid/grip.hpp"
 #include "solver/constraint_kinds.hpp"
-#include "solver/motion.hpp"
 
 namespace sulfur::detail {
 

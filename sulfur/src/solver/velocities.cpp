@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "core/limits.hpp"
+#include "particles/motion.hpp"
 #include "rigid/cluster_motion.hpp"
-#include "solver/motion.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 

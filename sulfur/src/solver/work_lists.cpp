@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
-#include "world/state.hpp"
+#include "model/contact_core.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

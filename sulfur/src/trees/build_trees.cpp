@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "core/disjoint_sets.hpp"
+#include "joints/classify.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "trees/tree_solver.hpp"
 

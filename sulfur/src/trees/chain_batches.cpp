@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/limits.hpp"
+#include "model/state.hpp"
 #include "trees/step_judgement.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rigid/clusters.hpp"
-#include "trees/elimination.hpp"
+#include "core/elimination.hpp"
+#include "model/tree_scratch.hpp"
 
 namespace sulfur::detail {
 
@@ -18,12 +18,6 @@ typename Elimination<N>::Vector rowAlong(const Point& direction, const Point& ar
     if constexpr (N == 3) row[2] = arm[0] * direction[1] - arm[1] * direction[0];
     return row;
 }
-
-/// A link between two places, as the solver sees it at the moment.
-struct Span {
-    Point armHere{0, 0}, armThere{0, 0};  // m, from the nodes' centres
-    Point apart{0, 0};                    // m, from the parent's place to this node's
-};
 
 /// Rows and columns of a distance: it changes along `now`, and pushes along `push` at the arms of
 /// `start`, where the step began.
@@ -52,13 +46,7 @@ void setMeeting(typename Elimination<N>::Link& link, const Span& start, const Sp
     link.compliance = {0, 0};
 }
 
-/// A distance as the equation lambda + hk C + hb (C - C0) = 0 wants it: value and compliance for
-/// the solver, which works on C + alpha lambda = 0. A rigid one has hk infinite.
-struct Elastic {
-    bool rigid = true;
-    double hk = 0;  // k h^2, kg
-    double hb = 0;  // b h, kg
-};
+/// Value and compliance of a distance for the solver, which works on C + alpha lambda = 0.
 inline double complianceOf(const Elastic& e) {
     return e.rigid ? 0 : 1 / (e.hk + e.hb);
 }

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "core/limits.hpp"
-#include "solver/motion.hpp"
+#include "particles/motion.hpp"
 #include "trees/step_judgement.hpp"
 
 namespace sulfur::detail {

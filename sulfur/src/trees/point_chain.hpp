@@ -1,7 +1,7 @@
 // The fast path for a rope: a chain of points, joint after joint.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -10,9 +10,10 @@
 
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
+#include "particles/motion.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
-#include "solver/motion.hpp"
+#include "trees/chain_batches.hpp"
 #include "trees/geometry.hpp"
 #include "trees/point_chain.hpp"
 #include "trees/step_judgement.hpp"

@@ -10,8 +10,8 @@
 #include "contacts/touch_rows.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
+#include "particles/motion.hpp"
 #include "rigid/grip.hpp"
-#include "solver/motion.hpp"
 #include "trees/geometry.hpp"
 #include "trees/tree_solver.hpp"
 

@@ -1,7 +1,7 @@
 // How trees of stiff joints move: by themselves in steps of their own, and against contacts.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 
@@ -16,8 +16,8 @@ void stepTrees(State& state);
 
 /// Before the sweeps: finds the trees that contacts or swept constraints pull on.
 void touchTrees(State& state);
-/// What impacts have given to single nodes of the touched trees is shared along their links at once:
-/// how fast these grow does not change.
+/// What impacts have given to single nodes of the touched trees is shared along their links at
+/// once: how fast these grow does not change.
 void shareBlows(State& state);
 /// One sweep: every line through a mesh, and every touched tree, is solved as a whole.
 void sweepTrees(State& state);

@@ -1,11 +1,12 @@
 // World: changing what exists.
 #include <algorithm>
 
+#include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "rigid/find_clusters.hpp"
-#include "solver/stages.hpp"
+#include "shape/make_shapes.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {

@@ -1,8 +1,8 @@
 // World: force fields.
 #include "solver/fields.hpp"
+#include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
-#include "solver/stages.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {

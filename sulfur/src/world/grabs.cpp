@@ -1,10 +1,10 @@
 // World: grabbing things.
 #include "solver/grabs.hpp"
+#include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
-#include "solver/motion.hpp"
-#include "solver/stages.hpp"
+#include "particles/motion.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {

@@ -1,17 +1,9 @@
-// What World hides.
+// What the calls of World have in common.
 #pragma once
 
-#include <sulfur/world.hpp>
+#include "model/impl.hpp"
 
-#include "world/state.hpp"
-
-namespace sulfur {
-
-struct World::Impl {
-    detail::State state;
-};
-
-namespace detail {
+namespace sulfur::detail {
 
 /// Dense indices of handles; they throw Error{staleHandle} when the thing is gone.
 std::uint32_t indexOf(const State& state, ParticleId id);
@@ -31,5 +23,4 @@ void bodyChanged(State& state);
 /// Makes the next tick measure the rigid components of a body again.
 void shapeChanged(State& state, std::uint32_t body);
 
-}  // namespace detail
-}  // namespace sulfur
+}  // namespace sulfur::detail

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/sleep.hpp"
+#include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/segments.hpp"
 #include "core/trigonometry.hpp"
-#include "rigid/find_clusters.hpp"
-#include "solver/stages.hpp"
+#include "solver/compact.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -158,17 +159,6 @@ AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle
 }
 
 }  // namespace
-
-void restoreInverseMass(State& state, std::uint32_t index) {
-    const BodyRecord& body = state.bodies[index];
-    Particles& p = state.particles;
-    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
-        const auto i = body.firstParticle + k;
-        const bool free = body.kind == BodyKind::dynamic && state.awake(index) && p.pinned[i] == 0;
-        p.inverseMass[i] = free ? 1 / p.mass[i] : 0;
-    }
-    restoreClusterMasses(state, index);
-}
 
 void bodyChanged(State& state) {
     state.structure.changed();

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

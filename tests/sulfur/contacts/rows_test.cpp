@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/contact_core.hpp"
 #include "helpers.hpp"
 #include "kernels/joint_sweep.hpp"
+#include "model/contact_core.hpp"
 
 namespace sulfur {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "core/trigonometry.hpp"
 #include "helpers.hpp"
-#include "rigid/clusters.hpp"
+#include "model/clusters.hpp"
 
 namespace sulfur {
 

@@ -3,7 +3,7 @@
 
 #include "helpers.hpp"
 #include "queries/nearby.hpp"
-#include "shape/shapes.hpp"
+#include "shape/outline.hpp"
 
 namespace sulfur {
 namespace {

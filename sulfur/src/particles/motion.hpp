@@ -3,7 +3,7 @@
 
 #include "core/limits.hpp"
 #include "kernels/particle_motion.hpp"
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "bodies/sleep.hpp"
 #include "rigid/find_clusters.hpp"
-#include "solver/stages.hpp"
 
 namespace sulfur::detail {
 
@@ -30,6 +30,17 @@ Bounds boundsOf(const State& state, std::uint32_t index, double duration) {
 }
 
 }  // namespace
+
+void restoreInverseMass(State& state, std::uint32_t index) {
+    const BodyRecord& body = state.bodies[index];
+    Particles& p = state.particles;
+    for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
+        const auto i = body.firstParticle + k;
+        const bool free = body.kind == BodyKind::dynamic && state.awake(index) && p.pinned[i] == 0;
+        p.inverseMass[i] = free ? 1 / p.mass[i] : 0;
+    }
+    restoreClusterMasses(state, index);
+}
 
 void joinSleepers(State& state, std::uint32_t a, std::uint32_t b) {
     BodyRecord& first = state.bodies[a];

@@ -8,10 +8,23 @@
 #include <sulfur/math.hpp>
 #include <vector>
 
-#include "trees/elimination.hpp"
-#include "trees/geometry.hpp"
+#include "core/elimination.hpp"
 
 namespace sulfur::detail {
+
+/// A link between two places, as the solver sees it at the moment.
+struct Span {
+    Point armHere{0, 0}, armThere{0, 0};  // m, from the nodes' centres
+    Point apart{0, 0};                    // m, from the parent's place to this node's
+};
+
+/// A distance as the equation lambda + hk C + hb (C - C0) = 0 wants it. A rigid one has hk
+/// infinite.
+struct Elastic {
+    bool rigid = true;
+    double hk = 0;  // k h^2, kg
+    double hb = 0;  // b h, kg
+};
 
 /// Of a chain of points (point_chain.cpp).
 struct ChainScratch {

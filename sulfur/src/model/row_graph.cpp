@@ -1,4 +1,4 @@
-#include "rows/row_graph.hpp"
+#include "model/row_graph.hpp"
 
 #include <bit>
 #include <cstring>

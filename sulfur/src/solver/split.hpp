@@ -1,7 +1,7 @@
 // Bodies that fall apart.
 #pragma once
 
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -8,12 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "broad_phase/box_grid.hpp"
-#include "narrow_phase/loose.hpp"
-#include "narrow_phase/time_of_impact.hpp"
-#include "rows/row_graph.hpp"
-#include "shape/movers.hpp"
-#include "shape/shapes.hpp"
+#include "model/box_grid.hpp"
+#include "model/look_results.hpp"
+#include "model/movers.hpp"
+#include "model/row_graph.hpp"
+#include "model/shapes.hpp"
 
 namespace sulfur::detail {
 
@@ -205,8 +204,5 @@ struct ContactCore {
         a(lastStep);
     }
 };
-
-/// Whether a body, by slot, is tied to another one or to itself.
-bool hasLinks(const ContactCore& core, std::uint32_t bodySlot);
 
 }  // namespace sulfur::detail

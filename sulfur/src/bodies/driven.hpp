@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/trigonometry.hpp"
-#include "world/state.hpp"
+#include "model/state.hpp"
 
 namespace sulfur::detail {
 

@@ -9,8 +9,6 @@
 
 namespace sulfur::detail {
 
-struct State;
-
 /// Neighbours in a list of swept joints that are solved in one way.
 struct SweepBatch {
     std::uint32_t first = 0, last = 0;  // in the list
@@ -45,8 +43,5 @@ struct SweptJoints {
             f(*list);
     }
 };
-
-/// Divides a list, which stands in the order of its joints' colours, into batches.
-void batchJoints(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept);
 
 }  // namespace sulfur::detail

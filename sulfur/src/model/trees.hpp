@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/slots.hpp"
-#include "trees/tree_scratch.hpp"
+#include "model/tree_scratch.hpp"
 
 namespace sulfur::detail {
 

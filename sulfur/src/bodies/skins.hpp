@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/slots.hpp"
-#include "world/bodies.hpp"
+#include "model/bodies.hpp"
 
 namespace sulfur::detail {
 

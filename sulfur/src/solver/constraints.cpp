@@ -4,8 +4,8 @@
 // contact disturbs in a body is mended in the same sweep; trees, which are solved as a whole, last.
 #include <algorithm>
 
-#include "contacts/contact_core.hpp"
 #include "contacts/stages.hpp"
+#include "model/contact_core.hpp"
 #include "rigid/loads.hpp"
 #include "solver/areas.hpp"
 #include "solver/constraint_kinds.hpp"

@@ -1,10 +1,9 @@
-#include "solver/explicit_joints.hpp"
 
 #include <algorithm>
 
 #include "core/counting_sort.hpp"
+#include "joints/batches.hpp"
 #include "kernels/joint_sweep.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

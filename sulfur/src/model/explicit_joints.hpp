@@ -8,8 +8,6 @@
 
 namespace sulfur::detail {
 
-struct State;
-
 /// Neighbours in the list that share no particle: of several instances of one blueprint, the same
 /// joint of each.
 struct ForceBatch {
@@ -28,9 +26,5 @@ struct ExplicitJoints {
     // Scratch of batchExplicitJoints().
     std::vector<std::uint32_t> levelOfParticle, levelOfJoint, sorted, levelStart;
 };
-
-/// Orders the list of explicit joints so that joints that share a particle stay in their order, and
-/// with that the sums of forces the same to the last bit; and divides it into batches.
-void batchExplicitJoints(State& state);
 
 }  // namespace sulfur::detail

@@ -7,7 +7,7 @@
 
 #include "core/set_bits.hpp"
 #include "kernels/rows.hpp"
-#include "shape/movers.hpp"
+#include "model/movers.hpp"
 
 namespace sulfur::detail {
 

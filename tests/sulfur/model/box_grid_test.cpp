@@ -1,4 +1,4 @@
-#include "broad_phase/box_grid.hpp"
+#include "model/box_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "world/influences.hpp"
+#include "model/influences.hpp"
 
 namespace sulfur::detail {
 

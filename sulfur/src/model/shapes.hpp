@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "core/range_pool.hpp"
-#include "shape/movers.hpp"
+#include "model/movers.hpp"
 
 namespace sulfur::detail {
-
-struct State;
 
 /// A particle at which colliders end.
 struct Corner {
@@ -74,7 +72,7 @@ struct Shapes {
     std::vector<Chunk> chunks;
     std::vector<std::uint32_t> freeChunks;
     RangePool cornerPool, sidePool, usePool, spokePool;
-    std::vector<std::uint32_t> firstChunk;       // by body slot, or none
+    std::vector<std::uint32_t> firstChunk;  // by body slot, or none
     /// By slot of a particle that moves by itself, or of the first of a rigid component; or none.
     std::vector<std::uint32_t> moverOfParticle;
 
@@ -94,17 +92,5 @@ struct Shapes {
         a(moverOfParticle);
     }
 };
-
-/// An edge of a body's outer face: whoever walks along it has the body to the left.
-struct RimEdge {
-    std::uint32_t from = 0, to = 0;  // particles
-    std::uint32_t joint = 0;
-};
-/// Loops that bound a body, those that are solid inside, by its capsules and where its particles
-/// are in the blueprint (see outline.cpp).
-std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t body,
-                                               const std::vector<std::uint32_t>& capsules);
-/// The same, by all capsules of the body.
-std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t body);
 
 }  // namespace sulfur::detail

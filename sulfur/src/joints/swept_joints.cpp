@@ -1,9 +1,8 @@
-#include "solver/swept_joints.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "world/state.hpp"
+#include "joints/batches.hpp"
 
 namespace sulfur::detail {
 

@@ -4,13 +4,14 @@
 // the arrays until half of these are gaps: removing costs what is removed, whatever else there is.
 #include <algorithm>
 
+#include "bodies/skins.hpp"
+#include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
-#include "rigid/find_clusters.hpp"
-#include "solver/stages.hpp"
+#include "joints/classify.hpp"
+#include "model/state.hpp"
+#include "solver/compact.hpp"
 #include "solver/work_lists.hpp"
 #include "trees/tree_solver.hpp"
-#include "world/skins.hpp"
-#include "world/state.hpp"
 
 namespace sulfur::detail {
 

@@ -11,7 +11,7 @@
 #include <sulfur/math.hpp>
 #include <vector>
 
-#include "shape/shapes.hpp"
+#include "model/shapes.hpp"
 
 namespace sulfur::detail {
 

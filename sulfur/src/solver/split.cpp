@@ -1,10 +1,11 @@
-#include "world/split.hpp"
+#include "solver/split.hpp"
 
 #include <algorithm>
 #include <map>
 
+#include "bodies/skins.hpp"
 #include "core/disjoint_sets.hpp"
-#include "world/skins.hpp"
+#include "solver/compact.hpp"
 
 namespace sulfur::detail {
 

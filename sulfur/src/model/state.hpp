@@ -9,21 +9,21 @@
 #include <utility>
 #include <vector>
 
-#include "contacts/contact_core.hpp"
 #include "core/frame_arena.hpp"
 #include "core/slots.hpp"
-#include "joints/joints.hpp"
-#include "joints/triangles.hpp"
-#include "particles/particles.hpp"
-#include "rigid/clusters.hpp"
-#include "rigid/contact_load.hpp"
-#include "solver/explicit_joints.hpp"
-#include "solver/sensing.hpp"
-#include "solver/swept_joints.hpp"
-#include "trees/chain_batches.hpp"
-#include "trees/trees.hpp"
-#include "world/bodies.hpp"
-#include "world/influences.hpp"
+#include "model/bodies.hpp"
+#include "model/chain_batches.hpp"
+#include "model/clusters.hpp"
+#include "model/contact_core.hpp"
+#include "model/contact_load.hpp"
+#include "model/explicit_joints.hpp"
+#include "model/influences.hpp"
+#include "model/joints.hpp"
+#include "model/particles.hpp"
+#include "model/sensing.hpp"
+#include "model/swept_joints.hpp"
+#include "model/trees.hpp"
+#include "model/triangles.hpp"
 
 namespace sulfur::detail {
 
@@ -247,36 +247,5 @@ inline Counts countsOf(const State& state) {
             static_cast<std::uint32_t>(state.joints.size()),
             static_cast<std::uint32_t>(state.bodies.size())};
 }
-
-/// Drops what is marked (true) and closes the gaps, keeping the order. Joints and attachments
-/// that lose a particle go too.
-struct Removal {
-    std::vector<bool> particles, joints, attachments, bodies;
-
-    explicit Removal(const State& state)
-        : particles(state.particles.size()),
-          joints(state.joints.size()),
-          attachments(state.attachments.size()),
-          bodies(state.bodies.size()) {}
-};
-void compact(State& state, Removal& removal);
-/// Takes a body away, with what is tied to it. What touched it wakes.
-void removeBody(State& state, std::uint32_t body);
-
-/// All that names particles by their index follows them to new ones, except the arrays themselves.
-/// Trees must have been dissolved. `none`: the particle is gone.
-void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex);
-
-/// Gives the particles of a body the inverse masses that its kind, their masses and pins demand.
-void restoreInverseMass(State& state, std::uint32_t body);
-
-/// The inverse mass that a particle has while its body is awake, 0 if nothing moves it then.
-Real inverseMassAwake(const State& state, std::uint32_t particle);
-
-/// Derives how each joint is solved; the collision radius of particles, whose surface they show,
-/// that of the thickest capsule that ends there, and how thin bodies are. Where bodies were added
-/// to what was there `before`, and nothing else changed, only theirs.
-void classifyJoints(State& state, const Counts& before);
-void updateReach(State& state, const Counts& before = {});
 
 }  // namespace sulfur::detail

@@ -1,0 +1,48 @@
+// What looks at two chunks find.
+#pragma once
+
+#include <cstdint>
+#include <sulfur/math.hpp>
+#include <vector>
+
+#include "core/slots.hpp"
+
+namespace sulfur::detail {
+
+/// A corner that is near a side, or (end 1 or 2) near one of its ends.
+struct Nearness {
+    std::uint32_t corner = none, side = none, end = 0;
+    std::int32_t outward = 0;  // +1 or -1: the side of the way from a to b on which the corner is
+};
+
+/// Where a corner is, from the origin of a look, and where it goes in this step.
+struct CornerWay {
+    Real x = 0, y = 0;        // m
+    Real wayX = 0, wayY = 0;  // m
+};
+
+/// What a look at two chunks finds, and how far both may go until something else may come near.
+struct LooseLook {
+    std::vector<Nearness> near;
+    Real slack = 0;  // m
+    Real gap = 0;    // m, between what may touch, as it is
+    // Scratch: the corners of both chunks.
+    std::vector<CornerWay> cornersA, cornersB;
+    std::vector<Nearness> before;
+};
+
+/// On which side of a two-sided capsule a corner has been so far: +1, -1, or 0 where it is new.
+struct KnownSide {
+    std::uint32_t corner = none, side = none;
+    std::int32_t outward = 0;
+};
+
+/// Two surfaces that would pass through each other in this step.
+struct Passing {
+    std::uint32_t one = 0, other = 0;  // bodies, slots
+    Real moment = 0;                   // share of the step after which they are too near
+    Vec2 normal{0, 0};                 // from the other to the one, at that moment
+    Real depth = 0;                    // m, by which they end too near along that
+};
+
+}  // namespace sulfur::detail

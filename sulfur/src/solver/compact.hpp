@@ -1,0 +1,29 @@
+// Removing things and closing the gaps that they leave.
+#pragma once
+
+#include <vector>
+
+#include "model/state.hpp"
+
+namespace sulfur::detail {
+
+/// Drops what is marked (true) and closes the gaps, keeping the order. Joints and attachments
+/// that lose a particle go too.
+struct Removal {
+    std::vector<bool> particles, joints, attachments, bodies;
+
+    explicit Removal(const State& state)
+        : particles(state.particles.size()),
+          joints(state.joints.size()),
+          attachments(state.attachments.size()),
+          bodies(state.bodies.size()) {}
+};
+void compact(State& state, Removal& removal);
+/// Takes a body away, with what is tied to it. What touched it wakes.
+void removeBody(State& state, std::uint32_t body);
+
+/// All that names particles by their index follows them to new ones, except the arrays themselves.
+/// Trees must have been dissolved. `none`: the particle is gone.
+void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex);
+
+}  // namespace sulfur::detail
