@@ -12,6 +12,7 @@
 
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
@@ -24,8 +25,8 @@ namespace {
 
 /// What comes nearer in a step by more than this share of the thickness is fast. It may overlap by
 /// as much.
-constexpr Real fast = Real(0.125);
-constexpr int mostRounds = 8;
+constexpr Real fast = Real(tuned::fast);
+constexpr int mostRounds = tuned::keepingRounds;
 
 class Keeper {
 public:

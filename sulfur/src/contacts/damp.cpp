@@ -7,6 +7,7 @@
 
 #include "contacts/stages.hpp"
 #include "core/disjoint_sets.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 #include "rigid/grip.hpp"
@@ -15,12 +16,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Deviations decay at this rate. Waves in a pyramid of base 100 take about a second.
-constexpr double decayRate = 5;  // 1/s
-/// What slides faster does not stick.
-constexpr Real stickingSpeed = Real(0.01);  // m/s
-/// Steps from one time to the next: piles change slowly.
-constexpr std::uint64_t interval = 8;
+using tuned::decayRate;
+constexpr Real stickingSpeed = Real(tuned::stickingSpeed);
+constexpr std::uint64_t interval = tuned::dampingInterval;
 
 /// Bodies that move as one.
 struct Rigid {

@@ -8,6 +8,7 @@
 
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 
@@ -17,9 +18,9 @@ namespace {
 
 /// A driver that closes in more slowly, or at less than half of its own speed, has not pressed in
 /// vain: the sweeps have not ended it yet.
-constexpr Real vainSpeed = Real(0.1);  // m/s
+constexpr Real vainSpeed = Real(tuned::vainSpeed);
 /// What carries so much of the load that is pressed in vain stands in the way.
-constexpr Real loadShare = Real(0.25);
+constexpr Real loadShare = Real(tuned::loadShare);
 
 class GivingWay {
 public:

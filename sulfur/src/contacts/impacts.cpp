@@ -16,6 +16,7 @@
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 #include "rigid/grip.hpp"
@@ -24,9 +25,8 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Slower impacts do not rebound, so that what lies comes to rest.
-constexpr Real slowestRebound = Real(0.1);  // m/s
-constexpr int mostRounds = 64, plasticSweeps = 32;
+constexpr Real slowestRebound = Real(tuned::slowestRebound);
+constexpr int mostRounds = tuned::impactRounds, plasticSweeps = tuned::plasticSweeps;
 
 /// Whether a mover is all of its body and tied to no other: then what strikes it moves it alone.
 bool movesAlone(const State& state, std::uint32_t m) {

@@ -6,6 +6,7 @@
 #include <memory_resource>
 
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
@@ -14,14 +15,12 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Slower than rows push, so that nobody is led through a floor.
-constexpr double leadingSpeed = 0.49;  // m/s, of a body
+using tuned::leadingSpeed;
+using tuned::tolerated;
 /// Of the way out, in a step: who is in several others follows the deepest.
-constexpr double leadingShare = 0.2;
-/// Share of the thickness from which on the rows push apart what is left.
-constexpr double tolerated = 0.9;
+constexpr double leadingShare = tuned::recoveryShare;
 /// Ticks after which bodies that press on each other are looked at again.
-constexpr std::uint64_t lookEvery = 64;
+constexpr std::uint64_t lookEvery = tuned::seldom;
 
 /// A capsule or disc of a body: where its ends are now.
 struct Thick {

@@ -7,6 +7,7 @@
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
+#include "core/settings.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
 #include "narrow_phase/loose.hpp"
@@ -71,9 +72,7 @@ std::uint32_t sleeperOf(const State& state, std::uint32_t chunk) {
     return state.bodies[state.bodySlots.denseOf(slot)].asleep ? slot : none;
 }
 
-/// Share of the thickness by which a sleeper is nearer than it was predicted to be, at most, when
-/// it wakes: forces do not move anybody so far in a step.
-constexpr Real unforeseen = Real(1.0 / 16);
+constexpr Real unforeseen = Real(tuned::unforeseen);
 
 /// What somebody comes near to wakes before it is touched: it never stands in for a wall. What
 /// wakes takes part from the next step on. Who is moved by nobody but the caller may rest near it.

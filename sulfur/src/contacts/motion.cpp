@@ -7,6 +7,7 @@
 #include "contacts/pair_table.hpp"
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 #include "rigid/cluster_motion.hpp"
@@ -16,22 +17,14 @@ namespace sulfur::detail {
 
 namespace {
 
-/// m and rad, from its reference, beyond which a body gets a new one.
-constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
-
-/// How far a body may go before its rows are refreshed, in its least thickness: an edge that rolls
-/// on a corner is then wrong by the square of that, a two-hundredth of the thickness.
-constexpr Real refreshWithin = Real(0.01);
-
-/// A fifth of an overlap goes in a step of 1/500 s, and no body is pushed faster than this.
-constexpr Real pushRate = 100, pushSpeed = Real(0.5);  // 1/s, m/s
-constexpr Real mostShare = Real(0.2);
-
-/// What is pushed apart faster does not rest.
-constexpr Real restingPush = Real(0.002);  // m/s
-
-/// What slips slower is held by static friction: noise of a tick does not let go of what rests.
-constexpr Real creepSpeed = Real(0.001);  // m/s
+using tuned::farthestFromReference;
+using tuned::largestTurn;
+constexpr Real refreshWithin = Real(tuned::refreshWithin);
+constexpr Real pushRate = Real(tuned::recoveryRate);
+constexpr Real pushSpeed = Real(tuned::recoverySpeed);
+constexpr Real mostShare = Real(tuned::recoveryShare);
+constexpr Real restingPush = Real(tuned::restingPush);
+constexpr Real creepSpeed = Real(tuned::creepSpeed);
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     movers.reference[m] = at;
@@ -222,7 +215,7 @@ void addUpAllRows(State& state) {
 }
 
 /// Steps after which what rows give is added up anew.
-constexpr std::uint64_t exactAgain = 64;
+constexpr std::uint64_t exactAgain = tuned::seldom;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
 #include "core/disjoint_sets.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 
@@ -15,8 +16,8 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr double restingSpeed = 0.005;   // m/s
-constexpr Real timeToSleep = Real(0.5);  // s
+using tuned::restingSpeed;
+constexpr Real timeToSleep = Real(tuned::timeToSleep);
 
 bool isDynamic(const State& state, std::uint32_t body) {
     return state.bodies[body].kind == BodyKind::dynamic;

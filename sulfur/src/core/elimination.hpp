@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/settings.hpp"
+
 namespace sulfur::detail {
 
 /// `N`: freedoms of a node, 2 (points) or 3 (points and rigid components).
@@ -74,8 +76,7 @@ public:
     std::vector<Link> links;  // links[i] leads from node i to its parent; links[0] is unused
 
 private:
-    /// Smaller than this, relative to what moves there, nothing can: the row is redundant.
-    static constexpr double redundant = 1e-13;
+    static constexpr double redundant = tuned::redundantPivot;
 
     static void eliminateOne(const Node& child, Node& parent, Link& link) {
         const double here = link.rowHere[0].dot(child.mobility * link.columnHere[0]);

@@ -3,6 +3,8 @@
 
 #include <sulfur/math.hpp>
 
+#include "core/settings.hpp"
+
 namespace sulfur::detail {
 
 inline constexpr double maxSpeed = 2000;  // m/s, per axis
@@ -12,9 +14,7 @@ inline Point limited(const Point& velocity) {
     return velocity.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
 }
 
-/// What the caller has torn apart (an attachment made over a distance, a length changed at once)
-/// comes together at this speed, not in one tick.
-inline constexpr double closingSpeed = 5;  // m/s
+using tuned::closingSpeed;
 
 /// The part of a constraint's error that a step of `duration` seconds leaves.
 inline double errorLeft(double error, double duration) {

@@ -1,6 +1,7 @@
 // How each joint is solved, derived from stiffness, masses and the tick.
 #include <algorithm>
 
+#include "core/settings.hpp"
 #include "joints/classify.hpp"
 
 namespace sulfur::detail {
@@ -17,9 +18,9 @@ struct Load {
 };
 
 /// Where the explicit part begins to lag behind the whole.
-constexpr Real softLimit = 1, dampedLimit = Real(0.25);
+constexpr Real softLimit = Real(tuned::softLimit), dampedLimit = Real(tuned::dampedLimit);
 /// Beyond, a joint is no force at all any more.
-constexpr Real stiffLimit = 1024;
+constexpr Real stiffLimit = Real(tuned::stiffLimit);
 
 /// The share of a spring of load `x` that is a force. It leaves 1 without a kink and its product
 /// with x stays below 2 softLimit, so that a spring goes over from explicit to implicit without
@@ -56,7 +57,7 @@ namespace {
 /// them are found in. A force that is held for steps of its own feeds the spring: a light link
 /// between a rope and a weight on a spring would swing ever faster. So such springs are forces only
 /// while they are much softer.
-constexpr Real weightOfLinks = 16;
+constexpr Real weightOfLinks = Real(tuned::weightOfLinks);
 
 /// Of each particle that was not there `before`, as all that follows.
 std::vector<Real> weightsOf(const State& state, const Counts& before) {

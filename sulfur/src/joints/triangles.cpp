@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/settings.hpp"
 #include "joints/classify.hpp"
 #include "kernels/joint_sweep.hpp"
 
@@ -14,9 +15,7 @@ namespace {
 /// Beyond, a body is no lattice.
 constexpr std::size_t mostToJoint = 4;
 
-/// Flatter ones have no side that could be told from the other: twice the area over the sum of the
-/// squares of the sides, which is 0.29 for three equal ones and 0.25 for half a square.
-constexpr double flattest = 0.01;
+using tuned::flattest;
 
 /// A joint from its particle of the smaller index.
 struct Link {

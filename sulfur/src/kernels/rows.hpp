@@ -11,15 +11,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/settings.hpp"
 #include "kernels/joint_sweep.hpp"
 
 namespace sulfur::detail {
 
 inline constexpr std::size_t rowLanes = 8;
 
-/// Share of the thickness by which two bodies may go on in a step after their pair should have been
-/// looked at: the place at which they touch changes by less than a hundredth of the thickness.
-inline constexpr SweepReal unnoticed = SweepReal(0.25);
+inline constexpr SweepReal unnoticed = SweepReal(tuned::unnoticed);
 
 /// What rows push: a rigid component, or a particle that moves by itself (then it never turns).
 /// Its pose is counted from a reference that is renewed when it has gone far or turned by much.

@@ -338,9 +338,8 @@ inline Unit turnedOn(const Unit& heading, Vec angle) {
     const Vec s = turn * (one - square * (SweepReal(1.0 / 6) - square * SweepReal(1.0 / 120)));
     return rotated(heading, c, s);
 }
-/// What is so near to a limit is there: so that what lies does not seem to come and go. Round
-/// things, which may be as thick as they are large, have a direction to lose.
-constexpr SweepReal reached = SweepReal(1 + 1.0 / 64), reachedRound = SweepReal(1 + 1.0 / 1024);
+constexpr SweepReal reached = SweepReal(1 + tuned::reached);
+constexpr SweepReal reachedRound = SweepReal(1 + tuned::reachedRound);
 
 /// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
 /// not come so far.

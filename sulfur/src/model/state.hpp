@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/frame_arena.hpp"
+#include "core/settings.hpp"
 #include "core/slots.hpp"
 #include "model/bodies.hpp"
 #include "model/chain_batches.hpp"
@@ -157,9 +158,7 @@ struct ParticleStart {
     Point force{0, 0};     // N, of the caller
 };
 
-/// Hz. All tolerances are tuned for 500 steps a second; this is the nearest multiple of 60, 120 and
-/// 240 Hz.
-inline constexpr int leastStepRate = 480;
+using tuned::leastStepRate;
 
 /// A world with slower ticks divides each of them into so many equal steps, for all that is awake.
 inline std::uint32_t stepsPerTick(int tickRate) {

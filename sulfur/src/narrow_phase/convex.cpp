@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "narrow_phase/time_of_impact.hpp"
 
@@ -18,7 +19,7 @@ constexpr std::size_t most = 32;
 /// What comes nearer in a step by more than this share of the thickness is fast. If other features
 /// may come near in this step, it is looked at where it comes to touch.
 constexpr Real fast = unnoticed;
-constexpr int mostRounds = 16;
+constexpr int mostRounds = tuned::momentRounds;
 /// rad, up to which the series for small turns is good to rounding.
 constexpr Real largeTurn = Real(0.3);
 

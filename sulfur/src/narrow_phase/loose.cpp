@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/settings.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
 
@@ -17,17 +18,11 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Parts of one body that are this near to each other in the blueprint, in thicknesses, belong
-/// together and never touch.
-constexpr Real togetherWithin = Real(1.2);
-
-/// The foot of a perpendicular may be so far beyond the end of a side, in its length, so that
-/// nothing slips through where two sides meet.
-constexpr Real beyondEnds = Real(1e-5);
-
+constexpr Real togetherWithin = Real(tuned::togetherWithin);
+constexpr Real beyondEnds = Real(tuned::beyondEnds);
 /// Where a corner has a row already, whose refresh tells when it leaves what it is before, another
-/// one may come so much too late, in the least thickness: that much a seam is felt.
-constexpr Real held = Real(0.1);
+/// one may come so much too late.
+constexpr Real held = Real(tuned::seam);
 
 struct Xy {
     Real x = 0, y = 0;
@@ -57,9 +52,7 @@ Xy way(const CornerWay& c) {
     return {c.wayX, c.wayY};
 }
 
-/// What is so near to a limit is there: so that what lies does not seem to come and go. Round
-/// things, which may be as thick as they are large, have a direction to lose.
-constexpr Real reached = Real(1 + 1.0 / 64), reachedRound = Real(1 + 1.0 / 1024);
+constexpr Real reached = Real(1 + tuned::reached), reachedRound = Real(1 + tuned::reachedRound);
 
 /// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
 /// not come so far.

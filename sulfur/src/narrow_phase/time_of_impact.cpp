@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
@@ -13,7 +14,7 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr int mostSteps = 16;
+constexpr int mostSteps = tuned::momentRounds;
 /// Of a chunk: more than any has (see make_shapes.cpp).
 constexpr std::size_t mostCorners = 32;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/settings.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/rigidity.hpp"
 #include "shape/make_shapes.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 /// More than this share of its length makes a rigid joint strained: its body was bent by the
 /// caller, and the sweeps bring it into shape before it may move as one piece.
-constexpr double strainLimit = 1e-4;
+using tuned::strainLimit;
 
 bool isStrained(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;

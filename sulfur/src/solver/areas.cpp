@@ -8,6 +8,7 @@
 
 #include "core/counting_sort.hpp"
 #include "core/pieces.hpp"
+#include "core/settings.hpp"
 #include "kernels/area_look.hpp"
 #include "rigid/grip.hpp"
 
@@ -15,19 +16,13 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Shares of the area at rest: what a triangle may be pressed to, where it begins to be looked at
-/// in all sweeps of a tick, and to where what is flatter is led back, after which its springs open
-/// it. (Leading it farther would work against a heap that presses on it.)
-constexpr Real leastShare = Real(0.2), watchedShare = Real(0.3), recoveredShare = Real(0.05);
-/// And what a triangle that is turned over may give in a tick: neighbours that are led back in
-/// opposite directions would lock each other.
-constexpr Real givenShare = Real(0.002);
-
-/// Share of what is missing that is given back in a tick, and the speed that this may not exceed.
-constexpr Real recoveryShare = Real(0.2);
-constexpr Real recoverySpeed = Real(0.5);  // m/s
-/// And that of a particle in all.
-constexpr Real mostRecoverySpeed = Real(0.9);  // m/s
+constexpr Real leastShare = Real(tuned::leastShare);
+constexpr Real watchedShare = Real(tuned::watchedShare);
+constexpr Real recoveredShare = Real(tuned::recoveredShare);
+constexpr Real givenShare = Real(tuned::givenShare);
+constexpr Real recoveryShare = Real(tuned::recoveryShare);
+constexpr Real recoverySpeed = Real(tuned::recoverySpeed);
+constexpr Real mostRecoverySpeed = Real(tuned::mostRecoverySpeed);
 
 /// In a microsecond: blocks of triangles that are looked at, triangles that are pressed anew,
 /// pushed, led back.

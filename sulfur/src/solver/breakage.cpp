@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/settings.hpp"
 #include "solver/compact.hpp"
 #include "solver/split.hpp"
 #include "solver/stages.hpp"
@@ -24,7 +25,7 @@ JointBroken describe(const State& state, std::uint32_t j) {
 
 /// A crack opens where a body is loaded most, and relieves the rest of it: of the joints that are
 /// loaded beyond their strength only those break whose load is this share of the worst.
-constexpr Real opens = Real(0.25);
+constexpr Real opens = Real(tuned::loadShare);
 
 /// The load of a joint in its strength.
 Real loadOf(const Joints& joints, std::uint32_t j) {

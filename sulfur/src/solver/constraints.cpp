@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "rigid/loads.hpp"
 #include "solver/areas.hpp"
@@ -17,15 +18,13 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Up to so many times the sweeps of the settings, while one of them still changes how fast
-/// anything parts. Contacts alone need no more than two when they have settled.
-constexpr int mostTimes = 2, leastAlone = 2;
-constexpr Real settledChange = Real(0.005);  // m/s
-/// Sweeps over trees that a contact pulls on: while a link is wrong by more than this share of its
-/// length, and so many sweeps mend at least a quarter of that. What is squeezed may have no
-/// solution.
-constexpr int mostForStrain = 48, trial = 8;
-constexpr double mostStrain = 1e-4, mended = 1.0 / 4;
+using tuned::leastAlone;
+using tuned::mended;
+using tuned::mostForStrain;
+using tuned::mostTimes;
+using tuned::trial;
+constexpr Real settledChange = Real(tuned::settledChange);
+constexpr double mostStrain = tuned::strainLimit;
 
 bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;

@@ -4,6 +4,7 @@
 
 #include "core/limits.hpp"
 #include "core/pieces.hpp"
+#include "core/settings.hpp"
 #include "particles/motion.hpp"
 #include "rigid/grip.hpp"
 #include "solver/constraint_kinds.hpp"
@@ -45,7 +46,7 @@ Real whip(const State& state, std::uint32_t j, Real w, Real start) {
     return 2 * w * std::abs(joints.force[j]) * state.h * state.h / length;
 }
 
-constexpr Real mostWhip = Real(0.2);
+constexpr Real mostWhip = Real(tuned::sweptWhip);
 
 /// The unit vector along which a joint pulls that pointed along `before` at the start of the tick
 /// and does along `now` at its end, so far: the former (SHAKE, Ryckaert et al. 1977). Only so does

@@ -5,29 +5,23 @@
 #include <cstdint>
 
 #include "core/limits.hpp"
+#include "core/settings.hpp"
 
 namespace sulfur::detail {
 
-inline constexpr std::uint32_t mostSteps = 64;
-inline constexpr double treeTolerance = 1e-8;  // of a link's length
-
-/// What one step may do before it is halved: whip is 2 w (tension / length) h^2, summed over the
-/// links of a node; turn is the sine of the angle that a link turns by.
-inline constexpr double mostWhip = 1, mostTurn = 0.2;
-/// The shortest steps may do this: less exact, but still far from the explosion, which linear
-/// theory puts at a whip of 4.
-inline constexpr double tolerableWhip = 3, tolerableTurn = 0.7;
-/// Below both of these the steps are doubled.
-inline constexpr double calmWhip = 0.15, calmTurn = 0.08;
-
-/// Of Newton's method for a chain. A pass uses the factors of an earlier one as long as each takes
-/// all but this part of the error away.
-inline constexpr int mostChainPasses = 10, mostChainFactors = 6;
-inline constexpr double worthwhile = 0.05;
+using tuned::calmTurn;
+using tuned::calmWhip;
+using tuned::mostSteps;
+using tuned::mostTurn;
+using tuned::mostWhip;
+using tuned::redundantPivot;
+using tuned::tolerableTurn;
+using tuned::tolerableWhip;
+using tuned::treeTolerance;
+using tuned::worthwhile;
+inline constexpr int mostChainPasses = tuned::chainPasses, mostChainFactors = tuned::newtonPasses;
 /// m; what the shortest step of the fastest world still closes at once.
 inline constexpr double smallStretch = closingSpeed / (10000 * mostSteps);
-/// Smaller than this, relative to what moves there, nothing can: the link is redundant.
-inline constexpr double redundantPivot = 1e-13;
 /// 1 / largest error of a link of length `rest` that counts as none, in units of treeTolerance.
 inline double shareOf(double rest) {
     return std::min(1 / rest, 1e3);

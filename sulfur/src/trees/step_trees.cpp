@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/limits.hpp"
+#include "core/settings.hpp"
 #include "core/trigonometry.hpp"
 #include "particles/motion.hpp"
 #include "rigid/cluster_motion.hpp"
@@ -23,7 +24,7 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr int mostPasses = 6, mostFallbackPasses = 20;
+constexpr int mostPasses = tuned::newtonPasses, mostFallbackPasses = tuned::fallbackPasses;
 
 using Motion = StepScratch::Motion;
 using NodeData = StepScratch::Node;

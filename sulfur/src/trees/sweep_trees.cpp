@@ -9,6 +9,7 @@
 
 #include "contacts/touch_rows.hpp"
 #include "core/limits.hpp"
+#include "core/settings.hpp"
 #include "core/trigonometry.hpp"
 #include "particles/motion.hpp"
 #include "rigid/grip.hpp"
@@ -20,13 +21,10 @@ namespace sulfur::detail {
 namespace {
 
 /// A line whose light nodes whip more than this in a tick pulls along its present directions.
-constexpr double mostWhip = 0.2;
+constexpr double mostWhip = tuned::sweptWhip;
 
-/// Of contacts that would have to pull, in a sweep.
-constexpr int mostReleases = 4;
-/// Of a contact, as a share of the tree's own mobility: where a link points along the normal, both
-/// would otherwise be the same row.
-constexpr double softest = 1e-3;
+using tuned::mostReleases;
+using tuned::softest;
 
 /// What impacts have given to a node.
 struct Blown {

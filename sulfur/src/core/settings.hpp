@@ -1,0 +1,175 @@
+// What was chosen, not derived: every tuned value of the physics, with its unit and its reason.
+//
+// What is written as a multiple or a part of another value follows it. Limits of the public
+// interface are in limits.hpp; constants of mathematics, of rounding and of the machine stand where
+// they are used. Kernels include this header, so that it may have no function (joint_sweep.hpp).
+#pragma once
+
+#include <cstdint>
+
+namespace sulfur::detail::tuned {
+
+// Time and what is torn apart.
+
+/// Hz, the least rate of steps. All values here are tuned for 500 steps a second; this is the
+/// nearest multiple of 60, 120 and 240 Hz.
+inline constexpr int leastStepRate = 480;
+/// m/s, at which comes together what the caller has torn apart (an attachment made over a distance,
+/// a length changed at once), not in one tick.
+inline constexpr double closingSpeed = 5;
+
+// What is slow.
+
+/// m/s: what slips slower is held by static friction, so that noise of a tick does not let go of
+/// what rests.
+inline constexpr double creepSpeed = 0.001;
+/// m/s: what is pushed apart faster does not rest.
+inline constexpr double restingPush = 2 * creepSpeed;
+/// m/s: what moves slower for long enough falls asleep.
+inline constexpr double restingSpeed = 0.005;
+/// m/s, of a change along a normal in a sweep: with less, contacts have settled.
+inline constexpr double settledChange = restingSpeed;
+/// m/s: what slides faster does not stick.
+inline constexpr double stickingSpeed = 2 * restingSpeed;
+/// m/s: slower impacts do not rebound, so that what lies comes to rest.
+inline constexpr double slowestRebound = 0.1;
+/// m/s: a driver that closes in more slowly has not pressed in vain, because the sweeps have not
+/// ended it yet.
+inline constexpr double vainSpeed = slowestRebound;
+/// s at rest, after which an island falls asleep.
+inline constexpr double timeToSleep = 0.5;
+/// 1/s, of deviations in what sticks together. Waves in a pyramid of base 100 take about a second.
+inline constexpr double decayRate = 5;
+
+// How what is wrong in places is mended, without a velocity.
+
+/// Share of an overlap, of a missing area or of a way out that goes in a step: faster, neighbours
+/// that are mended at once would overshoot.
+inline constexpr double recoveryShare = 0.2;
+/// 1/s: the same by time, in steps of 1/500 s.
+inline constexpr double recoveryRate = 500 * recoveryShare;
+/// m/s, the fastest that this pushes anybody.
+inline constexpr double recoverySpeed = 0.5;
+/// m/s, of a body that is led apart: slower than rows push, so that it is led through no floor.
+inline constexpr double leadingSpeed = 0.49;
+/// m/s, of a particle that all its triangles lead back.
+inline constexpr double mostRecoverySpeed = 0.9;
+/// Share of the thickness from which on rows push apart what is led apart.
+inline constexpr double tolerated = 0.9;
+
+// Distances, in the thickness of what touches.
+
+/// By which two bodies may go on in a step after their pair should have been looked at: the place
+/// at which they touch changes by less than a hundredth of the thickness.
+inline constexpr double unnoticed = 0.25;
+/// What comes nearer in a step is held back before it would pass. It may overlap by as much, which
+/// is less than what goes unnoticed.
+inline constexpr double fast = unnoticed / 2;
+/// By which a sleeper may be nearer, when it wakes, than it was predicted to be: forces do not move
+/// anybody so far in a step.
+inline constexpr double unforeseen = unnoticed / 4;
+/// How far a body may go before its rows are refreshed: an edge that rolls on a corner is then
+/// wrong by the square of that, a two-hundredth of the thickness.
+inline constexpr double refreshWithin = 0.01;
+/// By which another row may come too late where a corner has one already: that much a seam is felt.
+inline constexpr double seam = 0.1;
+/// Parts of one body that are this near in the blueprint belong together and never touch.
+inline constexpr double togetherWithin = 1.2;
+/// In the length of a side, how far beyond its end the foot of a perpendicular may be, so that
+/// nothing slips through where two sides meet.
+inline constexpr double beyondEnds = 1e-5;
+/// By which what is nearly at a limit counts as there, so that what lies does not seem to come and
+/// go. Round things, which may be as thick as they are large, have a direction to lose.
+inline constexpr double reached = 1.0 / 64, reachedRound = reached / 16;
+/// m and rad, from its reference, beyond which a body gets a new one: single precision is then
+/// finer than anything above.
+inline constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
+
+// How often, and how many times.
+
+/// Steps between sums that are made anew, and between looks at what changes slowly.
+inline constexpr std::uint64_t seldom = 64;
+/// Steps between dampings of what sticks: piles change slowly.
+inline constexpr std::uint64_t dampingInterval = 8;
+/// Up to so many times the sweeps of the settings, while one of them still changes how fast
+/// anything parts.
+inline constexpr int mostTimes = 2;
+/// Sweeps of contacts alone, which need no more when they have settled.
+inline constexpr int leastAlone = 2;
+/// Sweeps over trees that a contact strains, while so many of them mend at least a share of that:
+/// what is squeezed may have no solution.
+inline constexpr int trial = 8, mostForStrain = 6 * trial;
+inline constexpr double mended = 1.0 / 4;
+/// Rounds of impacts, which pass a blow on along a row of bodies, and sweeps over the points of one
+/// blow that does not rebound.
+inline constexpr int impactRounds = 64, plasticSweeps = impactRounds / 2;
+/// Rounds of the search for the moment at which two outlines touch.
+inline constexpr int momentRounds = 16;
+/// Rounds in which what is fast is held back from one another.
+inline constexpr int keepingRounds = 8;
+
+// Loads.
+
+/// Of the worst: a joint that bears as much breaks with it, because a crack opens where a body is
+/// loaded most; a body that bears as much of what is pressed in vain stands in the way.
+inline constexpr double loadShare = 0.25;
+
+// Joints.
+
+/// Loads h^2 K of a spring and h B of a damper up to which all of it is a force. NSV is stable
+/// below h^2 K + 2 h B = 4; the explicit parts never go beyond twice these limits.
+inline constexpr double softLimit = 1, dampedLimit = softLimit / 4;
+/// The load, in these limits, from which on a joint is no force at all any more.
+inline constexpr double stiffLimit = 1024;
+/// How many times stiffness counts at links of ropes, which may move in shorter steps than the
+/// forces of springs are found in.
+inline constexpr double weightOfLinks = 16;
+/// Of a link's length, beyond which it is strained: a body has no rigid components then, and a tree
+/// needs more sweeps.
+inline constexpr double strainLimit = 1e-4;
+/// Whip of a swept joint, 2 w (tension / length) h^2, beyond which it pulls along its present
+/// direction: along that of the step's start it would explode above about 1.
+inline constexpr double sweptWhip = 0.2;
+
+// Triangles of soft bodies, in their area at rest.
+
+/// What a triangle may be pressed to, and where it begins to be looked at in all sweeps of a tick.
+inline constexpr double leastShare = 0.2, watchedShare = 0.3;
+/// To where what is flatter is led back, after which its springs open it: leading it farther would
+/// work against a heap that presses on it.
+inline constexpr double recoveredShare = leastShare / 4;
+/// What one that is turned over may give in a tick: neighbours that are led back in opposite
+/// directions would lock each other.
+inline constexpr double givenShare = 0.002;
+/// Flatter ones have no side that could be told from the other: twice the area over the sum of the
+/// squares of the sides, which is 0.29 for three equal ones and 0.25 for half a square.
+inline constexpr double flattest = 0.01;
+
+// Trees.
+
+/// Steps of a tree in a tick.
+inline constexpr std::uint32_t mostSteps = 64;
+/// Of a link's length.
+inline constexpr double treeTolerance = 1e-8;
+/// What one step may do before it is halved: whip is 2 w (tension / length) h^2, summed over the
+/// links of a node; turn is the sine of the angle that a link turns by.
+inline constexpr double mostWhip = 1, mostTurn = 0.2;
+/// The shortest steps may do this: less exact, but still far from the explosion, which linear
+/// theory puts at a whip of 4.
+inline constexpr double tolerableWhip = 3, tolerableTurn = 0.7;
+/// Below both of these the steps are doubled.
+inline constexpr double calmWhip = 0.15, calmTurn = 0.08;
+/// Newton's method: passes of a step with factors of their own, and passes of a chain, which uses
+/// the factors of an earlier one as long as each takes all but a part of the error away. The
+/// fallback, which converges more slowly, has more.
+inline constexpr int newtonPasses = 6, chainPasses = 10, fallbackPasses = 2 * chainPasses;
+inline constexpr double worthwhile = 0.05;
+/// Smaller than this, relative to what moves there, nothing can: the link is redundant.
+inline constexpr double redundantPivot = 1e-13;
+/// Times in a sweep that contacts of a tree which would have to pull are let go.
+inline constexpr int mostReleases = 4;
+/// Compliance of a contact, as a share of the tree's own mobility: where a link points along the
+/// normal, both would otherwise be the same row.
+inline constexpr double softest = 1e-3;
+
+}  // namespace sulfur::detail::tuned
