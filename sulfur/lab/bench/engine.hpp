@@ -102,6 +102,8 @@ public:
 
     /// Where a square is now, and its angle.
     virtual std::pair<Point, double> square(std::size_t i) const = 0;
+    /// m, of its corners, which are round within the square.
+    virtual double cornerRadius() const { return 0; }
     /// Where the points of a rope are now.
     virtual std::vector<Point> rope(std::size_t i) const = 0;
     /// Where the particles of a blob are now.

@@ -26,8 +26,8 @@ bool finite(const Square& square) {
     return square.first.allFinite() && std::isfinite(square.second);
 }
 
-Figures overlapFigures(const std::vector<Square>& squares) {
-    const std::vector<double> depths = overlaps(squares);
+Figures overlapFigures(const std::vector<Square>& squares, double cornerRadius) {
+    const std::vector<double> depths = overlaps(squares, cornerRadius);
     return {{"mean overlap", "mm", mean(depths) * millimetres},
             {"p99 overlap", "mm", percentile(depths, 0.99) * millimetres},
             {"max overlap", "mm", percentile(depths, 1) * millimetres}};
@@ -64,8 +64,9 @@ public:
             return !finite(square) || square.first.y() < -1 ||
                    std::abs(square.first.x()) > half + 1;
         });
-        Figures all = overlapFigures(squares);
-        all.push_back({"wall", "mm", wallOverlap(squares, half) * millimetres});
+        const double round = world.cornerRadius();
+        Figures all = overlapFigures(squares, round);
+        all.push_back({"wall", "mm", wallOverlap(squares, half, round) * millimetres});
         all.push_back({"escaped", "", static_cast<double>(gone)});
         return all;
     }
@@ -110,7 +111,8 @@ public:
                     {"moved > 0.5 m", "", static_cast<double>(moved)},
                     {"farthest", "m", farthest},
                     {"stands", "", stands ? 1.0 : 0.0}};
-        for (Figure& figure : overlapFigures(squares)) all.push_back(std::move(figure));
+        for (Figure& figure : overlapFigures(squares, world.cornerRadius()))
+            all.push_back(std::move(figure));
         return all;
     }
 

@@ -178,18 +178,20 @@ TEST(BenchScenes, TheFirstTickAndTheLastAreTimedWithoutALookBetween) {
     EXPECT_EQ(runOnce(scene, engine, {.engine = "sulfur", .rate = 60}, 0).simulated, 0);
 }
 
-TEST(BenchSquares, OverlapAlongTheBestAxis) {
-    EXPECT_NEAR(overlapOf({Point(0, 0), 0}, {Point(0.9, 0.2), 0}), 0.1, 1e-12);
-    EXPECT_NEAR(overlapOf({Point(0, 0), 0}, {Point(1.25, 0), 0}), -0.25, 1e-12);
-    // A corner that looks at a side: 0.5 + sqrt(1/2) - 1.1.
-    EXPECT_NEAR(overlapOf({Point(0, 0), 0}, {Point(1.1, 0), std::acos(-1.0) / 4}),
-                0.5 + std::sqrt(0.5) - 1.1, 1e-12);
-    const auto found = overlaps({{Point(5, 0), 0}, {Point(0, 0), 0}, {Point(0.9, 0), 0}});
+TEST(BenchSquares, OverlapsAreThoseOfRoundedSquares) {
+    const auto found = overlaps({{Point(5, 0), 0}, {Point(0, 0), 0}, {Point(0.9, 0.2), 0}}, 0);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NEAR(found[0], 0.1, 1e-12);
-    EXPECT_NEAR(wallOverlap({{Point(0, 0.4), 0}}, 10), 0.1, 1e-12);
-    EXPECT_NEAR(wallOverlap({{Point(9.7, 5), 0}}, 10), 0.2, 1e-12);
-    EXPECT_EQ(wallOverlap({{Point(0, 5), 1}}, 10), 0);
+    // A corner that looks at a side: 0.5 + sqrt(1/2) - 1.1 for a sharp one.
+    const double turned = std::acos(-1.0) / 4, sharp = 0.5 + std::sqrt(0.5) - 1.1;
+    for (const double radius : {0.0, 0.1}) {
+        const auto corner = overlaps({{Point(0, 0), 0}, {Point(1.1, 0), turned}}, radius);
+        ASSERT_EQ(corner.size(), 1u);
+        EXPECT_NEAR(corner[0], sharp - radius * (std::sqrt(2) - 1), 1e-12);
+        EXPECT_NEAR(wallOverlap({{Point(0, 0.4), 0}}, 10, radius), 0.1, 1e-12);
+        EXPECT_NEAR(wallOverlap({{Point(9.7, 5), 0}}, 10, radius), 0.2, 1e-12);
+        EXPECT_EQ(wallOverlap({{Point(0, 5), 1}}, 10, radius), 0);
+    }
 }
 
 TEST(BenchSpread, MediansPercentilesAndPowers) {

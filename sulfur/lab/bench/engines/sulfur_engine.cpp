@@ -32,9 +32,8 @@ public:
     }
 
     void addSquare(const Point& centre, double angle, const Point& velocity) override {
-        // Overlaps are measured between sharp squares, beyond which a round corner reaches by 0.41
-        // radii when it touches a face.
-        static const Blueprint plan = shapes::box({.radius = Real(0.01), .material = surface});
+        static const Blueprint plan =
+            shapes::box({.radius = real(cornerRadius()), .material = surface});
         squares_.push_back(world_.add(plan, {.position = centre, .angle = angle}));
         if (!velocity.isZero()) world_.setVelocity(squares_.back(), velocity.cast<Real>());
     }
@@ -104,6 +103,8 @@ public:
         const auto& seconds = world_.statistics().seconds;
         for (std::size_t i = 0; i < seconds.size(); ++i) seconds_[i] += seconds[i];
     }
+
+    double cornerRadius() const override { return 0.01; }
 
     std::pair<Point, double> square(std::size_t i) const override {
         const auto corners = squares_[i].particles();
