@@ -141,7 +141,10 @@ private:
     void compareSleeping() {
         Staged awake(scene_, false);
         awake.launch();
-        for (int i = 0; i < scene_.ticks; ++i) awake.step();
+        for (int i = 0; i < scene_.ticks; ++i) {
+            awake.step();
+            if (!awake.world.events().particlesLost.empty()) return;
+        }
         const Eigen::Vector2d with = momentumOf(staged_.world).sum;
         const Momentum without = momentumOf(awake.world);
         hold(Law::sleeping, share((with - without.sum).norm(), std::max(largest_, without.scale)),
