@@ -6,10 +6,10 @@
 ///
 /// The solid of a body is the union of its capsules and discs; overlaps, closest points and
 /// starting places of moved shapes also take what its closed outlines enclose. A body has a closed
-/// outline where its capsules go round in a loop: crates, wheels, jellies, walls and their pieces
-/// have one, ropes have none. A fixed or kinematic body has one if joints without a radius brace
-/// it, as in all solid shapes, or if its line of capsules goes round clockwise; a room, drawn
-/// counter-clockwise, has none.
+/// outline where capsules that are sides of triangles of joints go round in a loop: crates, wheels,
+/// jellies, walls and their pieces have one; ropes have none, nor has a ring of rods, which folds.
+/// A fixed or kinematic body has one if joints without a radius brace it, as in all solid shapes,
+/// or if its line of capsules goes round clockwise; a room, drawn counter-clockwise, has none.
 ///
 /// Complexity: every query costs as much as the cells of the broad phase's grid that it covers,
 /// each with what is in it, and never more than one look at every capsule. The first query after a

@@ -5,7 +5,9 @@
 // outline. It takes ropes, loose ends and bridges between two loops twice, and what is inside
 // never.
 //
-// A dynamic body is solid inside of its outline. A fixed or kinematic one may as well be the room
+// A dynamic body is solid inside of the outline of its triangles. A loop of rods without triangles,
+// such as a cell of a wall whose diagonals broke, folds and turns over: which of its sides is
+// inside would change, so that it is hollow. A fixed or kinematic body may as well be the room
 // around all others, so that two things tell: if it is braced like the solids of shapes.hpp, by
 // joints without a radius that end on the outline, it is solid; if it is a mere line of capsules,
 // the ground is to the right of the line, so that it is solid when its joints lead round clockwise,
@@ -167,13 +169,37 @@ bool isSolid(const State& state, const BodyRecord& body, const std::vector<RimEd
                        [&](const RimEdge& edge) { return isBraced(edge.from); });
 }
 
+/// Of some capsules of a body those that are sides of a triangle of its joints.
+std::vector<std::uint32_t> sidesOfTriangles(const State& state, const BodyRecord& body,
+                                            std::vector<std::uint32_t> capsules) {
+    const Joints& joints = state.joints;
+    std::vector<std::vector<std::uint32_t>> neighbours(body.particles.size());
+    for (const JointId id : body.joints) {
+        const auto j = state.jointSlots.dense(id);
+        const auto a = joints.a[j] - body.firstParticle, b = joints.b[j] - body.firstParticle;
+        neighbours[a].push_back(b);
+        neighbours[b].push_back(a);
+    }
+    for (auto& list : neighbours) std::sort(list.begin(), list.end());
+    std::erase_if(capsules, [&](std::uint32_t j) {
+        const auto& ofA = neighbours[joints.a[j] - body.firstParticle];
+        const auto& ofB = neighbours[joints.b[j] - body.firstParticle];
+        return std::none_of(ofA.begin(), ofA.end(), [&](std::uint32_t third) {
+            return std::binary_search(ofB.begin(), ofB.end(), third);
+        });
+    });
+    return capsules;
+}
+
 }  // namespace
 
 std::vector<std::vector<RimEdge>> findOutlines(const State& state, std::uint32_t index,
-                                               const std::vector<std::uint32_t>& capsules) {
+                                               const std::vector<std::uint32_t>& given) {
     std::vector<std::vector<RimEdge>> loops;
     const BodyRecord& body = state.bodies[index];
-    if (capsules.size() < 3) return loops;
+    if (given.size() < 3) return loops;
+    const bool turnsOver = body.kind == BodyKind::dynamic && !body.sensor;
+    const auto capsules = turnsOver ? sidesOfTriangles(state, body, given) : given;
     const PlaneGraph graph(state, body.firstParticle, body.particles.size(), capsules);
     const Vec2* rest = state.particles.rest.data() + body.firstParticle;
     for (const auto start : startsOfWalks(graph, rest, body.particles.size())) {

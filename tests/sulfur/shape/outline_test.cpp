@@ -168,6 +168,24 @@ TEST(Outlines, RoundOnesAreClosed) {
     }
 }
 
+/// Four rods fold and turn over; one diagonal more holds two of their corners apart, a second one
+/// all of them.
+TEST(Outlines, ADynamicLoopIsSolidInsideOfItsTriangles) {
+    Blueprint frame;
+    for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+        frame.particles.push_back({.position = p});
+    for (std::uint32_t i = 0; i < 4; ++i)
+        frame.joints.push_back({.a = i, .b = (i + 1) % 4, .radius = Real(0.02)});
+    Blueprint braced = frame;
+    braced.joints.push_back({.a = 0, .b = 2});
+    const State state = stateOf({frame, braced});
+    EXPECT_EQ(edgesOf(state, 0), 0u);
+    EXPECT_FALSE(encloses(state, 0, {0.5, 0.5}));
+    EXPECT_EQ(edgesOf(state, 1), 4u);
+    expectSound(state, 1);
+    EXPECT_TRUE(encloses(state, 1, {0.5, 0.4}));
+}
+
 /// The ground is to the right of a drawn line: round a room counter-clockwise, round an island
 /// clockwise. What is braced is solid whatever its winding.
 TEST(Outlines, TheWindingOfFixedLinesTellsRoomsFromIslands) {
@@ -208,6 +226,7 @@ TEST(Outlines, ABodyMayHaveSeveralLoops) {
     for (std::uint32_t first : {0u, 4u, 8u})
         for (std::uint32_t i = 0; i < 4; ++i)
             plan.joints.push_back({.a = first + i, .b = first + (i + 1) % 4, .radius = Real(0.05)});
+    for (std::uint32_t first : {0u, 4u, 8u}) plan.joints.push_back({.a = first, .b = first + 2});
     plan.joints.push_back({.a = 2, .b = 7, .radius = Real(0.05)});
     const State state = stateOf({shapes::rope(), plan});
     EXPECT_EQ(edgesOf(state, 1), 12u);
@@ -233,6 +252,7 @@ TEST(Outlines, CoveredCapsulesDoNotOpenALoop) {
     capsule(0, 2);
     capsule(3, 2);
     capsule(4, 5);
+    for (const std::uint32_t braced : {0u, 1u}) plan.joints.push_back({.a = braced, .b = 3});
     const State state = stateOf({plan});
     EXPECT_EQ(edgesOf(state), 5u);
     expectSound(state);
