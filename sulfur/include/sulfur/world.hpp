@@ -49,8 +49,8 @@ struct WorldSettings {
     Damper damper = Damper::axial;          ///< of all elastic joints
     Friction friction = Friction::coulomb;  ///< of all contacts
     bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
-    int sweeps = 4;  ///< passes over the constraints in a step, 1 to 100; twice as many at most,
-                     ///< while contacts still change
+    int sweeps = 4;  ///< 1 to 100 passes over the constraints in a step: at most over contacts
+                     ///< alone, at least beside joints, where contacts may ask for twice as many
 };
 
 /// What a particle is at the moment.

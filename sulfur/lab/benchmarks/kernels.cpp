@@ -154,7 +154,7 @@ void clusterKernels(benchmark::State& state) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t first = members * i, last = first + members;
         for (auto p = first; p < last; ++p) particles[p] = p;
-        poses.push_back({first, last, 2.0 * i, 1, 1, 0, 0.1, 0.1, 0.1});
+        poses.push_back({first, last, 2.0 * i, 1, 1, 0, 2.0 * i, 1, 1, 0, 0.1, 0.1, 0.1});
         ways.push_back({first, last, SweepReal(0.01), 0, SweepReal(0.001), 0});
     }
     const detail::MemberView view{position.data(),     velocity.data(), force.data(),

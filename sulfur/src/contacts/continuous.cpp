@@ -36,14 +36,16 @@ public:
           movers_(core_.movers),
           pairs_(&state.arena),
           whole_(&state.arena),
-          lengths_(&state.arena),
+          fast_(&state.arena),
           holds_(&state.arena),
-          held_(&state.arena) {}
+          held_(&state.arena),
+          everHeld_(&state.arena) {}
 
     void run() {
-        takeWays();
-        if (2 * measure() <= fast * static_cast<Real>(core_.finest)) return;
-        collect([](const Pair&) { return true; });
+        takeBlowsOff();
+        measureStrips();
+        findFast();
+        collectFirst();
         if (pairs_.empty()) return;
         whole_.assign(core_.ways.begin(), core_.ways.end());
         holds_.assign(state_.bodies.size(), {});
@@ -54,7 +56,9 @@ public:
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
             if (!anyHeld_) break;
             // Who was held back may be in the way of whoever went along with him.
-            collect([&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
+            pairs_.clear();
+            collect([&](std::uint32_t chunk) { return isFast(chunk); },
+                    [&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
         }
         giveBack();
     }
@@ -66,43 +70,41 @@ private:
         Vec2 shift{0, 0};  // m
         Vec2 way{0, 0};    // m, mean way of its mass before anything was held
         Real mass = 0;     // kg; 0: not yet asked
-        bool isPinned = false, isRigid = true;
+        bool isPinned = false, isRigid = true, listed = false;
 
         bool changed() const { return share != 1 || shift[0] != 0 || shift[1] != 0; }
     };
 
-    /// How each mover goes in this step, blows and all.
-    void takeWays() {
-        core_.ways.assign(movers_.size(), {});
-        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
-            const auto i = core_.awakeDense[k];
-            Motion3& way = core_.ways[core_.awakeMovers[k]];
-            if (core_.awakeIsCluster[k] != 0) {
-                const Cluster& c = state_.clusters.list[i];
-                way = {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
-            } else {
-                const Vec2& d = state_.particles.displacement[i];
-                way = {d[0], d[1], 0};
-            }
-        }
+    /// Whoever was struck goes as blown from that moment on.
+    void takeBlowsOff() {
         for (const Blow& blow : core_.blows) {
             Motion3& way = core_.ways[blow.mover];
             way.x -= blow.when * blow.velocity[0];
             way.y -= blow.when * blow.velocity[1];
             way.turn -= blow.when * blow.spin;
+            core_.lengths[blow.mover] = lengthOf(blow.mover, {});
         }
     }
 
-    /// How far each mover, and each chunk of several, goes at most. Returns the largest of that.
-    Real measure() {
-        lengths_.assign(movers_.size(), 0);
-        Real most = 0;
-        for (const auto m : core_.awakeMovers) most = std::max(most, lengths_[m] = lengthOf(m, {}));
+    void measureStrips() {
         for (const auto c : core_.awakeStrips) {
             const Chunk& chunk = core_.shapes.chunks[c];
-            lengths_[chunk.frame] = lengthOf(chunk, {});
+            core_.lengths[chunk.frame] = lengthOf(chunk, {});
         }
-        return most;
+    }
+
+    /// Lists the chunks that are fast by themselves.
+    void findFast() {
+        const Real least = fast / 2 * static_cast<Real>(core_.finest);
+        for (const auto m : core_.awakeMovers) {
+            if (!(core_.lengths[m] > least)) continue;
+            for (auto u = movers_.firstUse[m]; u != none; u = core_.shapes.uses[u].next) {
+                const auto chunk = core_.shapes.uses[u].chunk;
+                if (core_.shapes.chunks[chunk].uses == 1) fast_.push_back(chunk);
+            }
+        }
+        for (const auto c : core_.awakeStrips)
+            if (core_.lengths[core_.shapes.chunks[c].frame] > least) fast_.push_back(c);
     }
     Real lengthOf(std::uint32_t m, const Motion3& frame) const {
         const Motion3& way = core_.ways[m];
@@ -122,24 +124,68 @@ private:
         return held_[state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body)] != 0;
     }
 
-    /// Pairs that are fast and may have come near, of those that count. What is asked comes in the
-    /// order of what it costs: most pairs are answered by their watch alone.
-    template <class Counts>
-    void collect(Counts&& counts) {
+    bool isFast(std::uint32_t chunk) const {
+        return 2 * core_.lengths[core_.shapes.chunks[chunk].frame] >
+               fast * static_cast<Real>(core_.finest);
+    }
+
+    /// Whether a chunk goes otherwise than was predicted when its pairs were judged.
+    bool goesOtherwise(std::uint32_t index) const {
+        const Chunk& chunk = core_.shapes.chunks[index];
+        if (chunk.uses != 1 || movers_.colours[chunk.frame] != 0) return true;
+        const Motion3& way = core_.ways[chunk.frame];
+        const Prediction& p = movers_.predictions[chunk.frame];
+        return way.x != p.goesX || way.y != p.goesY || way.turn != p.turn;
+    }
+
+    /// One side of a fast pair is fast by itself. A pair that was judged to stay apart does, where
+    /// that side goes as was predicted, and the other one too, or is slow.
+    void collectFirst() {
         pairs_.clear();
-        for (const PairWatch& w : core_.watches) {
-            const Real least = fast * static_cast<Real>(w.fineness);
-            if (!(lengths_[w.a] + lengths_[w.b] > least)) continue;
-            const Real ways = waysOf(w);
-            if (!(ways > least)) continue;
-            const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
-            if (!hasRows(w) && odometers + static_cast<double>(ways) < w.limit) continue;
-            const Pair& pair = core_.pairs[w.pair];
-            if (!counts(pair)) continue;
-            if (pair.row && rowHolds(pair)) continue;
-            if (staysApart(core_, w, core_.ways[w.a], core_.ways[w.b])) continue;
-            if (core_.encounters[pair.encounter].overlapping == 0) pairs_.push_back(w.pair);
+        const auto isAsked = [&](std::uint32_t chunk) {
+            return isFast(chunk) && goesOtherwise(chunk);
+        };
+        collect(isAsked, [](const Pair&) { return true; });
+        auto& looked = core_.looked;
+        std::sort(looked.begin(), looked.end());
+        looked.erase(std::unique(looked.begin(), looked.end()), looked.end());
+        for (const auto index : looked) {
+            const Pair& pair = core_.pairs[index];
+            if (pair.a == none || pair.watch == none || isAsked(pair.a) || isAsked(pair.b))
+                continue;
+            if (mayPass(core_.watches[pair.watch], pair)) pairs_.push_back(index);
         }
+    }
+
+    /// Pairs of chunks that are asked which count and may have come near.
+    template <class IsAsked, class Counts>
+    void collect(IsAsked&& isAsked, Counts&& counts) {
+        const auto& chunks = core_.shapes.chunks;
+        for (const auto c : fast_) {
+            if (!isAsked(c)) continue;
+            for (auto at = chunks[c].firstPair; at != none;) {
+                const Pair& pair = core_.pairs[at / 2];
+                const bool isSecond = at % 2 == 1;
+                const auto index = at / 2;
+                at = pair.next[at % 2];
+                if (pair.watch == none || (isSecond && isAsked(pair.a))) continue;
+                if (counts(pair) && mayPass(core_.watches[pair.watch], pair))
+                    pairs_.push_back(index);
+            }
+        }
+    }
+
+    /// What is asked comes in the order of what it costs: most pairs are answered by their watch.
+    bool mayPass(const PairWatch& w, const Pair& pair) const {
+        const Real least = fast * static_cast<Real>(w.fineness);
+        if (!(core_.lengths[w.a] + core_.lengths[w.b] > least)) return false;
+        const Real ways = waysOf(w);
+        if (!(ways > least)) return false;
+        const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
+        if (!hasRows(w) && odometers + static_cast<double>(ways) < w.limit) return false;
+        if (pair.row && rowHolds(pair)) return false;
+        return !staysApart(core_, w, core_.ways[w.a], core_.ways[w.b]) &&
+               core_.encounters[pair.encounter].overlapping == 0;
     }
 
     /// What has none is far from each other until its limit.
@@ -244,6 +290,8 @@ private:
         follow(body);
     }
     void follow(std::uint32_t body) {
+        if (!holds_[body].listed) everHeld_.push_back(body);
+        holds_[body].listed = true;
         held_[body] = 1;
         anyHeld_ = true;
         const Hold& hold = holds_[body];
@@ -281,24 +329,26 @@ private:
     }
 
     void giveBack() {
-        for (std::uint32_t b = 0; b < state_.bodies.size(); ++b) {
+        for (const auto b : everHeld_) {
             const Hold& hold = holds_[b];
             if (!hold.changed()) continue;
             ++state_.statistics.heldBack;
             const Real back = hold.share - 1;
             Particles& p = state_.particles;
             const auto first = state_.bodies[b].firstParticle;
-            for (auto i = first; i < first + state_.bodies[b].particles.size(); ++i)
-                if (p.cluster[i] == none && p.inverseMass[i] > 0)
-                    p.position[i] += (back * p.displacement[i] + hold.shift).cast<double>();
-        }
-        for (const auto c : state_.work.awakeClusters) {
-            Cluster& cluster = state_.clusters.list[c];
-            const Hold& hold = holds_[cluster.body];
-            if (!hold.changed() || cluster.inverseMass == 0) continue;
-            const Real back = hold.share - 1;
-            cluster.shift += back * cluster.displacement + hold.shift;
-            cluster.twist += static_cast<double>(back) * cluster.angle;
+            for (auto i = first; i < first + state_.bodies[b].particles.size(); ++i) {
+                const auto c = p.cluster[i];
+                if (c == none) {
+                    if (p.inverseMass[i] > 0)
+                        p.position[i] += (back * p.displacement[i] + hold.shift).cast<double>();
+                    continue;
+                }
+                Cluster& cluster = state_.clusters.list[c];
+                if (state_.clusters.members[cluster.first] != i || cluster.inverseMass == 0)
+                    continue;
+                cluster.shift += back * cluster.displacement + hold.shift;
+                cluster.twist += static_cast<double>(back) * cluster.angle;
+            }
         }
         // Blows have taken their part of the way off already.
         for (const Blow& blow : core_.blows) {
@@ -321,10 +371,11 @@ private:
     Movers& movers_;
     std::pmr::vector<std::uint32_t> pairs_;
     std::pmr::vector<Motion3> whole_;
-    std::pmr::vector<Real> lengths_;       // by mover, m
-    std::pmr::vector<Hold> holds_;         // by body, dense index
-    std::pmr::vector<std::uint8_t> held_;  // the same, 1: in this round
-    bool anyHeld_ = false;                 // somebody, in this round
+    std::pmr::vector<std::uint32_t> fast_;  // chunks
+    std::pmr::vector<Hold> holds_;          // by body, dense index
+    std::pmr::vector<std::uint8_t> held_;   // the same, 1: in this round
+    std::pmr::vector<std::uint32_t> everHeld_;
+    bool anyHeld_ = false;  // somebody, in this round
 };
 
 }  // namespace

@@ -117,7 +117,7 @@ private:
 
     Point placeOf(std::uint32_t m) const {
         const SolverBody& b = movers_.bodies[m];
-        return movers_.reference[m] + Vec2(b.x, b.y).cast<double>();
+        return movers_.placeAtReference(m) + Vec2(b.x, b.y).cast<double>();
     }
 
     void sum() {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <initializer_list>
 #include <utility>
 
 #include "contacts/stages.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
+#include "rigid/cluster_motion.hpp"
 
 namespace sulfur::detail {
 
@@ -131,16 +131,11 @@ public:
     explicit Teller(State& state) : state_(state), core_(state.core), events_(state.events) {}
 
     void run() {
-        notePressing(core_.rows.manifolds, rowKernels().pressingManifolds,
-                     [&](const ManifoldBlock& block, const ManifoldShape& shape, std::uint32_t lane,
-                         bool presses) {
-                         if (!presses) restart({block.a[lane], block.b[lane]});
-                         return shape.pair[lane];
-                     });
+        notePressing(
+            core_.rows.manifolds, rowKernels().pressingManifolds,
+            [](const ManifoldShape& shape, std::uint32_t lane) { return shape.pair[lane]; });
         notePressing(core_.rows.touches, rowKernels().pressingTouches,
-                     [&](const TouchBlock& block, const TouchShape& shape, std::uint32_t lane,
-                         bool presses) {
-                         if (!presses) restart({block.p[lane], block.a[lane], block.b[lane]});
+                     [&](const TouchShape& shape, std::uint32_t lane) {
                          return core_.touches[shape.touch[lane]].pair;
                      });
         for (const auto e : core_.changedEncounters) follow(core_.encounters[e]);
@@ -150,11 +145,6 @@ public:
     }
 
 private:
-    /// What was added and taken away again leaves roundings.
-    void restart(std::initializer_list<std::uint32_t> movers) {
-        for (const auto m : movers) core_.movers.inexact[m] = 1;
-    }
-
     template <class Lists, class Kernel, class PairOf>
     void notePressing(Lists& lists, Kernel&& kernel, PairOf&& pairOf) {
         for (const auto c : core_.rows.inUse()) {
@@ -164,7 +154,7 @@ private:
                 for (auto set = now ^ list.pressing[k]; set != 0; set &= set - 1) {
                     const auto lane = static_cast<std::uint32_t>(std::countr_zero(set));
                     const bool presses = (now >> lane & 1) != 0;
-                    const auto pair = pairOf(list.blocks[k], list.shapes[k], lane, presses);
+                    const auto pair = pairOf(list.shapes[k], lane);
                     addPressing(core_, core_.pairs[pair].encounter, presses ? 1 : -1);
                 }
                 list.pressing[k] = static_cast<std::uint8_t>(now);
@@ -272,7 +262,7 @@ private:
         push.normal = normal;
         push.a = state_.bodies[p.body[i]].id;
         push.b = state_.bodies[p.body[j]].id;
-        push.point = p.position[i] - (p.reach[i] * normal).cast<double>();
+        push.point = placeNow(state_, i) - (p.reach[i] * normal).cast<double>();
     }
 
     State& state_;

@@ -3,7 +3,8 @@
 // Impulses are kept from step to step, because loads change slowly. Between a driver and a wall no
 // impulse does: both rows would add to theirs without end, and whoever slips out would be thrown by
 // what the one of them has gathered. So bodies on which a driver still closes in when a step has
-// been solved begin the next one without impulses, with all that stands in their way.
+// been solved begin the next one without impulses, if its load goes through them to something else
+// that nothing pushes.
 #include <utility>
 
 #include "contacts/row_pushes.hpp"
@@ -16,10 +17,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// A driver that closes in more slowly, or at less than half of its own speed, has not pressed in
-/// vain: the sweeps have not ended it yet.
+/// A driver that closes in more slowly has not pressed in vain.
 constexpr Real vainSpeed = Real(tuned::vainSpeed);
-/// What carries so much of the load that is pressed in vain stands in the way.
+/// What carries so much of the load stands in the way.
 constexpr Real loadShare = Real(tuned::loadShare);
 
 class GivingWay {
@@ -29,26 +29,14 @@ public:
           core_(state.core),
           movers_(core_.movers),
           pressed_(&state.arena),
-          isPressed_(movers_.size(), 0, &state.arena) {}
+          isPressed_(core_.shapes.firstChunk.size(), 0, &state.arena) {}
 
     void run() {
         for (const auto body : state_.work.kinematic) {
-            const auto slot = state_.bodies[body].id.index - 1;
-            for (auto c = core_.shapes.firstChunk[slot]; c != none;
-                 c = core_.shapes.chunks[c].nextOfBody)
-                forEachRow(c, [&](auto& block, std::uint32_t lane) {
-                    if (isVain(block, lane)) press(block, lane, pressingOf(block, lane));
-                });
-        }
-        for (std::size_t k = 0; k < pressed_.size(); ++k) {
-            const auto [mover, load] = pressed_[k];
-            for (auto u = movers_.firstUse[mover]; u != none; u = core_.shapes.uses[u].next)
-                forEachRow(core_.shapes.uses[u].chunk,
-                           [&, pressed = load](auto& block, std::uint32_t lane) {
-                               if (pressingOf(block, lane) >= loadShare * pressed)
-                                   press(block, lane, pressed);
-                               forget(block, lane);
-                           });
+            const auto driver = state_.bodies[body].id.index - 1;
+            forEachRow(driver, [&](auto& block, std::uint32_t lane) {
+                if (isVain(block, lane)) follow(block, lane, driver);
+            });
         }
     }
 
@@ -60,24 +48,43 @@ private:
     /// Whether a driver's row still closes, by the power of its impulses.
     template <class Block>
     bool isVain(const Block& block, std::uint32_t lane) const {
-        Real closing = 0, driven = 0;
+        Real closing = 0;
         forEachPush(block, lane, [&](std::uint32_t m, const Vec2& push, Real twist) {
             const SolverBody& v = movers_.bodies[m];
             const Prediction& p = movers_.predictions[m];
-            const Real power =
+            closing -=
                 push[0] * (p.vx + v.vx) + push[1] * (p.vy + v.vy) + twist * (p.spin + v.spin);
-            closing -= power;
-            if (isDriver(m)) driven -= power;
         });
-        return closing > vainSpeed * state_.h * pressingOf(block, lane) && 2 * closing > driven;
+        return closing > vainSpeed * state_.h * pressingOf(block, lane);
     }
 
+    /// Through whom the load of a driver's row goes. If it ends at something that stands fast, or
+    /// at another driver, all of them forget what presses them.
     template <class Block>
-    void press(const Block& block, std::uint32_t lane, Real load) {
-        forEachPush(block, lane, [&](std::uint32_t m, const Vec2&, Real) {
-            if (isDriver(m) || std::exchange(isPressed_[m], 1) != 0) return;
-            pressed_.emplace_back(m, load);
+    void follow(const Block& block, std::uint32_t lane, std::uint32_t driver) {
+        const Real load = pressingOf(block, lane);
+        const std::size_t first = pressed_.size();
+        bool ends = press(block, lane, driver);
+        for (std::size_t k = first; k < pressed_.size(); ++k)
+            forEachRow(pressed_[k], [&](auto& other, std::uint32_t l) {
+                if (pressingOf(other, l) >= loadShare * load) ends |= press(other, l, driver);
+            });
+        for (std::size_t k = first; ends && k < pressed_.size(); ++k)
+            forEachRow(pressed_[k], [&](auto& other, std::uint32_t l) { forget(other, l); });
+    }
+
+    /// Notes whom a row presses. Returns whether that is something else that nothing pushes.
+    template <class Block>
+    bool press(const Block& block, std::uint32_t lane, std::uint32_t driver) {
+        bool ends = false;
+        forEachPush(block, lane, [&](std::uint32_t m, const Vec2& push, Real) {
+            const auto body = movers_.body[m];
+            if (isDriver(m))
+                ends |= !push.isZero(0) && body != driver;
+            else if (std::exchange(isPressed_[body], 1) == 0)
+                pressed_.push_back(body);
         });
+        return ends;
     }
 
     template <class Block>
@@ -92,22 +99,24 @@ private:
     }
 
     template <class Function>
-    void forEachRow(std::uint32_t chunk, Function&& f) {
-        for (auto at = core_.shapes.chunks[chunk].firstPair; at != none;) {
-            const Pair& pair = core_.pairs[at / 2];
-            at = pair.next[at % 2];
-            if (pair.row) f(core_.rows.manifold(pair.row), RowGraph::laneOf(pair.row));
-            for (auto i = pair.firstTouch; i != none; i = core_.touches[i].next)
-                if (const RowPlace row = core_.touches[i].row)
-                    f(core_.rows.touch(row), RowGraph::laneOf(row));
-        }
+    void forEachRow(std::uint32_t body, Function&& f) {
+        for (auto c = core_.shapes.firstChunk[body]; c != none;
+             c = core_.shapes.chunks[c].nextOfBody)
+            for (auto at = core_.shapes.chunks[c].firstPair; at != none;) {
+                const Pair& pair = core_.pairs[at / 2];
+                at = pair.next[at % 2];
+                if (pair.row) f(core_.rows.manifold(pair.row), RowGraph::laneOf(pair.row));
+                for (auto i = pair.firstTouch; i != none; i = core_.touches[i].next)
+                    if (const RowPlace row = core_.touches[i].row)
+                        f(core_.rows.touch(row), RowGraph::laneOf(row));
+            }
     }
 
     State& state_;
     ContactCore& core_;
     Movers& movers_;
-    std::pmr::vector<std::pair<std::uint32_t, Real>> pressed_;  // movers, and how hard; kg m
-    std::pmr::vector<std::uint8_t> isPressed_;                  // by mover
+    std::pmr::vector<std::uint32_t> pressed_;   // bodies, slots
+    std::pmr::vector<std::uint8_t> isPressed_;  // by slot of a body
 };
 
 }  // namespace

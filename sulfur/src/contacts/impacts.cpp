@@ -345,6 +345,7 @@ private:
         std::array<Real, 2> turns{0, 0};
         if (m.points == 2) turns = {response(normal[0], rubs), response(normal[1], rubs)};
         for (int sweep = 0; sweep < plasticSweeps; ++sweep) {
+            const Plastic before = found;
             for (int k = 0; k < m.points; ++k) {
                 const auto i = static_cast<std::size_t>(k);
                 if (!(normal[i].gap + closing[i] < 0)) continue;
@@ -354,6 +355,7 @@ private:
             }
             const Real now = slide + turns[0] * found.normal[0] + turns[1] * found.normal[1];
             found.rubbing = rub(m, -rubs.mass * now, found.normal[0] + found.normal[1]);
+            if (found.normal == before.normal && found.rubbing == before.rubbing) break;
         }
         return found;
     }

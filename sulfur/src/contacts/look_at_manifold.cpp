@@ -40,6 +40,7 @@ public:
         const bool isNew = !pair_.row;
         if (isNew) {
             pair_.row = core_.rows.addManifold(core_.movers, index_, a_.frame, b_.frame);
+            ++core_.newRows;
             if (std::exchange(pair_.keptPressing, 0))
                 core_.rows.setPressing(core_.rows.manifolds, pair_.row);
         }

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "contacts/pair_table.hpp"
-#include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
@@ -24,12 +23,11 @@ constexpr Real pushRate = Real(tuned::recoveryRate);
 constexpr Real pushSpeed = Real(tuned::recoverySpeed);
 constexpr Real mostShare = Real(tuned::recoveryShare);
 constexpr Real restingPush = Real(tuned::restingPush);
-constexpr Real creepSpeed = Real(tuned::creepSpeed);
+constexpr Real creepSpeed = Real(tuned::creepSpeed), restingSpeed = Real(tuned::restingSpeed);
+constexpr Real settledChange = Real(tuned::settledChange);
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
-    movers.reference[m] = at;
-    movers.referenceHeading[m] = heading;
-    movers.heading[m] = {static_cast<Real>(heading[0]), static_cast<Real>(heading[1])};
+    movers.references[m] = {at[0], at[1], heading[0], heading[1]};
     movers.refreshAt[m] = -1;
 }
 
@@ -39,15 +37,11 @@ double smallAngle(double s) {
     return s * (1 + q * (1.0 / 6 + q * (3.0 / 40 + q * (15.0 / 336))));
 }
 
-double turnSince(const Point& reference, const Point& heading) {
-    return smallAngle(reference[0] * heading[1] - reference[1] * heading[0]);
-}
-
 void takePose(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
-    const Point& reference = movers.referenceHeading[m];
-    const double c = reference[0] * heading[0] + reference[1] * heading[1];
-    const double turn = turnSince(reference, heading);
-    const Point way = at - movers.reference[m];
+    const Reference& r = movers.references[m];
+    const double c = r.cosine * heading[0] + r.sine * heading[1];
+    const double turn = smallAngle(r.cosine * heading[1] - r.sine * heading[0]);
+    const Point way = at - movers.placeAtReference(m);
     SolverBody& body = movers.bodies[m];
     if (!(std::abs(way[0]) + std::abs(way[1]) < farthestFromReference) ||
         std::abs(turn) > largestTurn || c < 0) {
@@ -158,72 +152,12 @@ void scaleImpulses(ContactCore& core, double step) {
     }
 }
 
-/// Impulses of rows that push one mover.
-struct Pushed {
-    Vec2 push{0, 0};  // kg m
-    Real twist = 0;   // kg m^2
-
-    void add(const Vec2& more, Real moreTwist) {
-        push += more;
-        twist += moreTwist;
-    }
-    void giveTo(SolverBody& body) const {
-        body.vx = push[0] * body.inverseMass;
-        body.vy = push[1] * body.inverseMass;
-        body.spin = twist * body.inverseInertia;
-    }
-};
-
-/// Adds up anew what the rows give a mover: what was added and taken away again leaves roundings.
-void addUpRows(ContactCore& core, std::uint32_t m) {
-    Pushed sum;
-    const auto add = [&](std::uint32_t mover, const Vec2& push, Real twist) {
-        if (mover == m) sum.add(push, twist);
-    };
-    auto u = mayHaveRows(core, m) ? core.movers.firstUse[m] : none;
-    for (; u != none; u = core.shapes.uses[u].next)
-        for (auto at = core.shapes.chunks[core.shapes.uses[u].chunk].firstPair; at != none;) {
-            const Pair& pair = core.pairs[at / 2];
-            at = pair.next[at % 2];
-            if (pair.row)
-                forEachPush(core.rows.manifold(pair.row), RowGraph::laneOf(pair.row), add);
-            for (auto i = pair.firstTouch; i != none; i = core.touches[i].next)
-                if (const RowPlace row = core.touches[i].row)
-                    forEachPush(core.rows.touch(row), RowGraph::laneOf(row), add);
-        }
-    sum.giveTo(core.movers.bodies[m]);
-}
-
-/// The same for all movers.
-void addUpAllRows(State& state) {
-    ContactCore& core = state.core;
-    std::pmr::vector<Pushed> sums(core.movers.size(), &state.arena);
-    const auto add = [&](std::uint32_t mover, const Vec2& push, Real twist) {
-        sums[mover].add(push, twist);
-    };
-    const auto addAll = [&](const auto& lists) {
-        for (const auto c : core.rows.inUse())
-            for (std::size_t k = 0; k < lists[c].blocks.size(); ++k) {
-                const auto rows = RowGraph::rowsIn(lists[c], c, k);
-                for (std::uint32_t l = 0; l < std::min<std::uint32_t>(rows, rowLanes); ++l)
-                    forEachPush(lists[c].blocks[k], l, add);
-            }
-    };
-    addAll(core.rows.manifolds);
-    addAll(core.rows.touches);
-    for (const auto m : core.awakeMovers) sums[m].giveTo(core.movers.bodies[m]);
-}
-
-/// Steps after which what rows give is added up anew.
-constexpr std::uint64_t exactAgain = tuned::seldom;
-
 }  // namespace
 
 void takeMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     scaleImpulses(core, static_cast<double>(state.h));
-    if (stepNumber(state) % exactAgain == 0) addUpAllRows(state);
     core.ahead = movers.odometer;
     core.moved.assign(movers.size(), 0);
     core.placed.resize(movers.size());
@@ -233,12 +167,12 @@ void takeMotion(State& state) {
         takePose(movers, m, seen.at, seen.heading);
         core.placed[m] = {movers.bodies[m].x, movers.bodies[m].y, movers.bodies[m].turn};
         // What rows gave in the last step is with what they begin in this one.
-        movers.predictions[m].vx = seen.way[0];
-        movers.predictions[m].vy = seen.way[1];
-        movers.predictions[m].spin = seen.turn;
+        const SolverBody& body = movers.bodies[m];
+        movers.predictions[m] = {
+            seen.way[0],           seen.way[1],           seen.turn, seen.way[0] + body.vx,
+            seen.way[1] + body.vy, seen.turn + body.spin, {}};
         movers.bodies[m].inverseMass = seen.inverseMass;
         movers.bodies[m].inverseInertia = seen.inverseInertia;
-        if (std::exchange(movers.inexact[m], 0) != 0) addUpRows(core, m);
         core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
         if (core.ahead[m] < movers.refreshAt[m]) continue;
         movers.refreshAt[m] =
@@ -261,9 +195,9 @@ void updateBoxes(State& state) {
         for (auto k = chunk.firstCorner; k < chunk.firstCorner + chunk.corners; ++k) {
             const Corner& corner = core.shapes.corners[k];
             const SolverBody& body = core.movers.bodies[corner.mover];
-            const Heading& h = core.movers.heading[corner.mover];
+            const Heading h = core.movers.headingAtReference(corner.mover);
             const Real cosine = h.cosine - h.sine * body.turn, sine = h.sine + h.cosine * body.turn;
-            const Point& from = core.movers.reference[corner.mover];
+            const Point from = core.movers.placeAtReference(corner.mover);
             const double at[2] = {
                 from[0] + static_cast<double>(body.x + cosine * corner.x - sine * corner.y),
                 from[1] + static_cast<double>(body.y + sine * corner.x + cosine * corner.y)};
@@ -294,6 +228,9 @@ void updateBoxes(State& state) {
 void lookAtPairs(State& state) {
     ContactCore& core = state.core;
     // A look may move watches about: those that are due are listed first.
+    core.looked.clear();
+    core.looked.reserve(2 * core.watches.size());  // a pair may be looked at again
+    core.newRows = 0;
     core.again.clear();
     for (PairWatch& w : core.watches)
         if (isDue(core, w)) core.again.push_back(w.pair);
@@ -301,51 +238,90 @@ void lookAtPairs(State& state) {
     core.heirs.clear();
 }
 
+namespace {
+
+/// What rows give each mover is summed anew in every step: what was added and taken away again
+/// would leave roundings.
+void beginSums(ContactCore& core) {
+    for (const auto m : core.awakeMovers) {
+        SolverBody& body = core.movers.bodies[m];
+        body.vx = body.vy = body.spin = 0;
+    }
+}
+
+/// Refreshes the marked blocks of a list, and calls tell(block, lane) for what must be looked at
+/// again. `anew`: all blocks give what their rows do.
+template <class List, class Refresh, class Give, class Tell>
+void refreshList(List& list, bool anew, Refresh&& refresh, Give&& give, Tell&& tell) {
+    for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+        std::uint64_t& dirty = list.dirty[k / 64];
+        const std::uint64_t bit = std::uint64_t{1} << k % 64;
+        if ((dirty & bit) == 0) {
+            if (anew) give(list.blocks[k]);
+            continue;
+        }
+        dirty ^= bit;
+        for (auto lanes = refresh(list.blocks[k], list.shapes[k]); lanes != 0; lanes &= lanes - 1)
+            tell(k, static_cast<std::uint32_t>(std::countr_zero(lanes)));
+    }
+}
+
+}  // namespace
+
 void refreshRows(State& state) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
-    const PoseView poses{core.movers.reference.data()->data(), core.movers.heading.data(),
-                         core.movers.predictions.data()};
-    const auto refresh = [&](auto& list, auto&& kernel, auto&& tell) {
-        for (std::size_t w = 0; w < list.dirty.size(); ++w)
-            for (auto set = std::exchange(list.dirty[w], 0); set != 0; set &= set - 1) {
-                const auto k = 64 * w + static_cast<std::size_t>(std::countr_zero(set));
-                for (auto lanes = kernel(bodies, poses, list.blocks[k], list.shapes[k]); lanes != 0;
-                     lanes &= lanes - 1)
-                    tell(list, k, static_cast<std::uint32_t>(std::countr_zero(lanes)));
-            }
-    };
+    const PoseView poses{core.movers.references.data(), core.movers.predictions.data()};
     markMoved(core);
-    for (int round = 0; round < 2; ++round) {
+    beginSums(core);
+    for (const bool anew : {true, false}) {
         core.again.clear();
         for (const auto c : core.rows.inUse()) {
-            refresh(core.rows.manifolds[c], kernels.refreshManifolds,
-                    [&](auto& list, std::size_t k, std::uint32_t lane) {
-                        if (lane < RowGraph::rowsIn(list, c, k))
-                            core.again.push_back(list.shapes[k].pair[lane]);
-                    });
-            refresh(core.rows.touches[c], kernels.refreshTouches,
-                    [&](auto& list, std::size_t k, std::uint32_t lane) {
-                        if (lane < RowGraph::rowsIn(list, c, k))
-                            core.again.push_back(core.touches[list.shapes[k].touch[lane]].pair);
-                    });
+            ManifoldList& manifolds = core.rows.manifolds[c];
+            refreshList(
+                manifolds, anew,
+                [&](ManifoldBlock& block, const ManifoldShape& shape) {
+                    return kernels.refreshManifolds[anew](bodies, poses, block, shape);
+                },
+                [&](const ManifoldBlock& block) { kernels.giveManifolds(bodies, block); },
+                [&](std::size_t k, std::uint32_t lane) {
+                    if (lane < RowGraph::rowsIn(manifolds, c, k))
+                        core.again.push_back(manifolds.shapes[k].pair[lane]);
+                });
+            TouchList& touches = core.rows.touches[c];
+            refreshList(
+                touches, anew,
+                [&](TouchBlock& block, const TouchShape& shape) {
+                    return kernels.refreshTouches[anew](bodies, poses, block, shape);
+                },
+                [&](const TouchBlock& block) { kernels.giveTouches(bodies, block); },
+                [&](std::size_t k, std::uint32_t lane) {
+                    if (lane < RowGraph::rowsIn(touches, c, k))
+                        core.again.push_back(core.touches[touches.shapes[k].touch[lane]].pair);
+                });
         }
-        if (core.again.empty() || round == 1) break;
+        if (core.again.empty() || !anew) break;
         std::sort(core.again.begin(), core.again.end());
         core.again.erase(std::unique(core.again.begin(), core.again.end()), core.again.end());
         for (const auto pair : core.again) lookAtPair(state, pair);
     }
 }
 
-Real sweepRows(State& state, SweepKind kind) {
+bool sweepRows(State& state, int number, SweepKind kind) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
     SolverBody* bodies = core.movers.bodies.data();
     const Prediction* predictions = core.movers.predictions.data();
-    const SweepSettings settings{creepSpeed * state.h, std::min(pushRate * state.h, mostShare),
+    if (number == 1) core.stirred.assign(core.movers.size(), 0);
+    const SweepSettings settings{creepSpeed * state.h,
+                                 restingSpeed * state.h,
+                                 std::min(pushRate * state.h, mostShare),
+                                 settledChange * state.h,
+                                 core.stirred.data(),
+                                 static_cast<std::uint8_t>(number),
                                  kind};
-    Real change = 0;
+    bool any = false;
     // From the last colour, so that the first rows of each body, on which it rests, are solved
     // last.
     for (auto left = core.rows.inUse().bits(); left != 0;) {
@@ -353,13 +329,12 @@ Real sweepRows(State& state, SweepKind kind) {
         left ^= std::uint64_t{1} << c;
         ManifoldList& manifolds = core.rows.manifolds[c];
         TouchList& touches = core.rows.touches[c];
-        change =
-            std::max(change, kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
-                                                    manifolds.blocks.size(), settings));
-        change = std::max(change, kernels.sweepTouches(bodies, predictions, touches.blocks.data(),
-                                                       touches.blocks.size(), settings));
+        any |= kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
+                                      manifolds.blocks.size(), settings);
+        any |= kernels.sweepTouches(bodies, predictions, touches.blocks.data(),
+                                    touches.blocks.size(), settings);
     }
-    return change;
+    return any;
 }
 
 namespace {
@@ -412,14 +387,32 @@ void takeMotionAgain(State& state) {
     }
 }
 
+namespace {
+
+/// How a mover goes in this step.
+Motion3 wayOf(const State& state, bool isCluster, std::uint32_t i) {
+    if (!isCluster) {
+        const Vec2& d = state.particles.displacement[i];
+        return {d[0], d[1], 0};
+    }
+    const Cluster& c = state.clusters.list[i];
+    return {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
+}
+
+}  // namespace
+
 void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     const bool asked = !onlyContactsAsk(state);
+    core.ways.assign(movers.size(), {});
+    core.lengths.assign(movers.size(), 0);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         give(state, k, asked);
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
+        const Motion3& way = core.ways[m] = wayOf(state, core.awakeIsCluster[k] != 0, i);
+        core.lengths[m] = std::abs(way.x) + std::abs(way.y) + movers.reach[m] * std::abs(way.turn);
         const SolverBody& body = movers.bodies[m];
         // What the next step begins with is given anew, with what has been kept back.
         Motion3& given = movers.given[m];

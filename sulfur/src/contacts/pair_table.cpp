@@ -115,7 +115,7 @@ namespace {
 
 /// m, from a to b.
 Vec2 wayBetween(const Movers& movers, std::uint32_t a, std::uint32_t b) {
-    const Point apart = movers.reference[b] - movers.reference[a];
+    const Point apart = movers.placeAtReference(b) - movers.placeAtReference(a);
     const SolverBody &p = movers.bodies[a], &q = movers.bodies[b];
     return apart.cast<Real>() + Vec2(q.x - p.x, q.y - p.y);
 }

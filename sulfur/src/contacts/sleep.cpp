@@ -11,6 +11,7 @@
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
+#include "rigid/cluster_motion.hpp"
 
 namespace sulfur::detail {
 
@@ -127,6 +128,7 @@ void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
     if (!measureRest(state)) return;
+    bringMembers(state);  // who falls asleep stays where it is
     DisjointSets islands(state.bodies.size(), &state.arena);
     const auto unite = [&](std::uint32_t a, std::uint32_t b) {
         if (isDynamic(state, a) && isDynamic(state, b)) {

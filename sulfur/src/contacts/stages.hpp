@@ -28,8 +28,12 @@ void endLeads(State& state);
 void lookAtPairs(State& state);
 /// Rows take up how their bodies have moved and turned.
 void refreshRows(State& state);
-/// All rows are swept. Returns by how much that has changed the motion along any normal, m.
-Real sweepRows(State& state, SweepKind kind);
+/// Stacks that begin to rest begin with the loads of statics. An accelerator: without this call all
+/// works, and large piles take longer to settle.
+void loadStacks(State& state);
+/// Rows are swept for the `number`-th time in this step, from 1 to 255. Returns whether that has
+/// stirred anybody: has changed how fast surfaces part.
+bool sweepRows(State& state, int number, SweepKind kind);
 /// Impacts with restitution change the predicted motion; when the step ends, also places.
 void strikeRows(State& state);
 void endBlows(State& state);

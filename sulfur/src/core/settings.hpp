@@ -20,15 +20,15 @@ inline constexpr double closingSpeed = 5;
 
 // What is slow.
 
+/// m/s: what slips slower rests, and what moves slower for long enough falls asleep.
+inline constexpr double restingSpeed = 0.005;
 /// m/s: what slips slower is held by static friction, so that noise of a tick does not let go of
 /// what rests.
-inline constexpr double creepSpeed = 0.001;
+inline constexpr double creepSpeed = restingSpeed / 5;
 /// m/s: what is pushed apart faster does not rest.
 inline constexpr double restingPush = 2 * creepSpeed;
-/// m/s: what moves slower for long enough falls asleep.
-inline constexpr double restingSpeed = 0.005;
-/// m/s, of a change along a normal in a sweep: with less, contacts have settled.
-inline constexpr double settledChange = restingSpeed;
+/// m/s: a sweep that changes how fast surfaces part by no more leaves their bodies alone.
+inline constexpr double settledChange = restingSpeed / 10;
 /// m/s: what slides faster does not stick.
 inline constexpr double stickingSpeed = 2 * restingSpeed;
 /// m/s: slower impacts do not rebound, so that what lies comes to rest.
@@ -51,7 +51,7 @@ inline constexpr double recoveryRate = 500 * recoveryShare;
 /// m/s, the fastest that this pushes anybody.
 inline constexpr double recoverySpeed = 0.5;
 /// m/s, of a body that is led apart: slower than rows push, so that it is led through no floor.
-inline constexpr double leadingSpeed = 0.49;
+inline constexpr double leadingSpeed = 0.98 * recoverySpeed;
 /// m/s, of a particle that all its triangles lead back.
 inline constexpr double mostRecoverySpeed = 0.9;
 /// Share of the thickness from which on rows push apart what is led apart.
@@ -59,6 +59,9 @@ inline constexpr double tolerated = 0.9;
 
 // Distances, in the thickness of what touches.
 
+/// Overlap that stays. Without it, what lies is pushed out and falls back, by micrometres that are
+/// millimetres a second in a step, and rows never come to rest.
+inline constexpr double slop = 1e-4;
 /// By which two bodies may go on in a step after their pair should have been looked at: the place
 /// at which they touch changes by less than a hundredth of the thickness.
 inline constexpr double unnoticed = 0.25;
@@ -83,32 +86,38 @@ inline constexpr double beyondEnds = 1e-5;
 inline constexpr double reached = 1.0 / 64, reachedRound = reached / 16;
 /// m and rad, from its reference, beyond which a body gets a new one: single precision is then
 /// finer than anything above.
-inline constexpr double farthestFromReference = 0.5, largestTurn = 0.1;
+inline constexpr double farthestFromReference = 0.5, largestTurn = farthestFromReference / 5;
 
 // How often, and how many times.
 
-/// Steps between sums that are made anew, and between looks at what changes slowly.
-inline constexpr std::uint64_t seldom = 64;
+/// What comes nearer by about a third each time is a tenth of what it was after so many times.
+inline constexpr int rounds = 8;
 /// Steps between dampings of what sticks: piles change slowly.
-inline constexpr std::uint64_t dampingInterval = 8;
-/// Up to so many times the sweeps of the settings, while one of them still changes how fast
-/// anything parts.
-inline constexpr int mostTimes = 2;
-/// Sweeps of contacts alone, which need no more when they have settled.
-inline constexpr int leastAlone = 2;
+inline constexpr std::uint64_t dampingInterval = rounds;
+/// Steps between looks at what changes slowly.
+inline constexpr std::uint64_t seldom = 8 * dampingInterval;
+/// Up to so many times the sweeps of the settings, beside joints, while one of them still stirs
+/// anybody; more where rigid joints in loops are swept, which no sweep solves as a whole.
+inline constexpr int mostTimes = 2, mostTimesInLoops = mostTimes + 1;
 /// Sweeps over trees that a contact strains, while so many of them mend at least a share of that:
 /// what is squeezed may have no solution.
-inline constexpr int trial = 8, mostForStrain = 6 * trial;
+inline constexpr int trial = rounds, mostForStrain = 6 * trial;
 inline constexpr double mended = 1.0 / 4;
 /// Rounds of impacts, which pass a blow on along a row of bodies, and sweeps over the points of one
 /// blow that does not rebound.
-inline constexpr int impactRounds = 64, plasticSweeps = impactRounds / 2;
+inline constexpr int impactRounds = 8 * rounds, plasticSweeps = impactRounds / 2;
 /// Rounds of the search for the moment at which two outlines touch.
-inline constexpr int momentRounds = 16;
+inline constexpr int momentRounds = 2 * rounds;
 /// Rounds in which what is fast is held back from one another.
-inline constexpr int keepingRounds = 8;
+inline constexpr int keepingRounds = rounds;
 
 // Loads.
+
+/// One in so many rows that bear must be new for loads to be found by statics: what has rested for
+/// longer is better left to the sweeps.
+inline constexpr std::uint32_t newShare = 16;
+/// The least share of a load along a normal that bears: what leans farther is held by friction too.
+inline constexpr double steep = 0.9;
 
 /// Of the worst: a joint that bears as much breaks with it, because a crack opens where a body is
 /// loaded most; a body that bears as much of what is pressed in vain stands in the way.
@@ -127,20 +136,22 @@ inline constexpr double weightOfLinks = 16;
 /// Of a link's length, beyond which it is strained: a body has no rigid components then, and a tree
 /// needs more sweeps.
 inline constexpr double strainLimit = 1e-4;
-/// Whip of a swept joint, 2 w (tension / length) h^2, beyond which it pulls along its present
-/// direction: along that of the step's start it would explode above about 1.
-inline constexpr double sweptWhip = 0.2;
+/// Whip is 2 w (tension / length) h^2. Pulls along directions of the step's start explode above
+/// about 1, in joints that are swept one by one.
+inline constexpr double mostWhip = 1;
+/// Of a swept joint, beyond which it pulls along its present direction.
+inline constexpr double sweptWhip = mostWhip / 5;
 
 // Triangles of soft bodies, in their area at rest.
 
 /// What a triangle may be pressed to, and where it begins to be looked at in all sweeps of a tick.
-inline constexpr double leastShare = 0.2, watchedShare = 0.3;
+inline constexpr double leastShare = 0.2, watchedShare = 1.5 * leastShare;
 /// To where what is flatter is led back, after which its springs open it: leading it farther would
 /// work against a heap that presses on it.
 inline constexpr double recoveredShare = leastShare / 4;
 /// What one that is turned over may give in a tick: neighbours that are led back in opposite
 /// directions would lock each other.
-inline constexpr double givenShare = 0.002;
+inline constexpr double givenShare = leastShare / 100;
 /// Flatter ones have no side that could be told from the other: twice the area over the sum of the
 /// squares of the sides, which is 0.29 for three equal ones and 0.25 for half a square.
 inline constexpr double flattest = 0.01;
@@ -151,14 +162,14 @@ inline constexpr double flattest = 0.01;
 inline constexpr std::uint32_t mostSteps = 64;
 /// Of a link's length.
 inline constexpr double treeTolerance = 1e-8;
-/// What one step may do before it is halved: whip is 2 w (tension / length) h^2, summed over the
-/// links of a node; turn is the sine of the angle that a link turns by.
-inline constexpr double mostWhip = 1, mostTurn = 0.2;
+/// A step is halved when it does more: mostWhip, summed over the links of a node, or this, the sine
+/// of the angle that a link turns by.
+inline constexpr double mostTurn = 0.2;
 /// The shortest steps may do this: less exact, but still far from the explosion, which linear
 /// theory puts at a whip of 4.
-inline constexpr double tolerableWhip = 3, tolerableTurn = 0.7;
+inline constexpr double tolerableWhip = 3 * mostWhip, tolerableTurn = 3.5 * mostTurn;
 /// Below both of these the steps are doubled.
-inline constexpr double calmWhip = 0.15, calmTurn = 0.08;
+inline constexpr double calmWhip = 0.15 * mostWhip, calmTurn = 0.4 * mostTurn;
 /// Newton's method: passes of a step with factors of their own, and passes of a chain, which uses
 /// the factors of an earlier one as long as each takes all but a part of the error away. The
 /// fallback, which converges more slowly, has more.

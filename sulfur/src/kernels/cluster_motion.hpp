@@ -25,13 +25,15 @@ struct MemberView {
     const double* places;            // m, of the members in the frames of their clusters
 };
 
-/// Where a cluster is when the tick ends.
+/// Where a cluster is when a step ends, and where it was when that began.
 struct ClusterPose {
-    std::uint32_t first, last;    // members
-    double centreX, centreY;      // m
-    double headingX, headingY;    // unit
-    double velocityX, velocityY;  // m/s
-    double spin;                  // rad/s
+    std::uint32_t first, last;              // members
+    double centreX, centreY;                // m
+    double headingX, headingY;              // unit
+    double centreBeforeX, centreBeforeY;    // m
+    double headingBeforeX, headingBeforeY;  // unit
+    double velocityX, velocityY;            // m/s
+    double spin;                            // rad/s
 };
 
 /// Where a cluster goes in a tick.

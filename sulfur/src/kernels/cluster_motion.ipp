@@ -156,10 +156,12 @@ template <class V>
 inline void place(const MemberView& view, const ClusterPose& c, std::uint32_t k, double maxSpeed) {
     using Wide = typename V::Wide;
     const std::size_t i = 2 * std::size_t{view.particles[k]};
-    const Wide rest = loadFrom<Wide>(view.places + 2 * std::size_t{k});
-    const Wide arm = V::both(c.headingX, c.headingX) * rest +
-                     V::both(-c.headingY, c.headingY) * V::swapped(rest);
-    const Wide before = loadFrom<Wide>(view.position + i);
+    const Wide rest = loadFrom<Wide>(view.places + 2 * std::size_t{k}), across = V::swapped(rest);
+    const Wide arm =
+        V::both(c.headingX, c.headingX) * rest + V::both(-c.headingY, c.headingY) * across;
+    const Wide armBefore = V::both(c.headingBeforeX, c.headingBeforeX) * rest +
+                           V::both(-c.headingBeforeY, c.headingBeforeY) * across;
+    const Wide before = V::both(c.centreBeforeX, c.centreBeforeY) + armBefore;
     const Wide after = V::both(c.centreX, c.centreY) + arm;
     const Wide velocity =
         V::both(c.velocityX, c.velocityY) + V::both(-c.spin, c.spin) * V::swapped(arm);

@@ -18,7 +18,7 @@ namespace sulfur::detail {
 
 inline constexpr std::size_t rowLanes = 8;
 
-inline constexpr SweepReal unnoticed = SweepReal(tuned::unnoticed);
+inline constexpr SweepReal unnoticed = SweepReal(tuned::unnoticed), slop = SweepReal(tuned::slop);
 
 /// What rows push: a rigid component, or a particle that moves by itself (then it never turns).
 /// Its pose is counted from a reference that is renewed when it has gone far or turned by much.
@@ -30,15 +30,23 @@ struct alignas(8 * sizeof(SweepReal)) SolverBody {
     SweepReal inverseMass = 0, inverseInertia = 0;  // 1/kg and 1/(kg m^2)
 };
 
-/// The velocity that a body has without rows.
+/// The velocity that a body has without rows, and how it goes if they give what they did in the
+/// last step.
 struct alignas(8 * sizeof(SweepReal)) Prediction {
-    SweepReal vx = 0, vy = 0, spin = 0;  // m and rad, in this step
-    SweepReal unused[5] = {};
+    SweepReal vx = 0, vy = 0, spin = 0;        // m and rad, in this step
+    SweepReal goesX = 0, goesY = 0, turn = 0;  // m and rad
+    SweepReal unused[2] = {};
 };
 
 /// Heading of a body at its reference.
 struct Heading {
     SweepReal cosine = 1, sine = 0;
+};
+
+/// Where a body's pose is counted from.
+struct alignas(4 * sizeof(double)) Reference {
+    double x = 0, y = 0;          // m
+    double cosine = 1, sine = 0;  // of its heading
 };
 
 using Lane = SweepReal[rowLanes];
@@ -72,9 +80,11 @@ struct alignas(sizeof(Lane)) ManifoldBlock {
     /// The mobility matrix of the two normals: off its diagonal (1/kg), and one over its
     /// determinant (kg^2), which is zero where the points are one.
     Lane coupling, inverse;
+    Lane slop;     // m, an overlap that stays
     Lane slip;     // m, by which the surfaces run along the tangent in this step
     Lane sliding;  // m, by which b slides along the tangent without rows
     Lane early;    // m, of that what is over before they touch
+    Lane grip;     // m, the slip up to which static friction holds
     Lane rubbing;  // kg m, accumulated impulse
     ManifoldPoint points[2];
 };
@@ -114,10 +124,10 @@ struct alignas(sizeof(Lane)) TouchBlock {
     Lane sideX, sideY;      // unit normal of the side: its turn is that of this
     Lane normalArmP, normalArmA, normalArmB;
     Lane tangentArmP, tangentArmA, tangentArmB;
-    Lane gap;
+    Lane gap, slop;
     Lane normalMass, mobility, tangentMass;
     Lane slip;
-    Lane closing, room, sliding, early;
+    Lane closing, room, sliding, early, grip;
     Lane pressing, rubbing;
 };
 
@@ -138,40 +148,45 @@ struct alignas(sizeof(Lane)) TouchShape {
 
 /// What a refresh reads beside the bodies.
 struct PoseView {
-    const double* reference;  // m, x and y in turn
-    const Heading* heading;
+    const Reference* references;
     const Prediction* predictions;
 };
 
-/// Which sweep of a step it is.
+/// What a sweep does.
 struct SweepKind {
-    bool begins = false;  // the first of the step
-    bool anew = false;    // the first since motion was predicted
-    bool last = false;    // moves places, too
+    bool begins = false;       // it is the first of the step, and moves places, too
+    bool anew = false;         // it is the first since motion was predicted
+    bool onlyStirred = false;  // rows whose bodies the sweep before has left alone are passed over
 };
 
-/// What sweeps have in common.
+/// What rows are swept with.
 struct SweepSettings {
-    SweepReal creep;  // m, slower slips are held by static friction
-    SweepReal share;  // of an overlap that goes in this step
+    SweepReal creep;        // m, slower slips are held by static friction
+    SweepReal resting;      // m, what slips less when the step begins rests
+    SweepReal share;        // of an overlap that goes in this step
+    SweepReal settled;      // m, a row that changes how its surfaces part by more stirs its bodies
+    std::uint8_t* stirred;  // by body, the last sweep that has stirred it
+    std::uint8_t number;    // of the sweep in its step, from 1
     SweepKind kind;
 };
 
 struct RowKernels {
     /// Friction, then normals, of one block after the other. The first sweep after predictions have
-    /// changed looks at these; the last one moves places too. Returns by how much the sweep has
-    /// changed the motion along any normal, m.
-    SweepReal (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions,
-                                ManifoldBlock* blocks, std::size_t count,
-                                const SweepSettings& settings);
-    SweepReal (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                              std::size_t count, const SweepSettings& settings);
-    /// Geometry of one block from the poses of its bodies; impulses turn along, and what that
-    /// changes goes to the bodies. Returns a bit for each lane that must be looked at again.
-    std::uint32_t (*refreshManifolds)(SolverBody* bodies, const PoseView& poses,
-                                      ManifoldBlock& block, const ManifoldShape& shape);
-    std::uint32_t (*refreshTouches)(SolverBody* bodies, const PoseView& poses, TouchBlock& block,
-                                    const TouchShape& shape);
+    /// changed looks at these. Returns whether any body was stirred.
+    bool (*sweepManifolds)(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
+                           std::size_t count, const SweepSettings& settings);
+    bool (*sweepTouches)(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
+                         std::size_t count, const SweepSettings& settings);
+    /// Geometry of one block from the poses of its bodies. Impulses turn along; what that changes
+    /// goes to the bodies, or, with the second of each two, all that the rows give. Returns a bit
+    /// for each lane that must be looked at again.
+    std::uint32_t (*refreshManifolds[2])(SolverBody* bodies, const PoseView& poses,
+                                         ManifoldBlock& block, const ManifoldShape& shape);
+    std::uint32_t (*refreshTouches[2])(SolverBody* bodies, const PoseView& poses, TouchBlock& block,
+                                       const TouchShape& shape);
+    /// The bodies of one block get what its rows give.
+    void (*giveManifolds)(SolverBody* bodies, const ManifoldBlock& block);
+    void (*giveTouches)(SolverBody* bodies, const TouchBlock& block);
     /// A bit for each lane that presses nothing yet and comes to touch in this step, with more than
     /// `slow` (m in a step).
     std::uint32_t (*meetingManifolds)(const SolverBody* bodies, const Prediction* predictions,

@@ -109,11 +109,11 @@ inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
 
 /// Coulomb's law: what static friction brings to rest in this step, or to a creep, it holds with
 /// all that it has; anything else is braked by the kinetic one. `early`: the slide, m, that is not
-/// judged.
-inline Vec friction(Vec wanted, Vec early, Vec mass, Vec pressing, Vec staticCoefficient,
-                    Vec kineticCoefficient, SweepReal creep) {
+/// judged; `grip`: the slip, m, that still is a creep.
+inline Vec friction(Vec wanted, Vec early, Vec grip, Vec mass, Vec pressing, Vec staticCoefficient,
+                    Vec kineticCoefficient) {
     const Vec hold = staticCoefficient * pressing, brake = kineticCoefficient * pressing;
-    const auto sticks = magnitude(wanted + mass * early) <= hold + creep * mass;
+    const auto sticks = magnitude(wanted + mass * early) <= hold + grip * mass;
     const Vec most = sticks ? hold : brake;
     return clamped(wanted, -most, most);
 }
@@ -125,6 +125,16 @@ inline Vec shareBefore(Vec pressing, Vec gap, Vec closing) {
     const Vec zero{}, one = zero + 1;
     const Vec share = closing < zero ? smaller(gap / -closing, one) : one;
     return pressing > zero ? zero : share;
+}
+
+/// What begins a step at rest, and clearly below its limit, sticks in all of it: a sweep that asks
+/// for more has not found yet what the others hold. What ends the step at its limit may be torn
+/// loose in the next.
+[[gnu::always_inline]] inline Vec gripOf(Vec speed, Vec early, Vec rubbing, Vec hold,
+                                         const SweepSettings& settings) {
+    const Vec endless = Vec{} + SweepReal(1e9), creep = Vec{} + settings.creep;
+    const auto rests = magnitude(speed - early) <= settings.resting;
+    return rests & (magnitude(rubbing) < SweepReal(1 - 20 * tuned::slop) * hold) ? endless : creep;
 }
 
 // --- two bodies -------------------------------------------------------------------------------
@@ -150,8 +160,8 @@ inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, V
 }
 
 /// What the points of a block do in this step without rows.
-inline void predict(const Prediction* predictions, const Relative& x, ManifoldBlock& block,
-                    bool begins) {
+template <bool begins>
+inline void predict(const Prediction* predictions, const Relative& x, ManifoldBlock& block) {
     Bodies a = gather(predictions, block.a), b = gather(predictions, block.b);
     const Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
     Vec before = Vec{} + 1;
@@ -168,7 +178,7 @@ inline void predict(const Prediction* predictions, const Relative& x, ManifoldBl
                               load(block.tangentArmA), load(block.tangentArmB)) -
                         load(block.slip);
     store(block.sliding, sliding);
-    if (begins) store(block.early, sliding * before);
+    if constexpr (begins) store(block.early, sliding * before);
 }
 
 inline void pushPoint(Relative& r, const ManifoldPoint& p, Vec impulse, Vec mass, const Bodies& a,
@@ -181,8 +191,9 @@ inline Vec alongPoint(const Relative& r, const ManifoldPoint& p) {
 }
 
 /// Both points rub as one. Where both press, their normals answer.
-inline void solveFriction(Relative& v, ManifoldBlock& block, SweepReal creep, Vec mass,
-                          const Bodies& a, const Bodies& b) {
+template <bool begins>
+inline void solveFriction(Relative& v, ManifoldBlock& block, const SweepSettings& settings,
+                          Vec mass, const Bodies& a, const Bodies& b) {
     const Vec zero{};
     const Vec tx = load(block.tangentX), ty = load(block.tangentY);
     const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
@@ -192,9 +203,13 @@ inline void solveFriction(Relative& v, ManifoldBlock& block, SweepReal creep, Ve
     const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
     const Vec before = load(block.rubbing);
     const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
+    if constexpr (begins) {
+        const Vec hold = load(block.staticFriction) * (pressing1 + pressing2);
+        store(block.grip, gripOf(speed, load(block.early), before, hold, settings));
+    }
     const Vec after =
-        friction(before - effective * speed, load(block.early), effective, pressing1 + pressing2,
-                 load(block.staticFriction), load(block.kineticFriction), creep);
+        friction(before - effective * speed, load(block.early), load(block.grip), effective,
+                 pressing1 + pressing2, load(block.staticFriction), load(block.kineticFriction));
     const Vec more = after - before;
     store(block.rubbing, after);
     push(v, more, tx, ty, armA, armB, mass, a, b);
@@ -207,10 +222,10 @@ inline void solveFriction(Relative& v, ManifoldBlock& block, SweepReal creep, Ve
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
-/// consistent (Catto 2006). Where the points are one, each by itself. `change` becomes at least by
-/// how much either point parts faster or slower.
-inline void solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodies& a,
-                         const Bodies& b, Vec& change) {
+/// consistent (Catto 2006). Where the points are one, each by itself. Returns by how much either
+/// point parts faster or slower.
+inline Vec solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodies& a,
+                        const Bodies& b) {
     ManifoldPoint &p = block.points[0], &q = block.points[1];
     const Vec zero{};
     const Vec before1 = load(p.pressing), before2 = load(q.pressing);
@@ -240,30 +255,52 @@ inline void solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodi
     store(q.pressing, after2);
     pushPoint(v, p, after1 - before1, mass, a, b);
     pushPoint(v, q, after2 - before2, mass, a, b);
-    change = larger(change, magnitude(after1 - before1) * k11);
-    change = larger(change, magnitude(after2 - before2) * k22);
+    return larger(magnitude(after1 - before1) * k11, magnitude(after2 - before2) * k22);
 }
 
-template <bool anew, bool places>
-inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
-                          const SweepSettings& settings, Vec& change) {
+/// Whether the sweep before, or this one, has stirred any of the bodies.
+inline bool isStirred(const std::uint32_t* at, const SweepSettings& settings) {
+    bool any = false;
+    for (std::size_t l = 0; l < rowLanes; ++l)
+        any |= settings.stirred[at[l]] + 1 >= settings.number;
+    return any;
+}
+/// Notes which bodies rows have stirred, by lanes; what nothing pushes stays as it was.
+inline void stir(const std::uint32_t* at, const Bodies& bodies, Mask changed,
+                 const SweepSettings& settings) {
+    const Mask pushed = bodies.mass() + bodies.inertia() > Vec{};
+    for (auto lanes = bits(changed & pushed); lanes != 0; lanes &= lanes - 1)
+        settings.stirred[at[__builtin_ctz(lanes)]] = settings.number;
+}
+
+template <bool anew, bool begins>
+inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
+                       const SweepSettings& settings) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     const Vec mass = a.mass() + b.mass();
     Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
-    if constexpr (anew) predict(predictions, x, block, settings.kind.begins);
+    if constexpr (anew) predict<begins>(predictions, x, block);
     Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
-    solveFriction(v, block, settings.creep, mass, a, b);
-    solveNormals(v, block, mass, a, b, change);
+    solveFriction<begins>(v, block, settings, mass, a, b);
+    const Mask changed = solveNormals(v, block, mass, a, b) > settings.settled;
+    const bool any = bits(changed) != 0;
+    if (any) {
+        stir(block.a, a, changed, settings);
+        stir(block.b, b, changed, settings);
+    }
     a.vx() -= v.sumX * a.mass();
     a.vy() -= v.sumY * a.mass();
     a.spin() = v.spinA;
     b.vx() += v.sumX * b.mass();
     b.vy() += v.sumY * b.mass();
     b.spin() = v.spinB;
-    if constexpr (places) {
+    if constexpr (begins) {
         for (ManifoldPoint& p : block.points) {
             const Vec gap = load(p.gap) + alongPoint(x, p);
-            pushPoint(x, p, load(p.normalMass) * larger(-gap * settings.share, Vec{}), mass, a, b);
+            pushPoint(
+                x, p,
+                load(p.normalMass) * larger((-gap - load(block.slop)) * settings.share, Vec{}),
+                mass, a, b);
         }
         a.x() -= x.sumX * a.mass();
         a.y() -= x.sumY * a.mass();
@@ -274,32 +311,10 @@ inline void sweepManifold(SolverBody* bodies, const Prediction* predictions, Man
     }
     scatter(bodies, block.a, a);
     scatter(bodies, block.b, b);
+    return any;
 }
-
-inline SweepReal largest(const Vec& v) {
-    SweepReal most = v[0];
-    for (int i = 1; i < 8; ++i) most = v[i] > most ? v[i] : most;
-    return most;
-}
-
-template <bool anew, bool places>
-SweepReal sweepEach(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
-                    std::size_t count, const SweepSettings& settings) {
-    Vec change{};
-    for (std::size_t i = 0; i < count; ++i)
-        sweepManifold<anew, places>(bodies, predictions, blocks[i], settings, change);
-    return largest(change);
-}
-
-SweepReal sweepManifolds(SolverBody* bodies, const Prediction* predictions, ManifoldBlock* blocks,
-                         std::size_t count, const SweepSettings& settings) {
-    if (settings.kind.anew)
-        return settings.kind.last
-                   ? sweepEach<true, true>(bodies, predictions, blocks, count, settings)
-                   : sweepEach<true, false>(bodies, predictions, blocks, count, settings);
-    return settings.kind.last
-               ? sweepEach<false, true>(bodies, predictions, blocks, count, settings)
-               : sweepEach<false, false>(bodies, predictions, blocks, count, settings);
+inline bool isPassedOver(const ManifoldBlock& block, const SweepSettings& settings) {
+    return !isStirred(block.a, settings) && !isStirred(block.b, settings);
 }
 
 /// A direction, or a rotation.
@@ -319,15 +334,6 @@ inline Vec cross(Vec ax, Vec ay, Vec bx, Vec by) {
     return ax * by - ay * bx;
 }
 
-/// How the bodies are turned at their references.
-inline Unit headingsOf(const Heading* headings, const std::uint32_t* at) {
-    Unit h;
-    for (int i = 0; i < 8; ++i) {
-        h.x[i] = headings[at[i]].cosine;
-        h.y[i] = headings[at[i]].sine;
-    }
-    return h;
-}
 /// A heading turned on by a small angle; a larger one counts as the largest for which the series is
 /// good.
 inline Unit turnedOn(const Unit& heading, Vec angle) {
@@ -361,14 +367,29 @@ inline Vec momentOfPoints(const Unit& start, const Unit& way, Vec limit) {
     const Vec square = start.x * start.x + start.y * start.y;
     return square > reachedRound * reachedRound * limit * limit ? coming : zero;
 }
-/// From the reference of one body to that of the other, in double until both are subtracted.
-inline Unit between(const double* reference, const std::uint32_t* from, const std::uint32_t* to) {
-    Unit d;
+using Wide [[gnu::vector_size(4 * sizeof(double))]] = double;
+using Narrow [[gnu::vector_size(4 * sizeof(SweepReal))]] = SweepReal;
+
+/// How the references of two bodies lie to each other.
+struct Apart {
+    Unit way;  // m, from the one to the other
+    Unit headingA, headingB;
+};
+/// Ways are in double until both places are subtracted.
+inline Apart between(const Reference* references, const std::uint32_t* from,
+                     const std::uint32_t* to) {
+    Vec rows[8];
     for (int i = 0; i < 8; ++i) {
-        d.x[i] = static_cast<SweepReal>(reference[2 * to[i]] - reference[2 * from[i]]);
-        d.y[i] = static_cast<SweepReal>(reference[2 * to[i] + 1] - reference[2 * from[i] + 1]);
+        const Wide a = *reinterpret_cast<const Wide*>(&references[from[i]]);
+        const Wide b = *reinterpret_cast<const Wide*>(&references[to[i]]);
+        const Narrow way = __builtin_convertvector(b - a, Narrow);
+        const Narrow own = __builtin_convertvector(a, Narrow);
+        const Narrow other = __builtin_convertvector(b, Narrow);
+        const Narrow first = __builtin_shufflevector(way, own, 0, 1, 6, 7);
+        rows[i] = __builtin_shufflevector(first, other, 0, 1, 2, 3, 4, 5, 6, 7);
     }
-    return d;
+    transpose(rows);
+    return {{rows[0], rows[1]}, {rows[2], rows[3]}, {rows[6], rows[7]}};
 }
 
 /// Two bodies when a step begins and when it is predicted to end.
@@ -399,19 +420,34 @@ inline Vec movedSinceLook(const Pose& pose, const ManifoldShape& shape) {
                                 magnitude(turned.y - load(shape.lookSine)));
 }
 
+/// What impulses along a direction have still to give: all of it, or what turning it changes.
+template <bool anew>
+inline Vec changeOf(const Lane& before, Vec now) {
+    if constexpr (anew) return now;
+    return now - load(before);
+}
+/// Pushes b, and a the other way.
+inline void give(Vec pushX, Vec pushY, Vec twistA, Vec twistB, Bodies& a, Bodies& b) {
+    a.vx() -= pushX * a.mass();
+    a.vy() -= pushY * a.mass();
+    a.spin() -= twistA * a.inertia();
+    b.vx() += pushX * b.mass();
+    b.vy() += pushY * b.mass();
+    b.spin() += twistB * b.inertia();
+}
+
+template <bool anew>
 std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, ManifoldBlock& block,
                               const ManifoldShape& shape) {
     Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
     Bodies goesA = gather(poses.predictions, block.a), goesB = gather(poses.predictions, block.b);
     const Vec zero{}, one = zero + SweepReal(1);
-    const Vec spinA = goesA.spin() + a.spin(), spinB = goesB.spin() + b.spin();
-    const Unit way{goesB.vx() + b.vx() - goesA.vx() - a.vx(),
-                   goesB.vy() + b.vy() - goesA.vy() - a.vy()};
-    const Unit restA = headingsOf(poses.heading, block.a),
-               restB = headingsOf(poses.heading, block.b);
+    const Vec spinA = goesA.turn(), spinB = goesB.turn();
+    const Unit way{goesB.x() - goesA.x(), goesB.y() - goesA.y()};
+    const Apart rest = between(poses.references, block.a, block.b);
+    const Unit restA = rest.headingA, restB = rest.headingB;
     const Vec x = b.x() - a.x(), y = b.y() - a.y();
-    Pose start{between(poses.reference, block.a, block.b), turnedOn(restA, a.turn()),
-               turnedOn(restB, b.turn())};
+    Pose start{rest.way, turnedOn(restA, a.turn()), turnedOn(restB, b.turn())};
     start.apart.x += x;
     start.apart.y += y;
     const Pose end{{start.apart.x + way.x, start.apart.y + way.y},
@@ -419,6 +455,7 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
                    turnedOn(restB, b.turn() + spinB)};
     const Vec moved = movedSinceLook(start, shape), ends = movedSinceLook(end, shape);
     const Vec thickness = load(shape.thickness), mass = a.mass() + b.mass();
+    store(block.slop, slop * thickness);
     const auto bothGo = (a.mass() > zero) & (b.mass() > zero);
     Vec pushX{}, pushY{}, twistA{}, twistB{};  // what turned impulses change
     // The place where both rub: the mean of the points that exist, and their normal.
@@ -476,10 +513,10 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         store(p.gap, exists > zero ? distance - thickness - since : farAway);
         // Impulses stay what they are and act along the new directions.
         const Vec n = load(p.pressing);
-        pushX += (nx - load(p.normalX)) * n;
-        pushY += (ny - load(p.normalY)) * n;
-        twistA += (armA - load(p.normalArmA)) * n;
-        twistB += (armB - load(p.normalArmB)) * n;
+        pushX += changeOf<anew>(p.normalX, nx) * n;
+        pushY += changeOf<anew>(p.normalY, ny) * n;
+        twistA += changeOf<anew>(p.normalArmA, armA) * n;
+        twistB += changeOf<anew>(p.normalArmB, armB) * n;
         store(p.normalX, nx);
         store(p.normalY, ny);
         store(p.normalArmA, armA);
@@ -526,24 +563,36 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         store(block.answer2, answer2);
         store(block.heldMass, (held > zero) & (count > zero) ? one / held : zero);
     }
-    const Vec t = load(block.rubbing), oldX = load(block.tangentX), oldY = load(block.tangentY);
-    pushX += (tx - oldX) * t;
-    pushY += (ty - oldY) * t;
-    twistA += (armA - load(block.tangentArmA)) * t;
-    twistB += (armB - load(block.tangentArmB)) * t;
+    const Vec t = load(block.rubbing);
+    pushX += changeOf<anew>(block.tangentX, tx) * t;
+    pushY += changeOf<anew>(block.tangentY, ty) * t;
+    twistA += changeOf<anew>(block.tangentArmA, armA) * t;
+    twistB += changeOf<anew>(block.tangentArmB, armB) * t;
     store(block.tangentX, tx);
     store(block.tangentY, ty);
     store(block.tangentArmA, armA);
     store(block.tangentArmB, armB);
-    a.vx() -= pushX * a.mass();
-    a.vy() -= pushY * a.mass();
-    a.spin() -= twistA * a.inertia();
-    b.vx() += pushX * b.mass();
-    b.vy() += pushY * b.mass();
-    b.spin() += twistB * b.inertia();
+    give(pushX, pushY, twistA, twistB, a, b);
     scatter(bodies, block.a, a);
     scatter(bodies, block.b, b);
     return bits(larger(moved, ends - unnoticed * thickness) > load(shape.margin));
+}
+
+void giveManifold(SolverBody* bodies, const ManifoldBlock& block) {
+    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
+    const Vec rubbing = load(block.rubbing);
+    Vec pushX = load(block.tangentX) * rubbing, pushY = load(block.tangentY) * rubbing;
+    Vec twistA = load(block.tangentArmA) * rubbing, twistB = load(block.tangentArmB) * rubbing;
+    for (const ManifoldPoint& p : block.points) {
+        const Vec pressing = load(p.pressing);
+        pushX += load(p.normalX) * pressing;
+        pushY += load(p.normalY) * pressing;
+        twistA += load(p.normalArmA) * pressing;
+        twistB += load(p.normalArmB) * pressing;
+    }
+    give(pushX, pushY, twistA, twistB, a, b);
+    scatter(bodies, block.a, a);
+    scatter(bodies, block.b, b);
 }
 
 std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predictions,
@@ -631,9 +680,9 @@ inline Jacobian tangentOf(const TouchBlock& t) {
             wb * tx + rx, wb * ty + ry, load(t.tangentArmB)};
 }
 
-template <bool anew, bool places>
-inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
-                       const SweepSettings& settings, Vec& change) {
+template <bool anew, bool begins>
+inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
+                       const SweepSettings& settings) {
     const Jacobian tangent = tangentOf(t), normal = normalOf(t);
     if constexpr (anew) {
         Bodies p = gather(predictions, t.p), a = gather(predictions, t.a),
@@ -646,48 +695,63 @@ inline void sweepTouch(SolverBody* bodies, const Prediction* predictions, TouchB
     if constexpr (anew) {
         const Vec gap = larger(load(t.gap) + placeAlong(normal, p, a, b), zero);
         store(t.room, load(t.closing) + gap);
-        if (settings.kind.begins)
+        if constexpr (begins)
             store(t.early, load(t.sliding) * shareBefore(load(t.pressing), gap, load(t.closing)));
     }
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
     const Vec speed = along(tangent, p, a, b) + load(t.sliding);
+    if constexpr (begins) {
+        const Vec hold = load(t.staticFriction) * pressed;
+        store(t.grip, gripOf(speed, load(t.early), rubbed, hold, settings));
+    }
     const Vec rubbing =
-        friction(rubbed - load(t.tangentMass) * speed, load(t.early), load(t.tangentMass), pressed,
-                 load(t.staticFriction), load(t.kineticFriction), settings.creep);
+        friction(rubbed - load(t.tangentMass) * speed, load(t.early), load(t.grip),
+                 load(t.tangentMass), pressed, load(t.staticFriction), load(t.kineticFriction));
     store(t.rubbing, rubbing);
     push(tangent, rubbing - rubbed, p, a, b);
     const Vec closing = along(normal, p, a, b) + load(t.room);
     const Vec pressing = larger(pressed - load(t.normalMass) * closing, zero);
     store(t.pressing, pressing);
     push(normal, pressing - pressed, p, a, b);
-    if constexpr (places) {
+    const Mask changed = magnitude(pressing - pressed) * load(t.mobility) > settings.settled;
+    const bool any = bits(changed) != 0;
+    if (any) {
+        stir(t.p, p, changed, settings);
+        stir(t.a, a, changed, settings);
+        stir(t.b, b, changed, settings);
+    }
+    if constexpr (begins) {
         const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
-        pushPlace(normal, load(t.normalMass) * larger(-gap * settings.share, zero), p, a, b);
+        pushPlace(normal, load(t.normalMass) * larger((-gap - load(t.slop)) * settings.share, zero),
+                  p, a, b);
     }
     scatter(bodies, t.p, p);
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
-    change = larger(change, magnitude(pressing - pressed) * load(t.mobility));
+    return any;
+}
+inline bool isPassedOver(const TouchBlock& t, const SweepSettings& settings) {
+    return !isStirred(t.p, settings) && !isStirred(t.a, settings) && !isStirred(t.b, settings);
 }
 
-template <bool anew, bool places>
-SweepReal sweepEachTouch(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                         std::size_t count, const SweepSettings& settings) {
-    Vec change{};
-    for (std::size_t i = 0; i < count; ++i)
-        sweepTouch<anew, places>(bodies, predictions, blocks[i], settings, change);
-    return largest(change);
+template <bool anew, bool begins, class Block>
+bool sweepEach(SolverBody* bodies, const Prediction* predictions, Block* blocks, std::size_t count,
+               const SweepSettings& settings) {
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (settings.kind.onlyStirred && isPassedOver(blocks[i], settings)) continue;
+        any |= sweepBlock<anew, begins>(bodies, predictions, blocks[i], settings);
+    }
+    return any;
 }
 
-SweepReal sweepTouches(SolverBody* bodies, const Prediction* predictions, TouchBlock* blocks,
-                       std::size_t count, const SweepSettings& settings) {
-    if (settings.kind.anew)
-        return settings.kind.last
-                   ? sweepEachTouch<true, true>(bodies, predictions, blocks, count, settings)
-                   : sweepEachTouch<true, false>(bodies, predictions, blocks, count, settings);
-    return settings.kind.last
-               ? sweepEachTouch<false, true>(bodies, predictions, blocks, count, settings)
-               : sweepEachTouch<false, false>(bodies, predictions, blocks, count, settings);
+template <class Block>
+bool sweepBlocks(SolverBody* bodies, const Prediction* predictions, Block* blocks,
+                 std::size_t count, const SweepSettings& settings) {
+    const auto sweep = settings.kind.begins ? sweepEach<true, true, Block>
+                       : settings.kind.anew ? sweepEach<true, false, Block>
+                                            : sweepEach<false, false, Block>;
+    return sweep(bodies, predictions, blocks, count, settings);
 }
 
 /// A corner and the ends of a side, from the reference of the corner's body.
@@ -708,6 +772,7 @@ inline Unit blend(const Unit& a, const Unit& b, Vec share) {
     return sum(a, scaled(share, difference(b, a)));
 }
 
+template <bool anew>
 std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock& t,
                            const TouchShape& shape) {
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
@@ -715,14 +780,12 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
            goesB = gather(poses.predictions, t.b);
     const Vec zero{}, one = zero + SweepReal(1), tiny = zero + SweepReal(1e-30);
     const auto same = load(shape.sameBody) > zero, free = load(shape.free) > zero;
-    const Unit restP = headingsOf(poses.heading, t.p), restA = headingsOf(poses.heading, t.a),
-               restB = headingsOf(poses.heading, t.b);
-    const Unit toA = between(poses.reference, t.p, t.a), toB = between(poses.reference, t.p, t.b);
-    const Unit wayP{goesP.vx() + p.vx(), goesP.vy() + p.vy()};
-    const Unit wayA{goesA.vx() + a.vx(), goesA.vy() + a.vy()};
-    const Unit wayB{goesB.vx() + b.vx(), goesB.vy() + b.vy()};
-    const Vec spinP = goesP.spin() + p.spin(), spinA = goesA.spin() + a.spin(),
-              spinB = goesB.spin() + b.spin();
+    const Apart first = between(poses.references, t.p, t.a);
+    const Apart second = between(poses.references, t.p, t.b);
+    const Unit restP = first.headingA, restA = first.headingB, restB = second.headingB;
+    const Unit toA = first.way, toB = second.way;
+    const Unit wayP{goesP.x(), goesP.y()}, wayA{goesA.x(), goesA.y()}, wayB{goesB.x(), goesB.y()};
+    const Vec spinP = goesP.turn(), spinA = goesA.turn(), spinB = goesB.turn();
     const Unit localP{load(shape.cornerX), load(shape.cornerY)};
     const Unit localA{load(shape.aX), load(shape.aY)}, localB{load(shape.bX), load(shape.bY)};
     const auto cornersAt = [&](Vec when) {
@@ -740,6 +803,7 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
         return c;
     };
     const Vec outward = load(shape.outward), thickness = load(shape.thickness);
+    store(t.slop, slop * thickness);
     const auto heightOf = [&](const Corners& c) {
         const Unit way = difference(c.b, c.a), from = difference(c.p, c.a);
         const Vec length = root(way.x * way.x + way.y * way.y);
@@ -822,9 +886,11 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     give(madeN, leanN, t.normalArmA, t.normalArmB);
     give(madeT, leanT, t.tangentArmA, t.tangentArmB);
     const Jacobian normal = normalOf(t), tangent = tangentOf(t);
-    const Vec ahead = moment * (along(normal, goesP, goesA, goesB) + along(normal, p, a, b));
-    push(oldNormal, -pressing, p, a, b);
-    push(oldTangent, -rubbing, p, a, b);
+    const Vec ahead = moment * placeAlong(normal, goesP, goesA, goesB);
+    if constexpr (!anew) {
+        push(oldNormal, -pressing, p, a, b);
+        push(oldTangent, -rubbing, p, a, b);
+    }
     push(normal, pressing, p, a, b);
     push(tangent, rubbing, p, a, b);
     const Vec normalK = mobility(normal, p, a, b), tangentK = mobility(tangent, p, a, b);
@@ -836,6 +902,15 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     scatter(bodies, t.a, a);
     scatter(bodies, t.b, b);
     return bits((place < load(shape.low)) | (place > load(shape.high)));
+}
+
+void giveTouch(SolverBody* bodies, const TouchBlock& t) {
+    Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
+    push(normalOf(t), load(t.pressing), p, a, b);
+    push(tangentOf(t), load(t.rubbing), p, a, b);
+    scatter(bodies, t.p, p);
+    scatter(bodies, t.a, a);
+    scatter(bodies, t.b, b);
 }
 
 std::uint32_t meetingTouch(const SolverBody* bodies, const Prediction* predictions,

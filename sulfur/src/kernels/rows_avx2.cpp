@@ -5,7 +5,15 @@
 
 namespace sulfur::detail {
 
-const RowKernels avx2Rows = {sweepManifolds,  sweepTouches, refreshManifold,  refreshTouch,
-                             meetingManifold, meetingTouch, pressingManifold, pressingTouch};
+const RowKernels avx2Rows = {sweepBlocks<ManifoldBlock>,
+                             sweepBlocks<TouchBlock>,
+                             {refreshManifold<false>, refreshManifold<true>},
+                             {refreshTouch<false>, refreshTouch<true>},
+                             giveManifold,
+                             giveTouch,
+                             meetingManifold,
+                             meetingTouch,
+                             pressingManifold,
+                             pressingTouch};
 
 }  // namespace sulfur::detail

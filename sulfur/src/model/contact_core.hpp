@@ -142,6 +142,7 @@ struct ContactCore {
     float finest = 1e30F;                // m, of all watches that there have been since the start
     std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
     double lastStep = 0;                 // s, of the step for which the rows have impulses
+    std::uint32_t loadsAgain = 0;        // 1: stacks are loaded in the next step, too
 
     // Derived when bodies change or fall asleep.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
@@ -159,14 +160,18 @@ struct ContactCore {
     // Scratch of a tick.
     std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
-    std::vector<Motion3> placed;      // by mover: where it was from its reference before the sweeps
+    std::vector<std::uint8_t> stirred;  // by mover, the last sweep that has stirred it
+    std::vector<Motion3> placed;  // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
+    std::vector<std::uint32_t> looked;  // pairs, in this step
     std::vector<Heir> heirs;
     std::vector<Lead> leads;
     LooseLook looseLook;
     std::vector<KnownSide> knownSides;
     std::vector<Passing> passings;
     std::vector<Motion3> ways;  // by mover: how it goes in this step
+    std::vector<Real> lengths;  // m, by mover: how far any of its surface goes at most
+    std::uint32_t newRows = 0;  // manifolds, in this step
     std::vector<Blow> blows;
     std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
@@ -202,6 +207,7 @@ struct ContactCore {
         a(linkedBodies);
         a(staleShapes);
         a(lastStep);
+        a(loadsAgain);
     }
 };
 

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <sulfur/math.hpp>
-#include <type_traits>
 #include <vector>
 
 #include "core/range_pool.hpp"
@@ -23,12 +22,9 @@ struct Motion3 {
 /// looked at: whether it leaves a box of the broad phase, or its rows have to be refreshed.
 struct Movers {
     std::vector<SolverBody> bodies;
-    std::vector<Point> reference;         // m, where poses are counted from
-    std::vector<Point> referenceHeading;  // (cos, sin)
-    std::vector<Heading> heading;         // the same for the kernels
+    std::vector<Reference> references;    // where poses are counted from
     std::vector<Prediction> predictions;  // velocity without rows, of this step
     std::vector<Motion3> given;           // of what rows have given, what the state has taken up
-    std::vector<std::uint8_t> inexact;    // 1: what rows have given is added up anew
     std::vector<double> odometer;         // m
     std::vector<double> deadline;         // m, on the odometer
     std::vector<double> refreshAt;        // m, on the odometer
@@ -51,10 +47,7 @@ struct Movers {
         if (!free.empty()) {
             const auto slot = free.back();
             free.pop_back();
-            forEachArray([&](auto& list) {
-                using Value = typename std::remove_reference_t<decltype(list)>::value_type;
-                if constexpr (!std::is_same_v<Value, Point>) list[slot] = Value{};
-            });
+            forEachArray([&](auto& list) { list[slot] = {}; });
             reset(slot);
             return slot;
         }
@@ -67,6 +60,12 @@ struct Movers {
         body[slot] = none;
         bodies[slot] = {};
         free.push_back(slot);
+    }
+
+    /// m, where the pose of a body is counted from.
+    Point placeAtReference(std::uint32_t m) const { return {references[m].x, references[m].y}; }
+    Heading headingAtReference(std::uint32_t m) const {
+        return {static_cast<Real>(references[m].cosine), static_cast<Real>(references[m].sine)};
     }
 
     template <class Function>
@@ -95,12 +94,9 @@ private:
     template <class Self, class Function>
     static void visit(Self& self, Function& f) {
         f(self.bodies);
-        f(self.reference);
-        f(self.referenceHeading);
-        f(self.heading);
+        f(self.references);
         f(self.predictions);
         f(self.given);
-        f(self.inexact);
         f(self.odometer);
         f(self.deadline);
         f(self.refreshAt);
@@ -111,11 +107,7 @@ private:
         f(self.body);
         f(self.firstUse);
     }
-    void reset(std::uint32_t slot) {
-        reference[slot] = Point(0, 0);
-        referenceHeading[slot] = Point(1, 0);
-        particle[slot] = body[slot] = firstUse[slot] = none;
-    }
+    void reset(std::uint32_t slot) { particle[slot] = body[slot] = firstUse[slot] = none; }
 };
 
 }  // namespace sulfur::detail

@@ -198,6 +198,7 @@ struct State {
     /// Particles whose velocity was set since the last tick: their first kick is half a tick's,
     /// which is where a scheme that keeps velocities at half ticks must start.
     std::vector<std::uint32_t> fresh;
+    std::vector<std::uint32_t> young;  // of this step: what was fresh when it began
 
     Structure structure;
     WorkLists work;
@@ -218,9 +219,10 @@ struct State {
     std::vector<ParticleStart> starts;  // of a tick of several steps: what was awake
     Statistics statistics;
     bool profiling = false;
-    Tasks* tasks = nullptr;  // threads that the host lends; null: the caller's alone
-    bool anyStirred = true;  // some cluster is stirred
-    bool anyForced = true;   // members of awake clusters may have forces that are still to act
+    Tasks* tasks = nullptr;      // threads that the host lends; null: the caller's alone
+    bool anyStirred = true;      // some cluster is stirred
+    bool anyForced = true;       // members of awake clusters may have forces that are still to act
+    bool membersBehind = false;  // those of awake clusters have not followed them yet
     /// What follows from who is awake, found at the end of a tick and void after any change: no
     /// tick would change anything.
     bool idle = false;

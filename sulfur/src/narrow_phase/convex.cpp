@@ -241,7 +241,7 @@ private:
 }  // namespace
 
 Heading turnedBy(const Movers& movers, std::uint32_t m, Real angle) {
-    const Heading& h = movers.heading[m];
+    const Heading h = movers.headingAtReference(m);
     const Real t = movers.bodies[m].turn + angle;
     if (std::abs(t) > largeTurn) {
         const Real c = std::cos(t), s = std::sin(t);
@@ -272,7 +272,7 @@ struct Ways {
 Pose poseAt(const Movers& movers, const Ways& w, Real moment) {
     const Heading ha = turnedBy(movers, w.a, moment * w.ofA.turn),
                   hb = turnedBy(movers, w.b, moment * w.ofB.turn);
-    const Point apart = movers.reference[w.b] - movers.reference[w.a];
+    const Point apart = movers.placeAtReference(w.b) - movers.placeAtReference(w.a);
     const SolverBody &bodyA = movers.bodies[w.a], &bodyB = movers.bodies[w.b];
     const Real dx =
         static_cast<Real>(apart[0]) + (bodyB.x - bodyA.x) + moment * (w.ofB.x - w.ofA.x);

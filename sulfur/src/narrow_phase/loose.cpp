@@ -110,7 +110,7 @@ public:
           b_(b),
           known_(known),
           result_(result) {
-        origin_ = movers_.reference[shapes_.corners[a.firstCorner].mover];
+        origin_ = movers_.placeAtReference(shapes_.corners[a.firstCorner].mover);
         finest_ = a.fineness + b.fineness;
         mayBar_ = a.body == b.body || !state.core.linked.empty();
     }
@@ -135,7 +135,7 @@ private:
     CornerWay wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
-        const Point from = movers_.reference[c.mover] - origin_;
+        const Point from = movers_.placeAtReference(c.mover) - origin_;
         const Motion3 motion = motionNow(movers_, c.mover);
         CornerWay w{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y,
                     motion.x, motion.y};

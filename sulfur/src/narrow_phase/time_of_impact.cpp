@@ -52,7 +52,7 @@ public:
           b_(b),
           left_(left),
           passings_(passings) {
-        origin_ = movers_.reference[shapes_.corners[a.firstCorner].mover];
+        origin_ = movers_.placeAtReference(shapes_.corners[a.firstCorner].mover);
     }
 
     void run() {
@@ -91,7 +91,7 @@ private:
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
         const Motion3& way = state_.core.ways[c.mover];
-        const Point from = movers_.reference[c.mover] - origin_;
+        const Point from = movers_.placeAtReference(c.mover) - origin_;
         const Xy centre{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y};
         if (c.x == 0 && c.y == 0) return {centre, {centre.x + way.x, centre.y + way.y}};
         const Heading h = turnedBy(movers_, c.mover, 0), g = turnedBy(movers_, c.mover, way.turn);

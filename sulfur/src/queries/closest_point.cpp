@@ -4,9 +4,9 @@
 #include <limits>
 #include <tuple>
 
+#include "bodies/impl.hpp"
 #include "core/error_checks.hpp"
 #include "core/segments.hpp"
-#include "model/impl.hpp"
 #include "queries/query.hpp"
 #include "shape/outline.hpp"
 
@@ -119,7 +119,7 @@ std::optional<ClosestPoint> World::closestPoint(Point point, double reach,
     using namespace detail;
     requireCoordinates(point, "point");
     requireRange(reach, 0, 1e6, "reach");
-    State& state = impl_->state;
+    State& state = impl_->state();
     prepareNearby(state);
     const auto around = enclosing(state, point, filter);
     Nearest best = nearestCollider(state, point, reach, filter, around);
@@ -134,7 +134,7 @@ std::optional<ClosestPoint> World::closestPoint(Point point, double reach,
 std::optional<ParticleId> World::nearestParticle(Point point, Real reach) const {
     detail::requireFinite(point, "point");
     detail::requireRange(static_cast<double>(reach), 0, 1e9, "reach");
-    const auto& p = impl_->state.particles;
+    const auto& p = impl_->state().particles;
     double best = static_cast<double>(reach) * static_cast<double>(reach);
     std::optional<ParticleId> found;
     for (std::size_t i = 0; i < p.size(); ++i) {

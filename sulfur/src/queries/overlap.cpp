@@ -1,8 +1,8 @@
 // Which bodies touch or enclose a shape.
 #include <algorithm>
 
+#include "bodies/impl.hpp"
 #include "core/error_checks.hpp"
-#include "model/impl.hpp"
 #include "queries/query.hpp"
 
 namespace sulfur {
@@ -57,7 +57,7 @@ void keepOneOfEach(std::vector<Overlap>& found) {
 }  // namespace detail
 
 std::vector<Overlap> World::overlap(const QueryShape& shape, const QueryFilter& filter) const {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     detail::prepareNearby(state);
     std::vector<Overlap> found = detail::touching(state, shape, filter);
     // What encloses a shape without touching it encloses each of its points.

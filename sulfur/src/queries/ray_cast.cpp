@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bodies/impl.hpp"
 #include "core/error_checks.hpp"
-#include "model/impl.hpp"
 #include "queries/query.hpp"
 
 namespace sulfur {
@@ -49,7 +49,7 @@ std::optional<CastHit> firstHit(State& state, const Point& from, const Point& wa
 std::optional<CastHit> World::castSegment(Point from, Point to, const QueryFilter& filter) const {
     detail::requireCoordinates(from, "start of the segment");
     detail::requireCoordinates(to, "end of the segment");
-    return detail::firstHit(impl_->state, from, to - from, filter);
+    return detail::firstHit(impl_->state(), from, to - from, filter);
 }
 
 std::optional<CastHit> World::castRay(Point from, Vec2 direction, double reach,
@@ -61,13 +61,13 @@ std::optional<CastHit> World::castRay(Point from, Vec2 direction, double reach,
         throw Error(ErrorCode::degenerate,
                     "direction of the ray is zero; allowed is any length above 0");
     const Point way = reach * direction.cast<double>().stableNormalized();
-    return detail::firstHit(impl_->state, from, way, filter);
+    return detail::firstHit(impl_->state(), from, way, filter);
 }
 
 std::vector<CastHit> World::castAll(Point from, Point to, const QueryFilter& filter) const {
     detail::requireCoordinates(from, "start of the segment");
     detail::requireCoordinates(to, "end of the segment");
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     std::vector<detail::Strike> strikes;
     detail::cast(state, from, to - from, filter, [&](const detail::Strike& strike) {
         strikes.push_back(strike);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "bodies/impl.hpp"
 #include "core/segments.hpp"
-#include "model/impl.hpp"
 #include "queries/query.hpp"
 
 namespace sulfur {
@@ -72,7 +72,7 @@ std::optional<CastHit> World::castShape(const QueryShape& shape, Point translati
                                         const QueryFilter& filter) const {
     using namespace detail;
     requireCoordinates(translation, "translation");
-    State& state = impl_->state;
+    State& state = impl_->state();
     prepareNearby(state);
     const Cover cover = coverOf(shape);
     const auto& x = state.particles.position;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/limits.hpp"
 #include "core/pieces.hpp"
@@ -129,6 +130,7 @@ void turn(const Block& block) {
     }
     clusterKernels().turn(angle.data(), x.data(), y.data(), block.size());
     for (std::size_t k = 0; k < block.size(); ++k) {
+        block[k].headingBefore = block[k].heading;
         block[k].heading = Point(x[k], y[k]);
         block[k].twist = 0;
     }
@@ -138,6 +140,7 @@ void turn(const Block& block) {
 void move(const Block& block) {
     for (std::size_t k = 0; k < block.size(); ++k) {
         Cluster& c = block[k];
+        c.centreBefore = c.centre;
         c.centre += c.displacement.cast<double>() + c.shift.cast<double>();
         c.centre = c.centre.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
         c.shift = Vec2(0, 0);
@@ -145,8 +148,19 @@ void move(const Block& block) {
 }
 
 ClusterPose poseOf(const Cluster& c) {
-    return {c.first,      c.last,        c.centre[0],   c.centre[1], c.heading[0],
-            c.heading[1], c.velocity[0], c.velocity[1], c.spin};
+    return {c.first,
+            c.last,
+            c.centre[0],
+            c.centre[1],
+            c.heading[0],
+            c.heading[1],
+            c.centreBefore[0],
+            c.centreBefore[1],
+            c.headingBefore[0],
+            c.headingBefore[1],
+            c.velocity[0],
+            c.velocity[1],
+            c.spin};
 }
 
 ClusterWay wayOf(const Cluster& c) {
@@ -158,16 +172,20 @@ ClusterWay wayOf(const Cluster& c) {
 ClusterLoad loadOf(const State& state, const Cluster& c) {
     if (c.inverseMass == 0 && c.inverseInertia == 0) return {};
     const Particles& p = state.particles;
-    const Point weight = c.mass * state.settings.gravity.cast<double>();
-    Point force = weight;
-    double torque = cross(turned(c.heading, c.massCentre), weight);
+    const Point gravity = state.settings.gravity.cast<double>();
+    Point force(0, 0);
+    double torque = 0;
     for (std::uint32_t k = c.first; k < c.last && state.anyForced; ++k) {
         const auto i = state.clusters.members[k];
         const Point& f = p.force[i];
         force += f;
         torque += cross(p.arm[i].cast<double>(), f);
     }
-    return {static_cast<double>(c.inverseMass) * force,
+    // What turns about its centre of mass falls as gravity has it; what is pinned only turns.
+    const bool isFree = c.freeInverseMass > 0;
+    if (!isFree) torque += cross(turned(c.heading, c.massCentre), Point(c.mass * gravity));
+    const Point fall = isFree ? gravity : Point(0, 0);
+    return {fall + static_cast<double>(c.inverseMass) * force,
             static_cast<double>(c.inverseInertia) * torque};
 }
 
@@ -225,14 +243,42 @@ void placeMembers(State& state, std::uint32_t index) {
     }
 }
 
+namespace {
+
+/// Whether a stage of the next step asks for the members of clusters.
+bool mayAskForMembers(const State& state) {
+    return state.anyForced || !onlyContactsAsk(state) || !state.work.explicitJoints.empty() ||
+           !state.influences.fields.empty() || !state.sensing.bodies.empty();
+}
+
+}  // namespace
+
 void moveClusters(State& state) {
     forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
         turn(block);
         move(block);
+    });
+    state.membersBehind = true;
+    if (mayAskForMembers(state)) bringMembers(state);
+}
+
+void bringMembers(State& state) {
+    if (!std::exchange(state.membersBehind, false)) return;
+    forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
         PerCluster<ClusterPose> poses;
         for (std::size_t k = 0; k < block.size(); ++k) poses[k] = poseOf(block[k]);
         clusterKernels().place(membersOf(state), poses.data(), block.size(), maxSpeed);
     });
+}
+
+Point placeNow(const State& state, std::uint32_t particle) {
+    const auto cluster = state.particles.cluster[particle];
+    if (cluster == none || !state.membersBehind) return state.particles.position[particle];
+    const Cluster& c = state.clusters.list[cluster];
+    const auto& members = state.clusters.members;
+    const auto first = members.begin() + c.first, last = members.begin() + c.last;
+    const auto k = static_cast<std::size_t>(std::find(first, last, particle) - members.begin());
+    return c.centre + turned(c.heading, state.clusters.places[k]);
 }
 
 }  // namespace sulfur::detail

@@ -26,8 +26,13 @@ bool onlyContactsAsk(const State& state);
 void spreadDisplacements(State& state);
 /// Velocities and spins take up what the constraints have changed.
 void updateClusterVelocities(State& state);
-/// Moves the clusters and their members; members get position, displacement, velocity.
+/// Moves the clusters. Their members follow at once where a stage of the next step asks for them,
+/// else when somebody asks.
 void moveClusters(State& state);
+/// Members that have not followed their clusters get position, displacement, velocity.
+void bringMembers(State& state);
+/// m, where a particle is now, also one that has not followed its cluster yet.
+Point placeNow(const State& state, std::uint32_t particle);
 /// Members of one cluster to their places, from centre and heading.
 void placeMembers(State& state, std::uint32_t cluster);
 

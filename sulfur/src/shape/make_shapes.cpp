@@ -77,9 +77,7 @@ private:
 
     std::uint32_t newMover(std::uint32_t body, const Point& at, const Point& heading) {
         const auto slot = movers_.add();
-        movers_.reference[slot] = at;
-        movers_.referenceHeading[slot] = heading;
-        movers_.heading[slot] = {static_cast<Real>(heading[0]), static_cast<Real>(heading[1])};
+        movers_.references[slot] = {at[0], at[1], heading[0], heading[1]};
         movers_.body[slot] = slotOf(state_.bodies[body].id);
         return slot;
     }
@@ -134,7 +132,7 @@ private:
             corner.x = static_cast<Real>(place[0]);
             corner.y = static_cast<Real>(place[1]);
         } else if (state_.bodies[p.body[i]].kind == BodyKind::fixed) {
-            const Point place = p.position[i] - movers_.reference[corner.mover];
+            const Point place = p.position[i] - movers_.placeAtReference(corner.mover);
             corner.x = static_cast<Real>(place[0]);
             corner.y = static_cast<Real>(place[1]);
         }

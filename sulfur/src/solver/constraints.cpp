@@ -18,12 +18,11 @@ namespace sulfur::detail {
 
 namespace {
 
-using tuned::leastAlone;
 using tuned::mended;
 using tuned::mostForStrain;
 using tuned::mostTimes;
+using tuned::mostTimesInLoops;
 using tuned::trial;
-constexpr Real settledChange = Real(tuned::settledChange);
 constexpr double mostStrain = tuned::strainLimit;
 
 bool sweepsOthers(const State& state) {
@@ -49,40 +48,32 @@ void sweepRigid(State& state) {
     sweepTrees(state);
 }
 
-Real sweepContacts(State& state, bool begins, bool last) {
-    takeMotionAgain(state);
-    const Real change = sweepRows(state, {.begins = begins, .anew = true, .last = last});
-    giveMotion(state);
-    return change;
-}
-
-/// Calls sweep(first, last), which returns by how much contacts have changed, at least so often.
-template <class Sweep>
-void sweepUntilSettled(const State& state, int least, Sweep&& sweep) {
-    const int most = mostTimes * state.settings.sweeps;
-    for (int number = 1; number < most; ++number) {
-        const Real change = sweep(number == 1, false);
-        if (number + 1 >= least && change <= settledChange * state.h) break;
-    }
-    sweep(false, true);
-}
-
-/// Rows of contacts and nothing else.
+/// Rows of contacts and nothing else: all are swept, then those whose bodies were stirred.
 void sweepAlone(State& state) {
-    sweepUntilSettled(state, leastAlone, [&](bool first, bool last) {
-        return sweepRows(state, {.begins = first, .anew = first, .last = last});
-    });
+    bool stirred = sweepRows(state, 1, {.begins = true, .anew = true});
+    for (int number = 2; stirred && number <= state.settings.sweeps; ++number)
+        stirred = sweepRows(state, number, {.onlyStirred = true});
+}
+
+bool sweepContacts(State& state, int number) {
+    takeMotionAgain(state);
+    const bool stirred = sweepRows(state, number, {.begins = number == 1, .anew = true});
+    giveMotion(state);
+    return stirred;
 }
 
 void sweepAll(State& state) {
     giveMotion(state);
-    sweepUntilSettled(state, state.settings.sweeps, [&](bool first, bool last) {
+    const bool inLoops = !state.work.rigidJoints.empty() || !state.work.lines.empty();
+    const int least = state.settings.sweeps;
+    const int most = (inLoops ? mostTimesInLoops : mostTimes) * least;
+    bool stirred = true;
+    for (int number = 1; number <= most && (stirred || number <= least); ++number) {
         solveImplicitJoints(state);
         solveAreas(state);
-        const Real change = sweepContacts(state, first, last);
+        stirred = sweepContacts(state, number);
         sweepRigid(state);
-        return change;
-    });
+    }
     double before = 0;
     for (int i = 0; i < mostForStrain; ++i) {
         const double strain = strainOfTrees(state);
@@ -91,7 +82,7 @@ void sweepAll(State& state) {
             if (i > 0 && strain > (1 - mended) * before) break;
             before = strain;
         }
-        sweepContacts(state, false, false);
+        sweepContacts(state, most);
         sweepRigid(state);
     }
 }

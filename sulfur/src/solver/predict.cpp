@@ -55,14 +55,15 @@ void startFreshParticles(State& state) {
     Particles& particles = state.particles;
     std::sort(state.fresh.begin(), state.fresh.end());
     state.fresh.erase(std::unique(state.fresh.begin(), state.fresh.end()), state.fresh.end());
-    for (const auto i : state.fresh) {
+    state.young.swap(state.fresh);
+    state.fresh.clear();
+    for (const auto i : state.young) {
         const double w = static_cast<double>(particles.inverseMass[i]);
         if (w == 0) continue;
         const Point acceleration = state.settings.gravity.cast<double>() + w * particles.force[i];
         particles.velocity[i] -= lastStepOf(state, i) / 2 * acceleration;
         stirClusters(state, i);
     }
-    state.fresh.clear();
 }
 
 /// v += h (g + w f) and d = h v for the particles that move by themselves.

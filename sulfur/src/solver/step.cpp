@@ -4,6 +4,8 @@
 
 #include "bodies/driven.hpp"
 #include "contacts/stages.hpp"
+#include "core/settings.hpp"
+#include "rigid/cluster_motion.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -80,10 +82,17 @@ void updateBroadPhase(State& state) {
 void updateNarrowPhase(State& state) {
     lookAtPairs(state);
     refreshRows(state);
+    if (state.core.loadsAgain != 0 ||
+        tuned::newShare * state.core.newRows >= state.core.rows.size())
+        loadStacks(state);
 }
 
 void runStages(State& state) {
     state.arena.reset();
+    // Stages that derive anew what has changed ask for all members.
+    if (isChanged(state) || state.anyForced || !state.core.staleShapes.empty() ||
+        state.core.listsStale)
+        bringMembers(state);
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
     timed(state, Stage::fields, applyFields);
@@ -104,6 +113,7 @@ void runStages(State& state) {
 }
 
 void noteStart(State& state) {
+    bringMembers(state);
     state.starts.clear();
     const Particles& p = state.particles;
     for (std::uint32_t b = 0; b < state.bodies.size(); ++b) {
@@ -135,6 +145,7 @@ void runSteps(State& state, std::uint32_t count) {
         forEachStart(
             state, [&](const ParticleStart& start, std::uint32_t k) { p.force[k] += start.force; });
     }
+    bringMembers(state);
     forEachStart(state, [&](const ParticleStart& start, std::uint32_t k) {
         if (state.awake(p.body[k]))
             p.displacement[k] = (p.position[k] - start.position).cast<Real>();

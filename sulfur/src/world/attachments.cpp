@@ -5,12 +5,12 @@ namespace sulfur {
 
 std::vector<AttachmentId> World::attachments() const {
     std::vector<AttachmentId> found;
-    for (const detail::Attachment& held : impl_->state.attachments) found.push_back(held.id);
+    for (const detail::Attachment& held : impl_->state().attachments) found.push_back(held.id);
     return found;
 }
 
 AttachmentInfo World::info(AttachmentId id) const {
-    const detail::State& state = impl_->state;
+    const detail::State& state = impl_->state();
     const detail::Attachment& held = state.attachments[detail::indexOf(state, id)];
     AttachmentInfo info;
     info.particle = state.particles.id[held.particle];

@@ -60,24 +60,24 @@ void refuseFixed(const State& state, std::uint32_t body) {
 
 void World::setGravity(Vec2 gravity) {
     requireVector(gravity, detail::maxAcceleration, "gravity");
-    if (gravity == impl_->state.settings.gravity) return;
-    impl_->state.settings.gravity = gravity;
-    wakeAll(impl_->state);
+    if (gravity == impl_->data.settings.gravity) return;
+    impl_->state().settings.gravity = gravity;
+    wakeAll(impl_->state());
 }
 
 Vec2 World::gravity() const {
-    return impl_->state.settings.gravity;
+    return impl_->data.settings.gravity;
 }
 
 void World::setAirFriction(Real airFriction) {
-    requireRange(static_cast<double>(airFriction), 0, impl_->state.settings.tickRate,
+    requireRange(static_cast<double>(airFriction), 0, impl_->state().settings.tickRate,
                  "air friction");
-    impl_->state.settings.airFriction = airFriction;
+    impl_->state().settings.airFriction = airFriction;
 }
 
 void World::setTickRate(int tickRate) {
     requireRange(tickRate, detail::minTickRate, detail::maxTickRate, "tick rate");
-    State& state = impl_->state;
+    State& state = impl_->state();
     if (tickRate == state.settings.tickRate) return;
     // Air friction may not be faster than the ticks.
     requireRange(static_cast<double>(state.settings.airFriction), 0, tickRate, "air friction");
@@ -89,15 +89,15 @@ void World::setTickRate(int tickRate) {
 }
 
 void World::setDamper(Damper damper) {
-    impl_->state.settings.damper = damper;
+    impl_->state().settings.damper = damper;
 }
 
 Real World::airFriction() const {
-    return impl_->state.settings.airFriction;
+    return impl_->data.settings.airFriction;
 }
 
 void World::setMaterial(BodyId id, const Material& material) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     detail::validate(material);
     state.bodies[index].material = material;
@@ -106,7 +106,7 @@ void World::setMaterial(BodyId id, const Material& material) {
 }
 
 void World::setFilter(BodyId id, const Filter& filter) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     state.bodies[index].filter = filter;
     detail::shapeIsStale(state, id.index - 1);
@@ -115,7 +115,7 @@ void World::setFilter(BodyId id, const Filter& filter) {
 }
 
 void World::setMaterial(JointId id, const std::optional<Material>& material) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto j = indexOf(state, id);
     if (material) detail::validate(*material);
     state.joints.material[j] = material.value_or(Material{});
@@ -126,7 +126,7 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
 }
 
 void World::setSelfCollision(BodyId id, bool on) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     if (state.bodies[index].selfCollision == on) return;
     state.bodies[index].selfCollision = on;
@@ -136,7 +136,7 @@ void World::setSelfCollision(BodyId id, bool on) {
 }
 
 void World::setCollision(BodyId a, BodyId b, bool on) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto first = indexOf(state, a), second = indexOf(state, b);
     if (first == second)
         throw Error(ErrorCode::degenerate,
@@ -159,7 +159,7 @@ void World::setCollision(BodyId a, BodyId b, bool on) {
 }
 
 void World::setSensor(BodyId id, bool sensor) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     if (state.bodies[index].sensor == sensor) return;
     state.bodies[index].sensor = sensor;
@@ -171,11 +171,11 @@ void World::setSensor(BodyId id, bool sensor) {
 }
 
 void World::setUserData(BodyId id, std::uint64_t data) {
-    impl_->state.bodies[indexOf(impl_->state, id)].userData = data;
+    impl_->state().bodies[indexOf(impl_->state(), id)].userData = data;
 }
 
 void World::setStiffness(JointId id, Real stiffness) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto j = indexOf(state, id);
     detail::requireNonNegativeOrInfinite(static_cast<double>(stiffness), "stiffness");
     if (stiffness == infinite && state.joints.restLength[j] == 0)
@@ -186,7 +186,7 @@ void World::setStiffness(JointId id, Real stiffness) {
 }
 
 void World::setDamping(JointId id, Real damping) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto j = indexOf(state, id);
     requireRange(static_cast<double>(damping), 0, 1e12, "damping");
     state.joints.damping[j] = damping;
@@ -194,7 +194,7 @@ void World::setDamping(JointId id, Real damping) {
 }
 
 void World::setRestLength(JointId id, Real restLength) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto j = indexOf(state, id);
     requireRange(static_cast<double>(restLength), 0, 1e9, "rest length");
     if (restLength == 0 && (state.joints.stiffness[j] == infinite || state.joints.radius[j] > 0))
@@ -205,7 +205,7 @@ void World::setRestLength(JointId id, Real restLength) {
 }
 
 void World::setStrength(JointId id, Real strength) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto j = indexOf(state, id);
     detail::requireNonNegativeOrInfinite(static_cast<double>(strength), "strength");
     state.joints.strength[j] = strength;
@@ -213,7 +213,7 @@ void World::setStrength(JointId id, Real strength) {
 }
 
 void World::setMass(ParticleId id, Real mass) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto i = indexOf(state, id);
     requireRange(static_cast<double>(mass), detail::minMass, detail::maxMass, "mass");
     state.particles.mass[i] = mass;
@@ -224,7 +224,7 @@ void World::setMass(ParticleId id, Real mass) {
 }
 
 void World::setPosition(ParticleId id, Point position) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto i = indexOf(state, id);
     for (int axis = 0; axis < 2; ++axis)
         requireRange(position[axis], -maxCoordinate, maxCoordinate, "position");
@@ -240,7 +240,7 @@ void World::setPosition(ParticleId id, Point position) {
 }
 
 void World::setVelocity(ParticleId id, Vec2 velocity) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto i = indexOf(state, id);
     requireSpeed(velocity);
     refuseFixed(state, state.particles.body[i]);
@@ -249,7 +249,7 @@ void World::setVelocity(ParticleId id, Vec2 velocity) {
 }
 
 void World::setVelocity(BodyId id, Vec2 velocity) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     requireSpeed(velocity);
     refuseFixed(state, index);
@@ -260,7 +260,7 @@ void World::setVelocity(BodyId id, Vec2 velocity) {
 }
 
 void World::applyForce(ParticleId id, Vec2 force) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto i = indexOf(state, id);
     requireVector(force, maxForce, "force");
     if (force.isZero(0)) return;
@@ -271,7 +271,7 @@ void World::applyForce(ParticleId id, Vec2 force) {
 }
 
 void World::applyImpulse(ParticleId id, Vec2 impulse) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto i = indexOf(state, id);
     requireVector(impulse, maxForce, "impulse");
     if (impulse.isZero(0)) return;
@@ -283,7 +283,7 @@ void World::applyImpulse(ParticleId id, Vec2 impulse) {
 }
 
 void World::moveTo(BodyId id, const Pose& pose) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     for (int axis = 0; axis < 2; ++axis)
         requireRange(pose.position[axis], -maxCoordinate / 2, maxCoordinate / 2, "pose: position");
@@ -298,7 +298,7 @@ void World::moveTo(BodyId id, const Pose& pose) {
 }
 
 void World::wake(BodyId id) {
-    detail::wakeBody(impl_->state, indexOf(impl_->state, id));
+    detail::wakeBody(impl_->state(), indexOf(impl_->state(), id));
 }
 
 }  // namespace sulfur

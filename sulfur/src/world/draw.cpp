@@ -137,7 +137,7 @@ private:
 
 void World::draw(DebugDraw& to, const DrawOptions& options) const {
     detail::requireRange(options.alpha, 0, 1, "draw: alpha");
-    Drawing(*this, impl_->state, to, options).run();
+    Drawing(*this, impl_->state(), to, options).run();
 }
 
 void World::draw(DebugDraw& to) const {

@@ -82,7 +82,7 @@ void wakeIn(State& state, const Field& field) {
 }  // namespace
 
 FieldId World::add(const Field& field) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     requireField(state, field);
     auto& influences = state.influences;
     const FieldId id =
@@ -93,7 +93,7 @@ FieldId World::add(const Field& field) {
 }
 
 void World::set(FieldId id, const Field& field) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     requireField(state, field);
     FieldRecord& record = state.influences.fields[index];
@@ -103,7 +103,7 @@ void World::set(FieldId id, const Field& field) {
 }
 
 void World::remove(FieldId id) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, id);
     auto& influences = state.influences;
     wakeIn(state, influences.fields[index].field);
@@ -114,16 +114,16 @@ void World::remove(FieldId id) {
 }
 
 bool World::contains(FieldId id) const {
-    return impl_->state.influences.fieldSlots.contains(id);
+    return impl_->state().influences.fieldSlots.contains(id);
 }
 
 const Field& World::field(FieldId id) const {
-    return impl_->state.influences.fields[indexOf(impl_->state, id)].field;
+    return impl_->state().influences.fields[indexOf(impl_->state(), id)].field;
 }
 
 std::vector<FieldId> World::fields() const {
     std::vector<FieldId> found;
-    for (const FieldRecord& record : impl_->state.influences.fields) found.push_back(record.id);
+    for (const FieldRecord& record : impl_->state().influences.fields) found.push_back(record.id);
     return found;
 }
 

@@ -84,7 +84,7 @@ void wakeHeld(State& state, const Grab& grab) {
 }  // namespace
 
 GrabId World::grab(ParticleId particle, Point target, const GrabOptions& options) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     detail::Attachment held;
     held.count = 1;
     held.support[0] = indexOf(state, particle);
@@ -93,7 +93,7 @@ GrabId World::grab(ParticleId particle, Point target, const GrabOptions& options
 }
 
 GrabId World::grab(BodyId body, Vec2 localPoint, Point target, const GrabOptions& options) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOf(state, body);
     detail::requireFinite(localPoint, "local point");
     const detail::Attachment held = detail::supportsFor(state, index, localPoint);
@@ -105,7 +105,7 @@ GrabId World::grab(BodyId body, Vec2 localPoint, Point target, const GrabOptions
 }
 
 void World::setTarget(GrabId id, Point target) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     Grab& grab = state.influences.grabs[indexOfGrab(state, id)];
     validateTarget(target);
     if (target == grab.target) return;
@@ -114,7 +114,7 @@ void World::setTarget(GrabId id, Point target) {
 }
 
 void World::release(GrabId id) {
-    State& state = impl_->state;
+    State& state = impl_->state();
     const auto index = indexOfGrab(state, id);
     auto& influences = state.influences;
     wakeHeld(state, influences.grabs[index]);
@@ -125,20 +125,20 @@ void World::release(GrabId id) {
 }
 
 bool World::contains(GrabId id) const {
-    const auto& influences = impl_->state.influences;
+    const auto& influences = impl_->state().influences;
     return influences.grabSlots.contains(id) &&
-           detail::holds(impl_->state, influences.grabs[influences.grabSlots.dense(id)]);
+           detail::holds(impl_->state(), influences.grabs[influences.grabSlots.dense(id)]);
 }
 
 std::vector<GrabId> World::grabs() const {
     std::vector<GrabId> found;
-    for (const Grab& grab : impl_->state.influences.grabs)
-        if (detail::holds(impl_->state, grab)) found.push_back(grab.id);
+    for (const Grab& grab : impl_->state().influences.grabs)
+        if (detail::holds(impl_->state(), grab)) found.push_back(grab.id);
     return found;
 }
 
 GrabInfo World::info(GrabId id) const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     const Grab& grab = state.influences.grabs[indexOfGrab(state, id)];
     GrabInfo info;
     info.target = grab.target;

@@ -1,7 +1,7 @@
 // What the calls of World have in common.
 #pragma once
 
-#include "model/impl.hpp"
+#include "bodies/impl.hpp"
 
 namespace sulfur::detail {
 

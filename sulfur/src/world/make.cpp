@@ -197,7 +197,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     plan.validate();
     detail::validateMasses(plan);
     detail::validatePose(pose);
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto index = static_cast<std::uint32_t>(state.bodies.size());
     const detail::Counts before = detail::countsOf(state);
     detail::BodyRecord body;
@@ -233,11 +233,11 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
 }
 
 void World::remove(BodyId id) {
-    detail::removeBody(impl_->state, indexOf(impl_->state, id));
+    detail::removeBody(impl_->state(), indexOf(impl_->state(), id));
 }
 
 JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions& options) {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto a = indexOf(state, first), b = indexOf(state, second);
     if (a == b)
         throw Error(ErrorCode::degenerate,
@@ -262,7 +262,7 @@ JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions
 }
 
 AttachmentId World::attach(ParticleId particle, BodyId body, Vec2 localPoint) {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto p = indexOf(state, particle);
     const auto b = indexOf(state, body);
     detail::requireFinite(localPoint, "local point");
@@ -270,7 +270,7 @@ AttachmentId World::attach(ParticleId particle, BodyId body, Vec2 localPoint) {
 }
 
 AttachmentId World::attach(ParticleId particle, JointId joint, Real along) {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto p = indexOf(state, particle);
     const auto j = indexOf(state, joint);
     detail::requireRange(static_cast<double>(along), 0, 1, "along");
@@ -282,7 +282,7 @@ AttachmentId World::attach(ParticleId particle, JointId joint, Real along) {
 }
 
 void World::remove(JointId id) {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto index = indexOf(state, id);
     detail::jointChanged(state, index);
     detail::Removal removal(state);
@@ -291,7 +291,7 @@ void World::remove(JointId id) {
 }
 
 void World::remove(AttachmentId id) {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto index = indexOf(state, id);
     const detail::Attachment& held = state.attachments[index];
     for (const auto p : {held.particle, held.support[0]})
@@ -302,7 +302,7 @@ void World::remove(AttachmentId id) {
 }
 
 void World::setPinned(ParticleId particle, bool pinned) {
-    detail::State& state = impl_->state;
+    detail::State& state = impl_->state();
     const auto i = indexOf(state, particle);
     state.particles.pinned[i] = pinned ? 1 : 0;
     if (pinned) state.particles.velocity[i] = Point(0, 0);

@@ -153,8 +153,8 @@ MemoryUse ofScratch(const State& state) {
     const auto& t = state.trees.scratch;
     const auto& e = state.work.explicitBatches;
     return Sum()
-        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.blows,
-             c.knocks, c.impulses, c.struck)
+        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.lengths,
+             c.looked, c.blows, c.knocks, c.impulses, c.struck)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
@@ -166,7 +166,7 @@ MemoryUse ofScratch(const State& state) {
 }  // namespace
 
 std::vector<MemoryUse> World::memory() const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     std::vector<MemoryUse> uses;
     for (const auto use : {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints,
                            ofSweptJoints, ofWorkLists, ofTriangles, ofClusters, ofTrees, ofMovers,

@@ -117,7 +117,7 @@ using detail::State;
 std::uint64_t World::hash() const {
     detail::Hasher hasher;
     // An archive takes its fields by reference because a reader fills them; the hasher only reads.
-    State& state = impl_->state;
+    State& state = impl_->state();
     detail::archiveDecisive(hasher, state);
     if (state.structure.onlyAdded) state.structure.archiveAdded(hasher);
     detail::archiveBodyMotion(hasher, state);
@@ -132,7 +132,7 @@ Snapshot World::snapshot() const {
     detail::Writer writer;
     std::uint64_t mark = detail::buildMark();
     writer(mark);
-    detail::archiveAll(writer, impl_->state);
+    detail::archiveAll(writer, impl_->state());
     std::uint64_t seal = detail::sealOf(writer.result, writer.result.size());
     writer(seal);
     return std::move(writer.result);
@@ -144,16 +144,16 @@ void World::restore(const Snapshot& snapshot) {
     std::uint64_t mark = 0, seal = 0;
     reader(mark);
     auto fresh = std::make_unique<Impl>();
-    detail::archiveAll(reader, fresh->state);
+    detail::archiveAll(reader, fresh->data);
     reader(seal);
-    if (!reader.finished() || !detail::findBroken(fresh->state).empty()) detail::refuseDamaged();
-    fresh->state.profiling = impl_->state.profiling;
-    fresh->state.tasks = impl_->state.tasks;
+    if (!reader.finished() || !detail::findBroken(fresh->data).empty()) detail::refuseDamaged();
+    fresh->data.profiling = impl_->data.profiling;
+    fresh->data.tasks = impl_->data.tasks;
     impl_ = std::move(fresh);
 }
 
 std::string World::validate() const {
-    return detail::findBroken(impl_->state);
+    return detail::findBroken(impl_->state());
 }
 
 }  // namespace sulfur

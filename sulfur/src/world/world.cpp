@@ -88,9 +88,9 @@ const char* name(Stage stage) {
 
 World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
     detail::validateSettings(settings);
-    impl_->state.settings = settings;
-    impl_->state.h = detail::stepDuration(settings.tickRate);
-    impl_->state.lastStep = static_cast<double>(impl_->state.h);
+    impl_->state().settings = settings;
+    impl_->state().h = detail::stepDuration(settings.tickRate);
+    impl_->state().lastStep = static_cast<double>(impl_->state().h);
 }
 
 World::~World() = default;
@@ -98,57 +98,57 @@ World::~World() = default;
 // --- time ----------------------------------------------------------------------------------
 
 void World::step() {
-    detail::step(impl_->state);
+    detail::step(impl_->data);
 }
 std::uint64_t World::ticks() const {
-    return impl_->state.tick;
+    return impl_->data.tick;
 }
 double World::time() const {
-    const State& state = impl_->state;
+    const State& state = impl_->data;
     return state.rateTime +
            static_cast<double>(state.tick - state.rateTick) / state.settings.tickRate;
 }
 Real World::tickDuration() const {
-    return 1 / static_cast<Real>(impl_->state.settings.tickRate);
+    return 1 / static_cast<Real>(impl_->data.settings.tickRate);
 }
 const WorldSettings& World::settings() const {
-    return impl_->state.settings;
+    return impl_->data.settings;
 }
 const Events& World::events() const {
-    return impl_->state.events;
+    return impl_->data.events;
 }
 const Statistics& World::statistics() const {
-    return impl_->state.statistics;
+    return impl_->data.statistics;
 }
 void World::setProfiling(bool on) {
-    impl_->state.profiling = on;
+    impl_->data.profiling = on;
 }
 
 void World::setTasks(Tasks* tasks) {
-    impl_->state.tasks = tasks;
+    impl_->data.tasks = tasks;
 }
 
 // --- looking -------------------------------------------------------------------------------
 
 bool World::contains(BodyId id) const {
-    return impl_->state.bodySlots.contains(id);
+    return impl_->data.bodySlots.contains(id);
 }
 bool World::contains(ParticleId id) const {
-    return impl_->state.particleSlots.contains(id);
+    return impl_->data.particleSlots.contains(id);
 }
 bool World::contains(JointId id) const {
-    return impl_->state.jointSlots.contains(id);
+    return impl_->data.jointSlots.contains(id);
 }
 bool World::contains(AttachmentId id) const {
-    return impl_->state.attachmentSlots.contains(id);
+    return impl_->data.attachmentSlots.contains(id);
 }
 
 std::span<const BodyId> World::bodies() const {
-    return impl_->state.bodyIds;
+    return impl_->data.bodyIds;
 }
 
 std::vector<JointId> World::connections() const {
-    const auto& joints = impl_->state.joints;
+    const auto& joints = impl_->state().joints;
     std::vector<JointId> found;
     for (std::size_t j = 0; j < joints.size(); ++j)
         if (joints.body[j] == none) found.push_back(joints.id[j]);
@@ -156,7 +156,7 @@ std::vector<JointId> World::connections() const {
 }
 
 Body World::body(BodyId id) {
-    indexOf(impl_->state, id);
+    indexOf(impl_->state(), id);
     return {*this, id};
 }
 
@@ -167,22 +167,22 @@ const BodyRecord& record(const State& state, BodyId id) {
 }  // namespace
 
 std::span<const ParticleId> World::particles(BodyId id) const {
-    return record(impl_->state, id).particles;
+    return record(impl_->data, id).particles;
 }
 std::span<const JointId> World::joints(BodyId id) const {
-    return record(impl_->state, id).joints;
+    return record(impl_->data, id).joints;
 }
 const std::string& World::name(BodyId id) const {
-    return record(impl_->state, id).name;
+    return record(impl_->data, id).name;
 }
 BodyKind World::kind(BodyId id) const {
-    return record(impl_->state, id).kind;
+    return record(impl_->data, id).kind;
 }
 const Material& World::material(BodyId id) const {
-    return record(impl_->state, id).material;
+    return record(impl_->data, id).material;
 }
 const Material& World::material(JointId id) const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     const auto j = indexOf(state, id);
     const auto owner = state.joints.body[j] != detail::none
                            ? state.joints.body[j]
@@ -190,10 +190,10 @@ const Material& World::material(JointId id) const {
     return detail::surfaceOf(state, j, owner);
 }
 bool World::selfCollision(BodyId id) const {
-    return record(impl_->state, id).selfCollision;
+    return record(impl_->data, id).selfCollision;
 }
 bool World::collision(BodyId a, BodyId b) const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     indexOf(state, a);
     indexOf(state, b);
     return !std::binary_search(state.vetoes.begin(), state.vetoes.end(),
@@ -201,35 +201,35 @@ bool World::collision(BodyId a, BodyId b) const {
 }
 std::vector<std::pair<BodyId, BodyId>> World::vetoes() const {
     std::vector<std::pair<BodyId, BodyId>> pairs;
-    for (const auto& [a, b] : impl_->state.vetoes) pairs.emplace_back(a, b);
+    for (const auto& [a, b] : impl_->state().vetoes) pairs.emplace_back(a, b);
     return pairs;
 }
 const Filter& World::filter(BodyId id) const {
-    return record(impl_->state, id).filter;
+    return record(impl_->data, id).filter;
 }
 bool World::sensor(BodyId id) const {
-    return record(impl_->state, id).sensor;
+    return record(impl_->data, id).sensor;
 }
 std::vector<BodyId> World::visitors(BodyId id) const {
-    indexOf(impl_->state, id);
+    indexOf(impl_->state(), id);
     std::vector<BodyId> found;
-    for (const detail::Visit& visit : impl_->state.sensing.visits)
+    for (const detail::Visit& visit : impl_->state().sensing.visits)
         if (visit.sensor == id && contains(visit.visitor)) found.push_back(visit.visitor);
     return found;
 }
 const std::optional<Skin>& World::skin(BodyId id) const {
-    return record(impl_->state, id).skin;
+    return record(impl_->data, id).skin;
 }
 std::uint64_t World::userData(BodyId id) const {
-    return record(impl_->state, id).userData;
+    return record(impl_->data, id).userData;
 }
 bool World::asleep(BodyId id) const {
-    return record(impl_->state, id).asleep;
+    return record(impl_->data, id).asleep;
 }
 
 Point World::centreOfMass(BodyId id) const {
-    const BodyRecord& body = record(impl_->state, id);
-    const auto& p = impl_->state.particles;
+    const BodyRecord& body = record(impl_->state(), id);
+    const auto& p = impl_->state().particles;
     // Relative to the first particle, so that nothing is lost far from the origin.
     const Point origin = p.position[body.firstParticle];
     Point sum(0, 0);
@@ -243,8 +243,8 @@ Point World::centreOfMass(BodyId id) const {
 }
 
 Vec2 World::meanVelocity(BodyId id) const {
-    const BodyRecord& body = record(impl_->state, id);
-    const auto& p = impl_->state.particles;
+    const BodyRecord& body = record(impl_->state(), id);
+    const auto& p = impl_->state().particles;
     Point sum(0, 0);
     double mass = 0;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
@@ -256,15 +256,15 @@ Vec2 World::meanVelocity(BodyId id) const {
 }
 
 Real World::mass(BodyId id) const {
-    const BodyRecord& body = record(impl_->state, id);
+    const BodyRecord& body = record(impl_->state(), id);
     double sum = 0;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k)
-        sum += static_cast<double>(impl_->state.particles.mass[body.firstParticle + k]);
+        sum += static_cast<double>(impl_->state().particles.mass[body.firstParticle + k]);
     return static_cast<Real>(sum);
 }
 
 ParticleInfo World::info(ParticleId id) const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     const auto i = indexOf(state, id);
     const auto& p = state.particles;
     double angle = 0, spin = 0;
@@ -284,7 +284,7 @@ ParticleInfo World::info(ParticleId id) const {
 }
 
 JointInfo World::info(JointId id) const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     const auto i = indexOf(state, id);
     const auto& j = state.joints;
     return {j.body[i] == none ? BodyId{} : state.bodies[j.body[i]].id,
@@ -299,21 +299,21 @@ JointInfo World::info(JointId id) const {
 }
 
 Point World::position(ParticleId id) const {
-    return impl_->state.particles.position[indexOf(impl_->state, id)];
+    return impl_->state().particles.position[indexOf(impl_->state(), id)];
 }
 
 Point World::interpolated(ParticleId id, double alpha) const {
-    const auto& p = impl_->state.particles;
-    const auto i = indexOf(impl_->state, id);
+    const auto& p = impl_->state().particles;
+    const auto i = indexOf(impl_->state(), id);
     return p.position[i] - (1 - alpha) * p.displacement[i].cast<double>();
 }
 
 Vec2 World::velocity(ParticleId id) const {
-    return impl_->state.particles.velocity[indexOf(impl_->state, id)].cast<Real>();
+    return impl_->state().particles.velocity[indexOf(impl_->state(), id)].cast<Real>();
 }
 
 std::vector<ContactInfo> World::contacts() const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     const auto& p = state.particles;
     std::vector<ContactInfo> found;
     std::vector<detail::ContactLoad> points;
@@ -336,7 +336,7 @@ Point positionOfVelocity(const State& state, std::uint32_t i) {
 }  // namespace
 
 double World::energy() const {
-    const State& state = impl_->state;
+    const State& state = impl_->state();
     const auto& p = state.particles;
     double sum = 0;
     for (std::uint32_t i = 0; i < p.size(); ++i) {

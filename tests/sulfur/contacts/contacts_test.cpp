@@ -24,6 +24,48 @@ TEST(Contacts, BoxAndJellyComeToRestOnTheFloor) {
     EXPECT_LT(world.meanVelocity(jelly).norm(), 0.01);
 }
 
+/// A frame of four rods may turn over, as pieces of broken walls do.
+TEST(Contacts, WhatFallsOnAFrameThatIsTurnedOverStaysOnIt) {
+    World world({.sleeping = false});
+    Blueprint frame;
+    for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+        frame.particles.push_back({.position = p, .pinned = true});
+    for (std::uint32_t i = 0; i < 4; ++i)
+        frame.joints.push_back({.a = i, .b = (i + 1) % 4, .radius = Real(0.02)});
+    const auto corners = world.add(frame).particles();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Point at = world.position(corners[i]);
+        world.setPosition(corners[i], Point(1 - at[0], at[1]));
+    }
+    const Body ball = world.add(shapes::ball({.radius = Real(0.1)}), {.position = {0.45, 1.3}});
+    test::run(world, 2);
+    EXPECT_NEAR(world.position(ball.front())[1], 1.12, 1e-3);
+}
+
+/// Loads of statics hold it from its first tick, in which half the weight acts, and the slop keeps
+/// it from jittering.
+TEST(Contacts, APyramidStandsFromItsFirstTick) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-20, 0}, {20, 0}, Real(0.05)));
+    const Blueprint plan = shapes::box({.radius = Real(0.01)});
+    constexpr int base = 12;
+    std::vector<Body> boxes;
+    std::vector<Point> places;
+    for (int row = 0; row < base; ++row)
+        for (int k = 0; k < base - row; ++k) {
+            const Point place((k - (base - 1 - row) / 2.0) * 1.05, 0.55 + row);
+            boxes.push_back(world.add(plan, {.position = place}));
+            places.push_back(world.centreOfMass(boxes.back()));
+        }
+    for (int i = 0; i < 1000; ++i) {
+        world.step();
+        double farthest = 0;
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+            farthest = std::max(farthest, (world.centreOfMass(boxes[k]) - places[k]).norm());
+        ASSERT_LT(farthest, 2e-5) << "tick " << i;
+    }
+}
+
 TEST(Contacts, ReboundFollowsRestitution) {
     for (const Real e : {Real(0.5), Real(0.9)}) {
         World world({.sleeping = false});

@@ -74,8 +74,39 @@ private:
     double angle_ = 0;
 };
 
-/// `times`: as fast as the rod throws.
-void expectNobodyFasterThanTheRodThrows(int rate, Real restitution, double times) {
+/// How fast a rod throws at most, as a share of its tip's speed: along its normal 1 + e, and along
+/// itself what slides out as a bead on a wire. That obeys r'' = w^2 r - 2 mu w r', because the rod
+/// presses with 2 m w r', and so comes to r' = (sqrt(1 + mu^2) - mu) w r.
+double slidesOut() {
+    const double mu = static_cast<double>(Material{}.kineticFriction);
+    return std::sqrt(1 + mu * mu) - mu;
+}
+double throwsAt(Real restitution) {
+    return std::hypot(1 + static_cast<double>(restitution), slidesOut());
+}
+
+/// Its inner edge leaves last, when its middle is a little beyond the tip.
+TEST(KinematicCrowd, WhatSlidesOutAlongARodLeavesFasterThanItsTip) {
+    for (const int rate : {500, 2000}) {
+        World world({.gravity = {0, 0}, .tickRate = rate});
+        Blueprint plan = shapes::box({.size = {20, Real(0.4)}});
+        plan.kind = BodyKind::kinematic;
+        const Body rod = world.add(plan);
+        const Body bead =
+            world.add(shapes::box({.size = {Real(0.4), Real(0.4)}}), {.position = {1, 0.4}});
+        double angle = 0;
+        while (world.centreOfMass(bead).norm() < 15 && angle < 10) {
+            angle += Mixer::omega / rate;
+            world.moveTo(rod, {.position = {0, 0}, .angle = angle});
+            world.step();
+        }
+        EXPECT_NEAR(static_cast<double>(world.meanVelocity(bead).norm()),
+                    std::hypot(1, slidesOut()) * Mixer::tip, 0.05 * Mixer::tip)
+            << rate << " Hz";
+    }
+}
+
+void expectNobodyFasterThanTheRodThrows(int rate, Real restitution) {
     Mixer mixer(rate, restitution);
     double most = 0;
     for (int i = 0; i < rate; ++i) {
@@ -83,20 +114,15 @@ void expectNobodyFasterThanTheRodThrows(int rate, Real restitution, double times
         most = std::max(most, fastest(mixer.world));
     }
     const auto what = testing::Message() << rate << " Hz, e = " << restitution;
-    EXPECT_LT(most, times * (1 + static_cast<double>(restitution)) * Mixer::tip) << what;
-    EXPECT_LT(mixer.farthest(), Mixer::wall) << what;
+    EXPECT_LT(most, squeezed * throwsAt(restitution) * Mixer::tip) << what;
+    // What is squeezed may be in the wall, whose surface is at 0.1 m, but not beyond it.
+    EXPECT_LT(mixer.farthest(), Mixer::wall + 0.1 + 0.2) << what;
     EXPECT_EQ(mixer.world.validate(), "") << what;
 }
 
-TEST(KinematicCrowd, NobodyIsThrownByWhatASqueezeHasGathered) {
-    expectNobodyFasterThanTheRodThrows(120, 0, 2);
-    expectNobodyFasterThanTheRodThrows(60, Real(0.5), 2);
-}
-
-TEST(KinematicCrowd, DISABLED_NobodyIsFasterThanTheRodThrows) {
+TEST(KinematicCrowd, NobodyIsFasterThanTheRodThrows) {
     for (const Real restitution : {Real(0), Real(0.5)})
-        for (const int rate : {60, 120, 500})
-            expectNobodyFasterThanTheRodThrows(rate, restitution, squeezed);
+        for (const int rate : {60, 120, 500}) expectNobodyFasterThanTheRodThrows(rate, restitution);
 }
 
 /// A piston goes at crates before a wall, until there is less room than they need, and back. What
@@ -130,10 +156,12 @@ TEST(KinematicCrowd, WhatIsPressedAgainstAWallGainsNothing) {
         for (const int rate : {60, 240, 500, 2000}) expectThatThePressedGainNothing(rate, speed, 1);
         for (const int rate : {60, 240, 500}) expectThatThePressedGainNothing(rate, speed, 3);
     }
+    for (const double speed : {10.0, 50.0}) expectThatThePressedGainNothing(2000, speed, 3);
 }
 
-TEST(KinematicCrowd, DISABLED_WhatIsPressedAgainstAWallGainsNothingAt2000Hz) {
-    for (const double speed : {1.0, 10.0, 50.0}) expectThatThePressedGainNothing(2000, speed, 3);
+/// Blows go to and fro between the piston and the wall, until a crate that they turn is thrown.
+TEST(KinematicCrowd, DISABLED_WhatIsPressedSlowlyAt2000HzGainsNothing) {
+    expectThatThePressedGainNothing(2000, 1, 3);
 }
 
 /// The ideal case: a paddle meets a ball at rest, which leaves at (1 + e) times its speed.
