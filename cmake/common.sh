@@ -80,6 +80,9 @@ configure_and_build() {
         export CMAKE_CXX_COMPILER_LAUNCHER=ccache
         # Without these, what uses a precompiled header is never found in the cache.
         export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
+        # Preprocessed, a header whose comments alone have changed looks as before, and the cache
+        # hands out a precompiled header that is of the old file: its #pragma once no longer holds.
+        export CCACHE_DEPEND=${CCACHE_DEPEND:-1}
     fi
     mkdir -p "$root/build"
     log=$root/build/configure-$preset.log
