@@ -249,20 +249,33 @@ void beginSums(ContactCore& core) {
     }
 }
 
-/// Refreshes the marked blocks of a list, and calls tell(block, lane) for what must be looked at
-/// again. `anew`: all blocks give what their rows do.
-template <class List, class Refresh, class Give, class Tell>
-void refreshList(List& list, bool anew, Refresh&& refresh, Give&& give, Tell&& tell) {
+std::uint32_t pairOf(const ContactCore&, const ManifoldShape& shape, std::uint32_t lane) {
+    return shape.pair[lane];
+}
+std::uint32_t pairOf(const ContactCore& core, const TouchShape& shape, std::uint32_t lane) {
+    return core.touches[shape.touch[lane]].pair;
+}
+
+/// Refreshes the marked blocks of a list of one colour, and notes the pairs that must be looked at
+/// again. `give`: what blocks do that need no refresh, or nullptr.
+template <class List, class Refresh, class Give>
+void refreshList(ContactCore& core, List& list, std::size_t colour, Refresh refresh, Give give) {
+    SolverBody* bodies = core.movers.bodies.data();
+    const PoseView poses{core.movers.references.data(), core.movers.predictions.data()};
     for (std::size_t k = 0; k < list.blocks.size(); ++k) {
         std::uint64_t& dirty = list.dirty[k / 64];
         const std::uint64_t bit = std::uint64_t{1} << k % 64;
         if ((dirty & bit) == 0) {
-            if (anew) give(list.blocks[k]);
+            if (give) give(bodies, list.blocks[k]);
             continue;
         }
         dirty ^= bit;
-        for (auto lanes = refresh(list.blocks[k], list.shapes[k]); lanes != 0; lanes &= lanes - 1)
-            tell(k, static_cast<std::uint32_t>(std::countr_zero(lanes)));
+        auto lanes = refresh(bodies, poses, list.blocks[k], list.shapes[k]);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            if (lane < RowGraph::rowsIn(list, colour, k))
+                core.again.push_back(pairOf(core, list.shapes[k], lane));
+        }
     }
 }
 
@@ -271,35 +284,15 @@ void refreshList(List& list, bool anew, Refresh&& refresh, Give&& give, Tell&& t
 void refreshRows(State& state) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
-    SolverBody* bodies = core.movers.bodies.data();
-    const PoseView poses{core.movers.references.data(), core.movers.predictions.data()};
     markMoved(core);
     beginSums(core);
     for (const bool anew : {true, false}) {
         core.again.clear();
         for (const auto c : core.rows.inUse()) {
-            ManifoldList& manifolds = core.rows.manifolds[c];
-            refreshList(
-                manifolds, anew,
-                [&](ManifoldBlock& block, const ManifoldShape& shape) {
-                    return kernels.refreshManifolds[anew](bodies, poses, block, shape);
-                },
-                [&](const ManifoldBlock& block) { kernels.giveManifolds(bodies, block); },
-                [&](std::size_t k, std::uint32_t lane) {
-                    if (lane < RowGraph::rowsIn(manifolds, c, k))
-                        core.again.push_back(manifolds.shapes[k].pair[lane]);
-                });
-            TouchList& touches = core.rows.touches[c];
-            refreshList(
-                touches, anew,
-                [&](TouchBlock& block, const TouchShape& shape) {
-                    return kernels.refreshTouches[anew](bodies, poses, block, shape);
-                },
-                [&](const TouchBlock& block) { kernels.giveTouches(bodies, block); },
-                [&](std::size_t k, std::uint32_t lane) {
-                    if (lane < RowGraph::rowsIn(touches, c, k))
-                        core.again.push_back(core.touches[touches.shapes[k].touch[lane]].pair);
-                });
+            refreshList(core, core.rows.manifolds[c], c, kernels.refreshManifolds[anew],
+                        anew ? kernels.giveManifolds : nullptr);
+            refreshList(core, core.rows.touches[c], c, kernels.refreshTouches[anew],
+                        anew ? kernels.giveTouches : nullptr);
         }
         if (core.again.empty() || !anew) break;
         std::sort(core.again.begin(), core.again.end());
@@ -314,13 +307,9 @@ bool sweepRows(State& state, int number, SweepKind kind) {
     SolverBody* bodies = core.movers.bodies.data();
     const Prediction* predictions = core.movers.predictions.data();
     if (number == 1) core.stirred.assign(core.movers.size(), 0);
-    const SweepSettings settings{creepSpeed * state.h,
-                                 restingSpeed * state.h,
-                                 std::min(pushRate * state.h, mostShare),
-                                 settledChange * state.h,
-                                 core.stirred.data(),
-                                 static_cast<std::uint8_t>(number),
-                                 kind};
+    const SweepSettings settings{
+        creepSpeed * state.h, std::min(pushRate * state.h, mostShare), settledChange * state.h,
+        core.stirred.data(),  static_cast<std::uint8_t>(number),       kind};
     bool any = false;
     // From the last colour, so that the first rows of each body, on which it rests, are solved
     // last.
@@ -387,20 +376,6 @@ void takeMotionAgain(State& state) {
     }
 }
 
-namespace {
-
-/// How a mover goes in this step.
-Motion3 wayOf(const State& state, bool isCluster, std::uint32_t i) {
-    if (!isCluster) {
-        const Vec2& d = state.particles.displacement[i];
-        return {d[0], d[1], 0};
-    }
-    const Cluster& c = state.clusters.list[i];
-    return {c.displacement[0], c.displacement[1], static_cast<Real>(c.angle)};
-}
-
-}  // namespace
-
 void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
@@ -411,7 +386,8 @@ void endMotion(State& state) {
         give(state, k, asked);
         const auto m = core.awakeMovers[k];
         const auto i = core.awakeDense[k];
-        const Motion3& way = core.ways[m] = wayOf(state, core.awakeIsCluster[k] != 0, i);
+        const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, i);
+        const Motion3& way = core.ways[m] = {seen.way[0], seen.way[1], seen.turn};
         core.lengths[m] = std::abs(way.x) + std::abs(way.y) + movers.reach[m] * std::abs(way.turn);
         const SolverBody& body = movers.bodies[m];
         // What the next step begins with is given anew, with what has been kept back.

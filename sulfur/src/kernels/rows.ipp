@@ -930,6 +930,18 @@ std::uint32_t pressingTouch(const TouchBlock& block) {
     return bits(load(block.pressing) > Vec{});
 }
 
+/// The kernels, as compiled for the processors of the file that includes this.
+constexpr RowKernels rowKernelsHere = {sweepBlocks<ManifoldBlock>,
+                                       sweepBlocks<TouchBlock>,
+                                       {refreshManifold<false>, refreshManifold<true>},
+                                       {refreshTouch<false>, refreshTouch<true>},
+                                       giveManifold,
+                                       giveTouch,
+                                       meetingManifold,
+                                       meetingTouch,
+                                       pressingManifold,
+                                       pressingTouch};
+
 }  // namespace
 
 }  // namespace sulfur::detail

@@ -5,15 +5,6 @@
 
 namespace sulfur::detail {
 
-const RowKernels avx2Rows = {sweepBlocks<ManifoldBlock>,
-                             sweepBlocks<TouchBlock>,
-                             {refreshManifold<false>, refreshManifold<true>},
-                             {refreshTouch<false>, refreshTouch<true>},
-                             giveManifold,
-                             giveTouch,
-                             meetingManifold,
-                             meetingTouch,
-                             pressingManifold,
-                             pressingTouch};
+const RowKernels avx2Rows = rowKernelsHere;
 
 }  // namespace sulfur::detail

@@ -5,15 +5,6 @@
 
 namespace sulfur::detail {
 
-const RowKernels baselineRows = {sweepBlocks<ManifoldBlock>,
-                                 sweepBlocks<TouchBlock>,
-                                 {refreshManifold<false>, refreshManifold<true>},
-                                 {refreshTouch<false>, refreshTouch<true>},
-                                 giveManifold,
-                                 giveTouch,
-                                 meetingManifold,
-                                 meetingTouch,
-                                 pressingManifold,
-                                 pressingTouch};
+const RowKernels baselineRows = rowKernelsHere;
 
 }  // namespace sulfur::detail

@@ -34,7 +34,7 @@ public:
         collectCapsules();
         giveMovers();
         std::vector<std::uint32_t> left = capsules_;
-        for (const auto& loop : findOutlines(state_, body_, ownCapsules())) {
+        for (const auto& loop : findOutlines(state_, body_, own())) {
             for (const RimEdge& edge : loop)
                 outward_[edge.joint] = state_.joints.a[edge.joint] == edge.from ? 1 : -1;
             if (isConvex(loop)) {
@@ -65,13 +65,11 @@ private:
             const auto j = state_.jointSlots.dense(id);
             if (state_.joints.radius[j] > 0) capsules_.push_back(j);
         }
-        own_ = capsules_.size();
+        own_ = std::ssize(capsules_);
         for (const auto j : state_.core.tiedCapsules)
             if (isOurs(j)) capsules_.push_back(j);
     }
-    std::vector<std::uint32_t> ownCapsules() const {
-        return {capsules_.begin(), capsules_.begin() + static_cast<std::ptrdiff_t>(own_)};
-    }
+    std::vector<std::uint32_t> own() const { return {capsules_.begin(), capsules_.begin() + own_}; }
 
     // --- movers -----------------------------------------------------------------------------
 
@@ -439,7 +437,7 @@ private:
     Movers& movers_;
     std::uint32_t body_;
     std::vector<std::uint32_t> capsules_;  // joints
-    std::size_t own_ = 0;                  // of these, the first are no joints between bodies
+    std::ptrdiff_t own_ = 0;               // of these, the first are no joints between bodies
     std::map<std::uint32_t, std::int32_t> outward_;   // by joint
     std::map<std::uint32_t, std::uint32_t> corners_;  // by particle, of the present chunk
     std::uint32_t firstCorner_ = 0;

@@ -159,6 +159,7 @@ MemoryUse ofScratch(const State& state) {
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
+        .add(state.young)
         .addBytes(state.arena.bytes())
         .as("scratch of a step", c.movers.size() - 1, true);
 }
