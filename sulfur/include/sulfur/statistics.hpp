@@ -52,7 +52,7 @@ struct Statistics {
     std::uint32_t dampedJoints = 0;      ///< of the explicit ones, those that brake
     std::uint32_t breakableJoints = 0;   ///< awake ones that have a strength
     std::uint32_t fastPairs = 0;         ///< of the candidates, those whose ways were looked at
-    std::uint32_t heldBack = 0;          ///< bodies that were kept before what is in their way
+    std::uint32_t heldBack = 0;          ///< movers that were kept before what is in their way
     std::uint64_t idleTicks = 0;         ///< since the world was made: all rested, no stage ran
     /// By Stage: bodies, particles, joints, candidates that it looked at; 0 had nothing to do.
     std::array<std::uint32_t, static_cast<std::size_t>(Stage::count)> items{};

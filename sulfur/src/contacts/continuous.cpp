@@ -1,13 +1,13 @@
 // What is fast never passes through anything: where rows that were found at the start of a step and
-// swept a few times have not stopped two surfaces, both bodies are moved apart along the normal
-// that these have when they come to touch, each as its mass allows. Only places change, of a body
-// as a whole, so that no joint of it is strained; what is left of the velocity is for the next
-// step's rows. A body with a pinned particle cannot be moved as a whole: it stays where it was when
-// they came to touch.
+// swept a few times have not stopped two surfaces, the movers that carry them are moved apart along
+// the normal that these have when they come to touch, each as its mass allows. Only places change:
+// what is left of the velocity is for the next step's rows, what it strains for the next step's
+// joints. What turns about a pin stays where it was when they came to touch.
 //
 // The ways of a step are taken as straight. Whoever is moved may get in the way of others, so that
 // this is repeated until nobody is.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contacts/pair_table.hpp"
@@ -35,9 +35,8 @@ public:
           core_(state.core),
           movers_(core_.movers),
           pairs_(&state.arena),
-          whole_(&state.arena),
+          unheld_(&state.arena),
           fast_(&state.arena),
-          holds_(&state.arena),
           held_(&state.arena),
           everHeld_(&state.arena) {}
 
@@ -47,34 +46,20 @@ public:
         findFast();
         collectFirst();
         if (pairs_.empty()) return;
-        whole_.assign(core_.ways.begin(), core_.ways.end());
-        holds_.assign(state_.bodies.size(), {});
-        for (int round = 0; round < mostRounds && !pairs_.empty(); ++round) {
+        unheld_.assign(core_.ways.begin(), core_.ways.end());
+        held_.assign(movers_.size(), 0);
+        for (round_ = 1; round_ <= mostRounds && !pairs_.empty(); ++round_) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
-            held_.assign(state_.bodies.size(), 0);
-            anyHeld_ = false;
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
-            if (!anyHeld_) break;
             // Who was held back may be in the way of whoever went along with him.
             pairs_.clear();
-            collect([&](std::uint32_t chunk) { return isFast(chunk); },
+            collect([&](std::uint32_t chunk) { return isFast(core_.shapes.chunks[chunk].frame); },
                     [&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
         }
         giveBack();
     }
 
 private:
-    /// What becomes of the way of a body: a share of it and a shift.
-    struct Hold {
-        Real share = 1;
-        Vec2 shift{0, 0};  // m
-        Vec2 way{0, 0};    // m, mean way of its mass before anything was held
-        Real mass = 0;     // kg; 0: not yet asked
-        bool isPinned = false, isRigid = true, listed = false;
-
-        bool changed() const { return share != 1 || shift[0] != 0 || shift[1] != 0; }
-    };
-
     /// Whoever was struck goes as blown from that moment on.
     void takeBlowsOff() {
         for (const Blow& blow : core_.blows) {
@@ -95,16 +80,15 @@ private:
 
     /// Lists the chunks that are fast by themselves.
     void findFast() {
-        const Real least = fast / 2 * static_cast<Real>(core_.finest);
         for (const auto m : core_.awakeMovers) {
-            if (!(core_.lengths[m] > least)) continue;
+            if (!isFast(m)) continue;
             for (auto u = movers_.firstUse[m]; u != none; u = core_.shapes.uses[u].next) {
                 const auto chunk = core_.shapes.uses[u].chunk;
                 if (core_.shapes.chunks[chunk].uses == 1) fast_.push_back(chunk);
             }
         }
         for (const auto c : core_.awakeStrips)
-            if (core_.lengths[core_.shapes.chunks[c].frame] > least) fast_.push_back(c);
+            if (isFast(core_.shapes.chunks[c].frame)) fast_.push_back(c);
     }
     Real lengthOf(std::uint32_t m, const Motion3& frame) const {
         const Motion3& way = core_.ways[m];
@@ -120,13 +104,17 @@ private:
         return most;
     }
 
-    bool wasHeld(std::uint32_t chunk) const {
-        return held_[state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body)] != 0;
+    /// Whether a mover of a chunk was moved in this round.
+    bool wasHeld(std::uint32_t index) const {
+        const Chunk& chunk = core_.shapes.chunks[index];
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+            if (held_[core_.shapes.uses[u].mover] == round_) return true;
+        return false;
     }
 
-    bool isFast(std::uint32_t chunk) const {
-        return 2 * core_.lengths[core_.shapes.chunks[chunk].frame] >
-               fast * static_cast<Real>(core_.finest);
+    /// Whether a mover, or the frame of a strip, is one of the two sides of a fast pair at least.
+    bool isFast(std::uint32_t m) const {
+        return 2 * core_.lengths[m] > fast * static_cast<Real>(core_.finest);
     }
 
     /// Whether a chunk goes otherwise than was predicted when its pairs were judged.
@@ -143,7 +131,7 @@ private:
     void collectFirst() {
         pairs_.clear();
         const auto isAsked = [&](std::uint32_t chunk) {
-            return isFast(chunk) && goesOtherwise(chunk);
+            return isFast(core_.shapes.chunks[chunk].frame) && goesOtherwise(chunk);
         };
         collect(isAsked, [](const Pair&) { return true; });
         auto& looked = core_.looked;
@@ -230,138 +218,82 @@ private:
     }
 
     void hold(const Pair& pair) {
-        const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
-        const auto find = [&] {
-            if (pair.isManifold)
-                findPassing(core_, a, b, 1 - fast, core_.passings);
-            else
-                findPassings(state_, a, b, 1 - fast, core_.passings);
-            return !core_.passings.empty();
-        };
-        if (!find()) return;
+        find(pair);
+        if (core_.passings.empty()) return;
         Real moment = 1;
         for (const Passing& p : core_.passings) moment = std::min(moment, p.moment);
-        const auto one = state_.bodySlots.denseOf(a.body), other = state_.bodySlots.denseOf(b.body);
-        bool bends = stiffen(one, moment);
-        if (one == other) return;
-        bends = stiffen(other, moment) || bends;
-        if (bends && !find()) return;
-        Vec2 apart(0, 0);  // m, that the one has been shifted from the other
-        for (const Passing& p : core_.passings) {
-            const Real side = p.one == a.body ? Real(1) : Real(-1);
-            const Real depth = p.depth - side * p.normal.dot(apart);
-            if (depth > 0) apart += push(one, other, side * depth * p.normal);
-        }
+        bool anyStops = false;
+        for (const Passing& p : core_.passings)
+            for (const auto m : {p.one, p.others[0], p.others[1]})
+                anyStops = stop(m, moment) || anyStops;
+        if (anyStops) find(pair);
+        for (Passing& p : core_.passings) p.depth += apart(p);
+        for (const Passing& p : core_.passings) push(p, p.depth - apart(p));
+    }
+    void find(const Pair& pair) {
+        const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
+        if (pair.isManifold)
+            findPassing(core_, a, b, 1 - fast, core_.passings);
+        else
+            findPassings(state_, a, b, 1 - fast, core_.passings);
     }
 
-    /// From a moment on, a body that bends goes as its centre of mass does, and a pinned one stays.
-    /// Returns whether it is such a body.
-    bool stiffen(std::uint32_t body, Real moment) {
-        if (!canBeHeld(body)) return false;
-        Hold& hold = askedHold(body);
-        if (hold.isRigid && !hold.isPinned) return false;
-        const Vec2 mean = hold.isPinned ? Vec2(0, 0) : Vec2(hold.share * hold.way + hold.shift);
-        hold.share *= moment;
-        hold.shift = moment * hold.shift + (1 - moment) * mean;
-        follow(body);
+    /// What turns about a pin goes no farther than to a moment. Returns whether it is such a thing.
+    bool stop(std::uint32_t m, Real moment) {
+        const SolverBody& body = movers_.bodies[m];
+        if (body.inverseMass > 0 || body.inverseInertia == 0 || !canBeHeld(m)) return false;
+        core_.ways[m].turn *= moment;
+        note(m);
         return true;
     }
 
-    /// Moves the one by a way from the other, each as its mass allows. Returns by how much it was.
-    Vec2 push(std::uint32_t one, std::uint32_t other, const Vec2& way) {
-        const Real p = mobility(one), q = mobility(other);
-        if (p + q == 0) return {0, 0};
-        if (p > 0) shift(one, p / (p + q) * way);
-        if (q > 0) shift(other, -q / (p + q) * way);
-        return way;
-    }
-    bool canBeHeld(std::uint32_t body) const {
-        return state_.bodies[body].kind == BodyKind::dynamic && !state_.bodies[body].asleep;
-    }
-    /// 1/kg, of a body that can be moved as a whole.
-    Real mobility(std::uint32_t body) {
-        if (!canBeHeld(body)) return 0;
-        const Hold& hold = askedHold(body);
-        return hold.isPinned ? 0 : 1 / hold.mass;
+    /// m, by which the ways of a pair lead it apart.
+    Real apart(const Passing& p) const {
+        const auto along = [&](std::uint32_t m) {
+            return p.normal[0] * core_.ways[m].x + p.normal[1] * core_.ways[m].y;
+        };
+        return along(p.one) - (1 - p.share) * along(p.others[0]) - p.share * along(p.others[1]);
     }
 
-    void shift(std::uint32_t body, const Vec2& way) {
-        holds_[body].shift += way;
-        follow(body);
-    }
-    void follow(std::uint32_t body) {
-        if (!holds_[body].listed) everHeld_.push_back(body);
-        holds_[body].listed = true;
-        held_[body] = 1;
-        anyHeld_ = true;
-        const Hold& hold = holds_[body];
-        const auto slot = state_.bodies[body].id.index - 1;
-        for (auto c = core_.shapes.firstChunk[slot]; c != none;
-             c = core_.shapes.chunks[c].nextOfBody) {
-            const Chunk& chunk = core_.shapes.chunks[c];
-            for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u) {
-                const auto m = core_.shapes.uses[u].mover;
-                const Motion3& whole = whole_[m];
-                core_.ways[m] = {hold.share * whole.x + hold.shift[0],
-                                 hold.share * whole.y + hold.shift[1], hold.share * whole.turn};
-            }
+    /// Leads a pair apart by `depth`, m.
+    void push(const Passing& p, Real depth) {
+        const std::array<std::uint32_t, 3> who{p.one, p.others[0], p.others[1]};
+        const std::array<Real, 3> part{1, p.share - 1, -p.share};
+        std::array<Real, 3> gives{};
+        Real sum = 0;
+        for (std::size_t i = 0; i < who.size(); ++i) {
+            gives[i] = canBeHeld(who[i]) ? part[i] * movers_.bodies[who[i]].inverseMass : 0;
+            sum += part[i] * gives[i];
+        }
+        if (!(depth > 0 && sum > 0)) return;
+        for (std::size_t i = 0; i < who.size(); ++i) {
+            if (gives[i] == 0) continue;
+            core_.ways[who[i]].x += depth / sum * gives[i] * p.normal[0];
+            core_.ways[who[i]].y += depth / sum * gives[i] * p.normal[1];
+            note(who[i]);
         }
     }
-
-    Hold& askedHold(std::uint32_t body) {
-        Hold& hold = holds_[body];
-        if (hold.mass > 0) return hold;
-        const Particles& p = state_.particles;
-        const BodyRecord& record = state_.bodies[body];
-        Vec2 momentum(0, 0);
-        for (auto i = record.firstParticle; i < record.firstParticle + record.particles.size();
-             ++i) {
-            hold.isPinned = hold.isPinned || p.pinned[i] != 0;
-            hold.mass += p.mass[i];
-            const auto c = p.cluster[i];
-            hold.isRigid = hold.isRigid && c != none && c == p.cluster[record.firstParticle];
-            momentum +=
-                p.mass[i] * (c == none ? p.displacement[i] : state_.clusters.list[c].displacement);
-        }
-        hold.isRigid = hold.isRigid || record.particles.size() == 1;
-        hold.way = momentum / hold.mass;
-        return hold;
+    bool canBeHeld(std::uint32_t m) const {
+        if (movers_.body[m] == none) return false;
+        const BodyRecord& body = state_.bodies[state_.bodySlots.denseOf(movers_.body[m])];
+        return body.kind == BodyKind::dynamic && !body.asleep;
+    }
+    void note(std::uint32_t m) {
+        if (held_[m] == 0) everHeld_.push_back(m);
+        held_[m] = round_;
     }
 
     void giveBack() {
-        for (const auto b : everHeld_) {
-            const Hold& hold = holds_[b];
-            if (!hold.changed()) continue;
+        for (const auto m : everHeld_) {
             ++state_.statistics.heldBack;
-            const Real back = hold.share - 1;
-            Particles& p = state_.particles;
-            const auto first = state_.bodies[b].firstParticle;
-            for (auto i = first; i < first + state_.bodies[b].particles.size(); ++i) {
-                const auto c = p.cluster[i];
-                if (c == none) {
-                    if (p.inverseMass[i] > 0)
-                        p.position[i] += (back * p.displacement[i] + hold.shift).cast<double>();
-                    continue;
-                }
-                Cluster& cluster = state_.clusters.list[c];
-                if (state_.clusters.members[cluster.first] != i || cluster.inverseMass == 0)
-                    continue;
-                cluster.shift += back * cluster.displacement + hold.shift;
-                cluster.twist += static_cast<double>(back) * cluster.angle;
-            }
-        }
-        // Blows have taken their part of the way off already.
-        for (const Blow& blow : core_.blows) {
-            const Real share = holds_[state_.bodySlots.denseOf(movers_.body[blow.mover])].share;
-            if (share == 1) continue;
-            const Vec2 more = (1 - share) * blow.when * blow.velocity;
-            const auto i = core_.denseOfMover[blow.mover];
-            if (core_.moverIsCluster[blow.mover] != 0) {
-                state_.clusters.list[i].shift += more;
-                state_.clusters.list[i].twist +=
-                    static_cast<double>((1 - share) * blow.when * blow.spin);
+            const Motion3 &way = core_.ways[m], &unheld = unheld_[m];
+            const Vec2 shift(way.x - unheld.x, way.y - unheld.y);
+            const auto i = core_.denseOfMover[m];
+            if (core_.moverIsCluster[m] != 0) {
+                state_.clusters.list[i].shift += shift;
+                state_.clusters.list[i].twist += static_cast<double>(way.turn - unheld.turn);
             } else {
-                state_.particles.position[i] += more.cast<double>();
+                state_.particles.position[i] += shift.cast<double>();
             }
         }
     }
@@ -370,12 +302,11 @@ private:
     ContactCore& core_;
     Movers& movers_;
     std::pmr::vector<std::uint32_t> pairs_;
-    std::pmr::vector<Motion3> whole_;
+    std::pmr::vector<Motion3> unheld_;      // ways of movers before anybody was held
     std::pmr::vector<std::uint32_t> fast_;  // chunks
-    std::pmr::vector<Hold> holds_;          // by body, dense index
-    std::pmr::vector<std::uint8_t> held_;   // the same, 1: in this round
+    std::pmr::vector<int> held_;            // by mover, the last round in which it was moved
     std::pmr::vector<std::uint32_t> everHeld_;
-    bool anyHeld_ = false;  // somebody, in this round
+    int round_ = 0;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ constexpr Real pushRate = Real(tuned::recoveryRate);
 constexpr Real pushSpeed = Real(tuned::recoverySpeed);
 constexpr Real mostShare = Real(tuned::recoveryShare);
 constexpr Real restingPush = Real(tuned::restingPush);
-constexpr Real creepSpeed = Real(tuned::creepSpeed), restingSpeed = Real(tuned::restingSpeed);
+constexpr Real creepSpeed = Real(tuned::creepSpeed);
 constexpr Real settledChange = Real(tuned::settledChange);
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {

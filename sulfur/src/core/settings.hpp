@@ -20,7 +20,7 @@ inline constexpr double closingSpeed = 5;
 
 // What is slow.
 
-/// m/s: what slips slower rests, and what moves slower for long enough falls asleep.
+/// m/s: what moves slower for long enough falls asleep.
 inline constexpr double restingSpeed = 0.005;
 /// m/s: what slips slower is held by static friction, so that noise of a tick does not let go of
 /// what rests.
@@ -97,8 +97,8 @@ inline constexpr std::uint64_t dampingInterval = rounds;
 /// Steps between looks at what changes slowly.
 inline constexpr std::uint64_t seldom = 8 * dampingInterval;
 /// Up to so many times the sweeps of the settings, beside joints, while one of them still stirs
-/// anybody; more where rigid joints in loops are swept, which no sweep solves as a whole.
-inline constexpr int mostTimes = 2, mostTimesInLoops = mostTimes + 1;
+/// anybody.
+inline constexpr int mostTimes = 2;
 /// Sweeps over trees that a contact strains, while so many of them mend at least a share of that:
 /// what is squeezed may have no solution.
 inline constexpr int trial = rounds, mostForStrain = 6 * trial;

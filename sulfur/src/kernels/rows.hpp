@@ -162,7 +162,6 @@ struct SweepKind {
 /// What rows are swept with.
 struct SweepSettings {
     SweepReal creep;        // m, slower slips are held by static friction
-    SweepReal resting;      // m, what slips less when the step begins rests
     SweepReal share;        // of an overlap that goes in this step
     SweepReal settled;      // m, a row that changes how its surfaces part by more stirs its bodies
     std::uint8_t* stirred;  // by body, the last sweep that has stirred it

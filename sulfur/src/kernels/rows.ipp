@@ -108,12 +108,15 @@ inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
 }
 
 /// Coulomb's law: what static friction brings to rest in this step, or to a creep, it holds with
-/// all that it has; anything else is braked by the kinetic one. `early`: the slide, m, that is not
-/// judged; `grip`: the slip, m, that still is a creep.
-inline Vec friction(Vec wanted, Vec early, Vec grip, Vec mass, Vec pressing, Vec staticCoefficient,
-                    Vec kineticCoefficient) {
+/// all that it has; anything else is braked by the kinetic one. What has stuck in one sweep of a
+/// step sticks in the others, which may ask for more until they have found what other rows hold.
+/// `early`: the slide, m, that is not judged; `grip`: the slip, m, that still is a creep.
+inline Vec friction(Vec wanted, Vec early, Lane& grip, Vec mass, Vec pressing,
+                    Vec staticCoefficient, Vec kineticCoefficient) {
     const Vec hold = staticCoefficient * pressing, brake = kineticCoefficient * pressing;
-    const auto sticks = magnitude(wanted + mass * early) <= hold + grip * mass;
+    const Vec creep = load(grip), endless = Vec{} + SweepReal(1e9);
+    const auto sticks = magnitude(wanted + mass * early) <= hold + creep * mass;
+    store(grip, sticks ? endless : creep);
     const Vec most = sticks ? hold : brake;
     return clamped(wanted, -most, most);
 }
@@ -125,16 +128,6 @@ inline Vec shareBefore(Vec pressing, Vec gap, Vec closing) {
     const Vec zero{}, one = zero + 1;
     const Vec share = closing < zero ? smaller(gap / -closing, one) : one;
     return pressing > zero ? zero : share;
-}
-
-/// What begins a step at rest, and clearly below its limit, sticks in all of it: a sweep that asks
-/// for more has not found yet what the others hold. What ends the step at its limit may be torn
-/// loose in the next.
-[[gnu::always_inline]] inline Vec gripOf(Vec speed, Vec early, Vec rubbing, Vec hold,
-                                         const SweepSettings& settings) {
-    const Vec endless = Vec{} + SweepReal(1e9), creep = Vec{} + settings.creep;
-    const auto rests = magnitude(speed - early) <= settings.resting;
-    return rests & (magnitude(rubbing) < SweepReal(1 - 20 * tuned::slop) * hold) ? endless : creep;
 }
 
 // --- two bodies -------------------------------------------------------------------------------
@@ -191,9 +184,8 @@ inline Vec alongPoint(const Relative& r, const ManifoldPoint& p) {
 }
 
 /// Both points rub as one. Where both press, their normals answer.
-template <bool begins>
-inline void solveFriction(Relative& v, ManifoldBlock& block, const SweepSettings& settings,
-                          Vec mass, const Bodies& a, const Bodies& b) {
+inline void solveFriction(Relative& v, ManifoldBlock& block, Vec mass, const Bodies& a,
+                          const Bodies& b) {
     const Vec zero{};
     const Vec tx = load(block.tangentX), ty = load(block.tangentY);
     const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
@@ -203,12 +195,8 @@ inline void solveFriction(Relative& v, ManifoldBlock& block, const SweepSettings
     const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
     const Vec before = load(block.rubbing);
     const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
-    if constexpr (begins) {
-        const Vec hold = load(block.staticFriction) * (pressing1 + pressing2);
-        store(block.grip, gripOf(speed, load(block.early), before, hold, settings));
-    }
     const Vec after =
-        friction(before - effective * speed, load(block.early), load(block.grip), effective,
+        friction(before - effective * speed, load(block.early), block.grip, effective,
                  pressing1 + pressing2, load(block.staticFriction), load(block.kineticFriction));
     const Vec more = after - before;
     store(block.rubbing, after);
@@ -280,8 +268,9 @@ inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, Manifo
     const Vec mass = a.mass() + b.mass();
     Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
     if constexpr (anew) predict<begins>(predictions, x, block);
+    if constexpr (begins) store(block.grip, Vec{} + settings.creep);
     Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
-    solveFriction<begins>(v, block, settings, mass, a, b);
+    solveFriction(v, block, mass, a, b);
     const Mask changed = solveNormals(v, block, mass, a, b) > settings.settled;
     const bool any = bits(changed) != 0;
     if (any) {
@@ -698,15 +687,12 @@ inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, TouchB
         if constexpr (begins)
             store(t.early, load(t.sliding) * shareBefore(load(t.pressing), gap, load(t.closing)));
     }
+    if constexpr (begins) store(t.grip, Vec{} + settings.creep);
     const Vec rubbed = load(t.rubbing), pressed = load(t.pressing);
     const Vec speed = along(tangent, p, a, b) + load(t.sliding);
-    if constexpr (begins) {
-        const Vec hold = load(t.staticFriction) * pressed;
-        store(t.grip, gripOf(speed, load(t.early), rubbed, hold, settings));
-    }
     const Vec rubbing =
-        friction(rubbed - load(t.tangentMass) * speed, load(t.early), load(t.grip),
-                 load(t.tangentMass), pressed, load(t.staticFriction), load(t.kineticFriction));
+        friction(rubbed - load(t.tangentMass) * speed, load(t.early), t.grip, load(t.tangentMass),
+                 pressed, load(t.staticFriction), load(t.kineticFriction));
     store(t.rubbing, rubbing);
     push(tangent, rubbing - rubbed, p, a, b);
     const Vec closing = along(normal, p, a, b) + load(t.room);

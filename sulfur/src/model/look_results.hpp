@@ -1,6 +1,7 @@
 // What looks at two chunks find.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <sulfur/math.hpp>
 #include <vector>
@@ -37,12 +38,14 @@ struct KnownSide {
     std::int32_t outward = 0;
 };
 
-/// Two surfaces that would pass through each other in this step.
+/// A corner and a side that would pass through each other in this step, or two outlines.
 struct Passing {
-    std::uint32_t one = 0, other = 0;  // bodies, slots
-    Real moment = 0;                   // share of the step after which they are too near
-    Vec2 normal{0, 0};                 // from the other to the one, at that moment
-    Real depth = 0;                    // m, by which they end too near along that
+    std::uint32_t one = 0;                  // mover of the corner
+    std::array<std::uint32_t, 2> others{};  // movers of the side's ends
+    Real share = 0;                         // of the side, before the corner
+    Real moment = 0;                        // share of the step after which they are too near
+    Vec2 normal{0, 0};                      // from the others to the one, at that moment
+    Real depth = 0;                         // m, by which they end too near along that
 };
 
 }  // namespace sulfur::detail

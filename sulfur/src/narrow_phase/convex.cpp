@@ -324,7 +324,7 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     const Real thickness = a.radius + b.radius;
     Real limit = 0;
     const Real moment = advance(core.movers, core.shapes, a, b, ways, [&](Real gap) {
-        return limit = gap > 0 ? left * std::min(thickness, gap) : Real(-1e30);
+        return limit = gap > 0 ? std::min(left * thickness, gap) : Real(-1e30);
     });
     if (moment >= 1) return;
     // The axis that separates them then, from a to b, and how near they end along it.
@@ -340,7 +340,8 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
         highA = std::max(highA, dot(atEnd, outA.at[k]));
     for (std::uint32_t k = 0; k < outB.corners; ++k) lowB = std::min(lowB, dot(atEnd, outB.at[k]));
     const Real depth = limit - (lowB - highA);
-    if (depth > 0) passings.push_back({b.body, a.body, moment, {world.x, world.y}, depth});
+    if (depth > 0)
+        passings.push_back({b.frame, {a.frame, a.frame}, 0, moment, {world.x, world.y}, depth});
 }
 
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,

@@ -107,15 +107,39 @@ private:
             const Way& p = corners.ways[c - own.firstCorner];
             for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
                 const Side& side = shapes_.sides[s];
-                if (side.a == side.b || neverTouches(state_, c, side, other.body)) continue;
-                cross(c, p, own.body, side, ends.ways[side.a - other.firstCorner],
-                      ends.ways[side.b - other.firstCorner], other.body);
+                if (neverTouches(state_, c, side, other.body)) continue;
+                const Way& a = ends.ways[side.a - other.firstCorner];
+                const Way& b = ends.ways[side.b - other.firstCorner];
+                const Real thickness = shapes_.corners[c].radius + side.radius;
+                meet(c, p, side.a, a, thickness);
+                if (side.a == side.b) continue;
+                meet(c, p, side.b, b, thickness);
+                cross(c, p, side, a, b, thickness);
             }
         }
     }
 
-    void cross(std::uint32_t corner, const Way& p, std::uint32_t own, const Side& side,
-               const Way& a, const Way& b, std::uint32_t other) {
+    /// A corner and the rounding of a side's end.
+    void meet(std::uint32_t corner, const Way& p, std::uint32_t end, const Way& a, Real thickness) {
+        const Xy from = p.start - a.start, way = (p.end - a.end) - from;
+        const Real distance2 = dot(from, from), closing = -dot(from, way), way2 = dot(way, way);
+        const Real limit = std::min(left_ * thickness, std::sqrt(distance2));
+        if (!(closing > 0)) return;
+        // They are at the limit where way2 t^2 - 2 closing t + distance2 = limit^2.
+        const Real missing = closing * closing - way2 * (distance2 - limit * limit);
+        if (!(missing > 0)) return;
+        const Real moment = (closing - std::sqrt(missing)) / way2;
+        if (!(moment < 1)) return;
+        const Xy then = p.at(moment) - a.at(moment);
+        const Real length = std::sqrt(dot(then, then));
+        if (!(length > 0)) return;
+        const Xy normal{then.x / length, then.y / length};
+        note(corner, end, end, 0, moment, normal, limit - dot(normal, p.end - a.end));
+    }
+
+    /// A corner and the straight part of a side.
+    void cross(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b,
+               Real thickness) {
         const auto heightAt = [&](Real moment) {
             const Xy along = b.at(moment) - a.at(moment);
             const Real length = std::sqrt(dot(along, along));
@@ -127,8 +151,7 @@ private:
         start *= outward;
         end *= outward;
         if (!(start > 0)) return;
-        const Real thickness = shapes_.corners[corner].radius + side.radius;
-        const Real limit = left_ * std::min(thickness, start);
+        const Real limit = std::min(left_ * thickness, start);
         if (!(end < limit)) return;
         // The height of what turns is no line: its first fall below the limit by halving.
         Real low = 0, high = 1;
@@ -136,17 +159,23 @@ private:
             const Real middle = (low + high) / 2;
             (outward * heightAt(middle) < limit ? high : low) = middle;
         }
-        const Xy along = b.at(high) - a.at(high), from = p.at(high) - a.at(high);
-        const Real foot = dot(from, along), length2 = dot(along, along);
-        const Real length = std::sqrt(length2), beside = thickness * length;
-        if (foot < -beside || foot > length2 + beside || !(length > 0)) return;
+        const Xy along = b.at(high) - a.at(high);
+        const Real foot = dot(p.at(high) - a.at(high), along), length2 = dot(along, along);
+        if (foot < 0 || foot > length2 || !(length2 > 0)) return;
+        const Real length = std::sqrt(length2), share = foot / length2;
         const Xy normal{outward * along.y / length, -outward * along.x / length};
-        const Real share = std::clamp<Real>(foot / length2, 0, 1);
         const Xy onSide{a.end.x + share * (b.end.x - a.end.x),
                         a.end.y + share * (b.end.y - a.end.y)};
-        const Real depth = limit - dot(normal, p.end - onSide);
+        note(corner, side.a, side.b, share, low, normal, limit - dot(normal, p.end - onSide));
+    }
+
+    void note(std::uint32_t corner, std::uint32_t a, std::uint32_t b, Real share, Real moment,
+              Xy normal, Real depth) {
         if (!(depth > 0)) return;
-        passings_.push_back({own, other, low, {normal.x, normal.y}, depth});
+        const auto mover = [&](std::uint32_t c) { return shapes_.corners[c].mover; };
+        if (mover(a) == mover(b)) share = 0;
+        passings_.push_back(
+            {mover(corner), {mover(a), mover(b)}, share, moment, {normal.x, normal.y}, depth});
     }
 
     const State& state_;

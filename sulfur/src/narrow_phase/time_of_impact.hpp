@@ -11,7 +11,7 @@ namespace sulfur::detail {
 struct State;
 
 /// Two convex chunks that end the step with less than `left` of their thickness between their axes.
-/// Those that begin nearer keep as much of what is left, those that are in each other pass.
+/// Those that begin nearer come no nearer; those whose axes are in each other pass.
 void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real left,
                  std::vector<Passing>& passings);
 

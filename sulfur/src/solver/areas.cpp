@@ -106,8 +106,9 @@ void pushCorners(State& state, const PressedTriangle& t, Real by, const Slopes& 
 }
 
 /// An inequality on displacements (position based dynamics, Mueller et al. 2007). It pushes along
-/// the slopes of the tick's start, as rigid joints do, which keeps angular momentum, as long as
-/// that widens the triangle at least half as well as the slopes of now.
+/// the slopes of the tick's start, as rigid joints do, which keeps angular momentum. What has
+/// turned so far that this widens it less than half as well as its slopes of now waits for the next
+/// step.
 template <bool held>
 void solveArea(State& state, PressedTriangle& t) {
     const auto [toB, toC] = sidesOf<held>(state, t);
@@ -116,16 +117,11 @@ void solveArea(State& state, PressedTriangle& t) {
     const Slopes now = slopesOf(toB, toC);
     const Real best = response<held>(state, t, now, now);
     const Real along = response<held>(state, t, t.slopes, now);
-    const auto widen = [&](const Slopes& slopes, Real gain) {
-        if (!(gain > 0)) return;
-        const Real before = t.lambda;
-        t.lambda = std::max<Real>(before + lacks / gain, 0);
-        pushCorners<held>(state, t, t.lambda - before, slopes);
-    };
-    // Mostly it widens well by more than all roundings, which takes no root to see.
-    if (along > 0 && along * along > Real(0.3) * (best * t.response)) return widen(t.slopes, along);
-    const bool turned = !(along > Real(0.5) * std::sqrt(best * t.response));
-    turned ? widen(now, best) : widen(t.slopes, along);
+    // (Compared as squares, which takes no root.)
+    if (!(along > 0 && along * along > Real(0.25) * (best * t.response))) return;
+    const Real before = t.lambda;
+    t.lambda = std::max<Real>(before + lacks / along, 0);
+    pushCorners<held>(state, t, t.lambda - before, t.slopes);
 }
 
 /// Finds out whether a triangle is to be led back, along the slopes to which the tick leads.

@@ -21,7 +21,6 @@ namespace {
 using tuned::mended;
 using tuned::mostForStrain;
 using tuned::mostTimes;
-using tuned::mostTimesInLoops;
 using tuned::trial;
 constexpr double mostStrain = tuned::strainLimit;
 
@@ -64,9 +63,8 @@ bool sweepContacts(State& state, int number) {
 
 void sweepAll(State& state) {
     giveMotion(state);
-    const bool inLoops = !state.work.rigidJoints.empty() || !state.work.lines.empty();
     const int least = state.settings.sweeps;
-    const int most = (inLoops ? mostTimesInLoops : mostTimes) * least;
+    const int most = mostTimes * least;
     bool stirred = true;
     for (int number = 1; number <= most && (stirred || number <= least); ++number) {
         solveImplicitJoints(state);

@@ -115,8 +115,7 @@ void expectNobodyFasterThanTheRodThrows(int rate, Real restitution) {
     }
     const auto what = testing::Message() << rate << " Hz, e = " << restitution;
     EXPECT_LT(most, squeezed * throwsAt(restitution) * Mixer::tip) << what;
-    // What is squeezed may be in the wall, whose surface is at 0.1 m, but not beyond it.
-    EXPECT_LT(mixer.farthest(), Mixer::wall + 0.1 + 0.2) << what;
+    EXPECT_LT(mixer.farthest(), Mixer::wall) << what;
     EXPECT_EQ(mixer.world.validate(), "") << what;
 }
 

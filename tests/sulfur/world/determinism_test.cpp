@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 6772751114621971019u);
+    EXPECT_EQ(world.hash(), 13239189371186749661u);
 #else
-    EXPECT_EQ(world.hash(), 15961202876760688421u);
+    EXPECT_EQ(world.hash(), 2384994469307547069u);
 #endif
 }
 
