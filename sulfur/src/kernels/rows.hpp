@@ -84,7 +84,7 @@ struct alignas(sizeof(Lane)) ManifoldBlock {
     Lane slip;     // m, by which the surfaces run along the tangent in this step
     Lane sliding;  // m, by which b slides along the tangent without rows
     Lane early;    // m, of that what is over before they touch
-    Lane grip;     // m, the slip up to which static friction holds
+    Lane grip;     // m, the slip up to which static friction holds; any, once it has in this step
     Lane rubbing;  // kg m, accumulated impulse
     ManifoldPoint points[2];
 };

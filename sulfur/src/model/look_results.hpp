@@ -42,7 +42,7 @@ struct KnownSide {
 struct Passing {
     std::uint32_t one = 0;                  // mover of the corner
     std::array<std::uint32_t, 2> others{};  // movers of the side's ends
-    Real share = 0;                         // of the side, before the corner
+    Real share = 0;                         // of the way from the first of them to the second
     Real moment = 0;                        // share of the step after which they are too near
     Vec2 normal{0, 0};                      // from the others to the one, at that moment
     Real depth = 0;                         // m, by which they end too near along that
