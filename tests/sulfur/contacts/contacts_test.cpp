@@ -1,3 +1,4 @@
+#include "core/settings.hpp"
 #include "helpers.hpp"
 
 namespace sulfur {
@@ -49,6 +50,9 @@ TEST(Contacts, APyramidStandsFromItsFirstTick) {
     world.add(shapes::floor({-20, 0}, {20, 0}, Real(0.05)));
     const Blueprint plan = shapes::box({.radius = Real(0.01)});
     constexpr int base = 12;
+    // m, what may stay of overlaps between the top and the ground; single precision needs none of
+    // it
+    constexpr double slops = detail::tuned::slop * ((base - 1) * 0.02 + 0.06);
     std::vector<Body> boxes;
     std::vector<Point> places;
     for (int row = 0; row < base; ++row)
@@ -62,7 +66,7 @@ TEST(Contacts, APyramidStandsFromItsFirstTick) {
         double farthest = 0;
         for (std::size_t k = 0; k < boxes.size(); ++k)
             farthest = std::max(farthest, (world.centreOfMass(boxes[k]) - places[k]).norm());
-        ASSERT_LT(farthest, 2e-5) << "tick " << i;
+        ASSERT_LT(farthest, slops) << "tick " << i;
     }
 }
 
