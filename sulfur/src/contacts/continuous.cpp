@@ -51,7 +51,9 @@ public:
         for (round_ = 1; round_ <= mostRounds && !pairs_.empty(); ++round_) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
-            // Who was held back may be in the way of whoever went along with him.
+            // Who was moved may be in the way of others, and be fast himself.
+            measureStrips();
+            findFast();
             pairs_.clear();
             collect([&](std::uint32_t chunk) { return isFast(core_.shapes.chunks[chunk].frame); },
                     [&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
@@ -80,6 +82,7 @@ private:
 
     /// Lists the chunks that are fast by themselves.
     void findFast() {
+        fast_.clear();
         for (const auto m : core_.awakeMovers) {
             if (!isFast(m)) continue;
             for (auto u = movers_.firstUse[m]; u != none; u = core_.shapes.uses[u].next) {
@@ -281,20 +284,31 @@ private:
     void note(std::uint32_t m) {
         if (held_[m] == 0) everHeld_.push_back(m);
         held_[m] = round_;
+        core_.lengths[m] = lengthOf(m, {});
     }
 
     void giveBack() {
         for (const auto m : everHeld_) {
             ++state_.statistics.heldBack;
             const Motion3 &way = core_.ways[m], &unheld = unheld_[m];
-            const Vec2 shift(way.x - unheld.x, way.y - unheld.y);
+            const Motion3 shift{way.x - unheld.x, way.y - unheld.y, way.turn - unheld.turn};
+            noteWay(
+                m, std::abs(shift.x) + std::abs(shift.y) + movers_.reach[m] * std::abs(shift.turn));
             const auto i = core_.denseOfMover[m];
             if (core_.moverIsCluster[m] != 0) {
-                state_.clusters.list[i].shift += shift;
-                state_.clusters.list[i].twist += static_cast<double>(way.turn - unheld.turn);
+                state_.clusters.list[i].shift += Vec2(shift.x, shift.y);
+                state_.clusters.list[i].twist += static_cast<double>(shift.turn);
             } else {
-                state_.particles.position[i] += shift.cast<double>();
+                state_.particles.position[i] += Vec2(shift.x, shift.y).cast<double>();
             }
+        }
+    }
+    /// On the odometers of a mover and of the strips that it carries.
+    void noteWay(std::uint32_t m, Real length) {
+        movers_.odometer[m] += static_cast<double>(length);
+        for (auto u = movers_.firstUse[m]; u != none; u = core_.shapes.uses[u].next) {
+            const Chunk& chunk = core_.shapes.chunks[core_.shapes.uses[u].chunk];
+            if (chunk.uses > 1) movers_.odometer[chunk.frame] += static_cast<double>(length);
         }
     }
 

@@ -128,7 +128,7 @@ private:
         // They are at the limit where way2 t^2 - 2 closing t + distance2 = limit^2.
         const Real missing = closing * closing - way2 * (distance2 - limit * limit);
         if (!(missing > 0)) return;
-        const Real moment = (closing - std::sqrt(missing)) / way2;
+        const Real moment = std::max<Real>((closing - std::sqrt(missing)) / way2, 0);
         if (!(moment < 1)) return;
         const Xy then = p.at(moment) - a.at(moment);
         const Real length = std::sqrt(dot(then, then));

@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 13239189371186749661u);
+    EXPECT_EQ(world.hash(), 3387027006503621764u);
 #else
-    EXPECT_EQ(world.hash(), 2384994469307547069u);
+    EXPECT_EQ(world.hash(), 10477628180130667927u);
 #endif
 }
 
