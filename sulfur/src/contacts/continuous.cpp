@@ -36,27 +36,22 @@ public:
           movers_(core_.movers),
           pairs_(&state.arena),
           unheld_(&state.arena),
-          fast_(&state.arena),
           held_(&state.arena),
-          everHeld_(&state.arena) {}
+          everHeld_(&state.arena),
+          moved_(&state.arena) {}
 
     void run() {
         takeBlowsOff();
         measureStrips();
-        findFast();
-        collectFirst();
+        collect();
         if (pairs_.empty()) return;
         unheld_.assign(core_.ways.begin(), core_.ways.end());
         held_.assign(movers_.size(), 0);
         for (round_ = 1; round_ <= mostRounds && !pairs_.empty(); ++round_) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
+            moved_.clear();
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
-            // Who was moved may be in the way of others, and be fast himself.
-            measureStrips();
-            findFast();
-            pairs_.clear();
-            collect([&](std::uint32_t chunk) { return isFast(core_.shapes.chunks[chunk].frame); },
-                    [&](const Pair& pair) { return wasHeld(pair.a) || wasHeld(pair.b); });
+            collectAgain();
         }
         giveBack();
     }
@@ -80,19 +75,6 @@ private:
         }
     }
 
-    /// Lists the chunks that are fast by themselves.
-    void findFast() {
-        fast_.clear();
-        for (const auto m : core_.awakeMovers) {
-            if (!isFast(m)) continue;
-            for (auto u = movers_.firstUse[m]; u != none; u = core_.shapes.uses[u].next) {
-                const auto chunk = core_.shapes.uses[u].chunk;
-                if (core_.shapes.chunks[chunk].uses == 1) fast_.push_back(chunk);
-            }
-        }
-        for (const auto c : core_.awakeStrips)
-            if (isFast(core_.shapes.chunks[c].frame)) fast_.push_back(c);
-    }
     Real lengthOf(std::uint32_t m, const Motion3& frame) const {
         const Motion3& way = core_.ways[m];
         return std::abs(way.x - frame.x) + std::abs(way.y - frame.y) +
@@ -107,69 +89,42 @@ private:
         return most;
     }
 
-    /// Whether a mover of a chunk was moved in this round.
-    bool wasHeld(std::uint32_t index) const {
-        const Chunk& chunk = core_.shapes.chunks[index];
-        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
-            if (held_[core_.shapes.uses[u].mover] == round_) return true;
-        return false;
+    /// Lists the pairs that may pass.
+    void collect() {
+        for (const PairWatch& w : core_.watches) collect(w);
     }
-
-    /// Whether a mover, or the frame of a strip, is one of the two sides of a fast pair at least.
-    bool isFast(std::uint32_t m) const {
-        return 2 * core_.lengths[m] > fast * static_cast<Real>(core_.finest);
-    }
-
-    /// Whether a chunk goes otherwise than was predicted when its pairs were judged.
-    bool goesOtherwise(std::uint32_t index) const {
-        const Chunk& chunk = core_.shapes.chunks[index];
-        if (chunk.uses != 1 || movers_.colours[chunk.frame] != 0) return true;
-        const Motion3& way = core_.ways[chunk.frame];
-        const Prediction& p = movers_.predictions[chunk.frame];
-        return way.x != p.goesX || way.y != p.goesY || way.turn != p.turn;
-    }
-
-    /// One side of a fast pair is fast by itself. A pair that was judged to stay apart does, where
-    /// that side goes as was predicted, and the other one too, or is slow.
-    void collectFirst() {
-        pairs_.clear();
-        const auto isAsked = [&](std::uint32_t chunk) {
-            return isFast(core_.shapes.chunks[chunk].frame) && goesOtherwise(chunk);
-        };
-        collect(isAsked, [](const Pair&) { return true; });
-        auto& looked = core_.looked;
-        std::sort(looked.begin(), looked.end());
-        looked.erase(std::unique(looked.begin(), looked.end()), looked.end());
-        for (const auto index : looked) {
-            const Pair& pair = core_.pairs[index];
-            if (pair.a == none || pair.watch == none || isAsked(pair.a) || isAsked(pair.b))
-                continue;
-            if (mayPass(core_.watches[pair.watch], pair)) pairs_.push_back(index);
-        }
-    }
-
-    /// Pairs of chunks that are asked which count and may have come near.
-    template <class IsAsked, class Counts>
-    void collect(IsAsked&& isAsked, Counts&& counts) {
-        const auto& chunks = core_.shapes.chunks;
-        for (const auto c : fast_) {
-            if (!isAsked(c)) continue;
-            for (auto at = chunks[c].firstPair; at != none;) {
-                const Pair& pair = core_.pairs[at / 2];
-                const bool isSecond = at % 2 == 1;
-                const auto index = at / 2;
-                at = pair.next[at % 2];
-                if (pair.watch == none || (isSecond && isAsked(pair.a))) continue;
-                if (counts(pair) && mayPass(core_.watches[pair.watch], pair))
-                    pairs_.push_back(index);
-            }
-        }
-    }
-
-    /// What is asked comes in the order of what it costs: most pairs are answered by their watch.
-    bool mayPass(const PairWatch& w, const Pair& pair) const {
+    void collect(const PairWatch& w) {
+        // Asked in the order of what it costs: most pairs are answered by these lengths.
         const Real least = fast * static_cast<Real>(w.fineness);
-        if (!(core_.lengths[w.a] + core_.lengths[w.b] > least)) return false;
+        if (core_.lengths[w.a] + core_.lengths[w.b] > least &&
+            mayPass(w, core_.pairs[w.pair], least))
+            pairs_.push_back(w.pair);
+    }
+
+    /// Lists those of whoever was moved in this round, who may be in the way of others, and be fast
+    /// himself.
+    void collectAgain() {
+        pairs_.clear();
+        const auto& chunks = core_.shapes.chunks;
+        const auto forEachChunk = [&](auto&& f) {
+            for (const auto m : moved_)
+                for (auto u = movers_.firstUse[m]; u != none; u = core_.shapes.uses[u].next)
+                    f(chunks[core_.shapes.uses[u].chunk]);
+        };
+        forEachChunk([&](const Chunk& chunk) {
+            if (chunk.uses > 1) core_.lengths[chunk.frame] = lengthOf(chunk, {});
+        });
+        forEachChunk([&](const Chunk& chunk) {
+            for (auto at = chunk.firstPair; at != none; at = core_.pairs[at / 2].next[at % 2])
+                if (const auto watch = core_.pairs[at / 2].watch; watch != none)
+                    collect(core_.watches[watch]);
+        });
+        std::sort(pairs_.begin(), pairs_.end());
+        pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    }
+
+    /// Whether the surfaces of a pair come nearer than `least`, m, and no row has stopped them.
+    bool mayPass(const PairWatch& w, const Pair& pair, Real least) const {
         const Real ways = waysOf(w);
         if (!(ways > least)) return false;
         const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
@@ -283,6 +238,7 @@ private:
     }
     void note(std::uint32_t m) {
         if (held_[m] == 0) everHeld_.push_back(m);
+        if (held_[m] != round_) moved_.push_back(m);
         held_[m] = round_;
         core_.lengths[m] = lengthOf(m, {});
     }
@@ -316,10 +272,9 @@ private:
     ContactCore& core_;
     Movers& movers_;
     std::pmr::vector<std::uint32_t> pairs_;
-    std::pmr::vector<Motion3> unheld_;      // ways of movers before anybody was held
-    std::pmr::vector<std::uint32_t> fast_;  // chunks
-    std::pmr::vector<int> held_;            // by mover, the last round in which it was moved
-    std::pmr::vector<std::uint32_t> everHeld_;
+    std::pmr::vector<Motion3> unheld_;  // ways of movers before anybody was held
+    std::pmr::vector<int> held_;        // by mover, the last round in which it was moved
+    std::pmr::vector<std::uint32_t> everHeld_, moved_;  // movers; those of this round
     int round_ = 0;
 };
 

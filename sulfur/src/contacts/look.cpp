@@ -104,7 +104,6 @@ void wakeIfNear(State& state, std::uint32_t index, std::uint32_t sleeper) {
 }  // namespace
 
 void lookAtPair(State& state, std::uint32_t pair) {
-    state.core.looked.push_back(pair);
     const Pair& p = state.core.pairs[pair];
     if (state.core.encounters[p.encounter].overlapping != 0) {
         dropRows(state, pair);

@@ -228,8 +228,6 @@ void updateBoxes(State& state) {
 void lookAtPairs(State& state) {
     ContactCore& core = state.core;
     // A look may move watches about: those that are due are listed first.
-    core.looked.clear();
-    core.looked.reserve(2 * core.watches.size());  // a pair may be looked at again
     core.newRows = 0;
     core.again.clear();
     for (PairWatch& w : core.watches)

@@ -104,7 +104,6 @@ void watchPair(State& state, std::uint32_t pair, double limit) {
         p.watch = static_cast<std::uint32_t>(core.watches.size());
         const Chunk &a = core.shapes.chunks[p.a], &b = core.shapes.chunks[p.b];
         const auto fineness = static_cast<float>(a.fineness + b.fineness);
-        core.finest = std::min(core.finest, fineness);
         core.watches.push_back({pair, a.frame, b.frame, fineness, limit, p.isManifold});
     }
     core.watches[p.watch].limit = limit;

@@ -139,7 +139,6 @@ struct ContactCore {
     std::vector<Encounter> encounters;
     std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
     std::vector<PairWatch> watches;      // of pairs of which something is awake
-    float finest = 1e30F;                // m, of all watches that there have been since the start
     std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
     double lastStep = 0;                 // s, of the step for which the rows have impulses
     std::uint32_t loadsAgain = 0;        // 1: stacks are loaded in the next step, too
@@ -163,7 +162,6 @@ struct ContactCore {
     std::vector<std::uint8_t> stirred;  // by mover, the last sweep that has stirred it
     std::vector<Motion3> placed;  // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
-    std::vector<std::uint32_t> looked;  // pairs, in this step
     std::vector<Heir> heirs;
     std::vector<Lead> leads;
     LooseLook looseLook;
@@ -193,7 +191,6 @@ struct ContactCore {
         a(touches);
         a(freeTouches);
         a(watches);
-        a(finest);
         a(encounters);
         a(freeEncounters);
         a(buckets);

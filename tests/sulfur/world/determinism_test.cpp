@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 3387027006503621764u);
+    EXPECT_EQ(world.hash(), 6240685518655699477u);
 #else
-    EXPECT_EQ(world.hash(), 10477628180130667927u);
+    EXPECT_EQ(world.hash(), 4806255392251079480u);
 #endif
 }
 
