@@ -12,11 +12,14 @@ log=state/quaoar/quaoar.log
 
 window_opened() { xdotool search --onlyvisible --name 'Escape from Quaoar' > window 2> /dev/null; }
 picture_is_drawn() { take_picture start.png && [[ $(colours_of start.png) -gt 1000 ]]; }
+# What swings may hang where it hung before: it lies still where it also did in between.
 view_is_still() {
     take_picture rope.png
-    sleep 0.8
+    sleep 0.4
+    take_picture between.png
+    sleep 0.4
     take_picture later.png
-    (($(changed_pixels rope.png later.png) < 8000))
+    (($(changed_pixels rope.png between.png) < 8000 && $(changed_pixels rope.png later.png) < 8000))
 }
 view_has_moved() { take_picture moved.png && (($(changed_pixels rope.png moved.png) > 28000)); }
 # One key after the other: taps that fall between two frames are one.
