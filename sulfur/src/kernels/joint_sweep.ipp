@@ -134,7 +134,7 @@ void startRigid(const StartView& joints, std::size_t first, std::size_t count) {
         const Lanes length = startEnds(joints, k), atRest = load(joints.length + k);
         const Lanes w = load(joints.massA + k) + load(joints.massB + k);
         store(joints.gain + k,
-              ((length > zero) & (w > zero)) ? SweepReal(1) / (SweepReal(2) * w) : zero);
+              ((length > zero) & (w > zero)) ? SweepReal(1) / w : zero);
         store(joints.rest + k, atRest);
         const Lanes torn = length - atRest;
         if (bits((torn <= near) & (torn >= -near)) == everyLane) continue;
@@ -196,11 +196,10 @@ void sweepRigid(const SweepView& joints, std::size_t first, std::size_t count) {
     for (std::size_t done = 0; done < count; done += width) {
         const std::size_t k = first + done;
         Ends ends(joints, k);
-        const Lanes square = ends.x * ends.x + ends.y * ends.y;
-        const Lanes length = root(square), rest = load(joints.rest + k);
+        const Lanes length = root(ends.x * ends.x + ends.y * ends.y), rest = load(joints.rest + k);
         const Places direction = pullDirection(joints, ends, length);
         const Lanes along = direction.x * ends.x + direction.y * ends.y;
-        const Lanes wanted = (rest * rest - square) * load(joints.gain + k);
+        const Lanes wanted = (rest - length) * length * load(joints.gain + k);
         const Lanes change = length > zero ? wanted / along : zero;
         store(joints.lambda + k, load(joints.lambda + k) + change);
         ends.push(change * direction.x, change * direction.y, count - done);

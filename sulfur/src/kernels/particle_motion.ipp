@@ -129,11 +129,15 @@ void takeUpMany(const MotionView& view, const Kick& kick, std::size_t first, std
                 const SweepReal* inverseMass) {
                 const Lanes before = load(velocity);
                 const Narrow predicted = narrowed(duration * before);
-                const Lanes change = widened(loadNarrow(displacement) - predicted);
+                const Narrow led = loadNarrow(displacement);
+                const Lanes change = widened(led - predicted);
                 // Mostly nothing was changed, and a division costs more than all else here.
-                const Lanes more = anyOf(change) ? change / duration : change;
-                const Lanes after = limited(before + more, most);
-                store(velocity, masses(inverseMass) != zero ? after : before);
+                if (!anyOf(change)) return;
+                const Lanes after = limited(before + change / duration, most);
+                const auto moves = masses(inverseMass) != zero;
+                const Lanes way = widened(led), within = limited(way, duration * most);
+                store(velocity, moves ? after : before);
+                storeNarrow(displacement, narrowed(moves ? within : way));
             });
 }
 

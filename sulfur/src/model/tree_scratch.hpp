@@ -56,10 +56,13 @@ struct ChainScratch {
         double share = 0;  // shareOf(rest)
     };
 
-    /// The part of an elastic link that is no force.
+    /// An elastic link: the part that is no force, and the one that is.
     struct Spring {
         double stiffness = 0, damping = 0;
         double hk = 0, hb = 0, compliance = 0;
+        double pull = 0, brake = 0;  // N/m, N s/m
+        Pair held{0, 0};             // N, the force of the tick's start
+        double early = 0;            // kg m, what the force has given in this step beyond that
         bool rigid = true;
     };
 
@@ -109,7 +112,10 @@ struct StepScratch {
     struct Link {
         Point armHere{0, 0}, armThere{0, 0};  // when the tick began
         Elastic elastic;                      // of one step
-        double stiffness = 0, damping = 0;
+        double stiffness = 0, damping = 0;    // of the part that is no force
+        double pull = 0, brake = 0;           // N/m and N s/m, of the one that is
+        Point held{0, 0};                     // N, its force when the tick began
+        double early = 0;                     // kg m, what it has given in this step beyond that
         double rest = 0;
         Point direction{0, 0};  // when the step began
         Span start;

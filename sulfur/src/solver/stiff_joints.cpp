@@ -102,7 +102,7 @@ void solveRigid(State& state, std::uint32_t j) {
     if (w == 0) return;
     const Real rest = restOf(state, j, start);
     const Vec2 direction = pullDirection(state, j, w, start, before / start, apart / length);
-    const Real change = (rest * rest - length * length) / (2 * w * direction.dot(apart));
+    const Real change = (rest - length) * length / (w * direction.dot(apart));
     joints.lambda[j] += change;
     ends.push(state, change * direction);
 }

@@ -114,8 +114,9 @@ private:
         link.guess = spring.rigid && std::abs(force) < maxForce ? force : 0;
         if (spring.rigid) return;
         elastic_ = true;
-        spring.stiffness = static_cast<double>(joints.stiffness[j]) -
-                           static_cast<double>(joints.explicitStiffness[j]);
+        spring.pull = static_cast<double>(joints.explicitStiffness[j]);
+        spring.brake = static_cast<double>(joints.explicitDamping[j]);
+        spring.stiffness = static_cast<double>(joints.stiffness[j]) - spring.pull;
         spring.damping = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]);
     }
 
@@ -126,8 +127,9 @@ private:
         prepare(step);
         Outcome whole;
         for (std::uint32_t s = 0; s < steps && enough(whole); ++s) {
-            predict(s == 0 ? (tree_.lastStep + step) / 2 : step, step);
-            if (!beginStep(step)) {
+            const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
+            predict(kick, step);
+            if (!beginStep(kick, step, s == 0) || (steps == mostSteps && torn_)) {
                 whole.converged = false;
                 break;
             }
@@ -156,6 +158,7 @@ private:
             spring.hk = spring.stiffness * step * perPush;
             spring.hb = spring.damping * perPush;
             spring.compliance = spring.rigid ? 0 : 1 / (spring.hk + spring.hb);
+            spring.early = 0;
         }
     }
 
@@ -172,8 +175,10 @@ private:
 
     /// Directions at the step's start, and the multipliers of the step before: the passes then
     /// have little left to do. False if a link has no direction.
-    bool beginStep(double step) {
+    bool beginStep(double kick, double step, bool first) {
         bool directed = true;
+        torn_ = false;
+        const double perNewton = kick * step / resistance(state_, kick);
         Pair before{0, 0};  // what the link before has pushed this node with
         for (std::size_t i = 1; i < count_; ++i) {
             ChainLink& link = links_[i];
@@ -184,14 +189,34 @@ private:
                 link.scale = link.inverseLength = link.share;
             } else {
                 directed &= measure(link, !elastic_ || springs_[i].rigid, step);
+                torn_ |= link.target != link.rest;
             }
             link.start = link.inverseLength * link.now;
-            const Pair push = link.lambda * link.start;
+            Pair push = link.lambda * link.start;
+            if (elastic_ && !springs_[i].rigid) push = changeOfPull(i, perNewton, first);
             there.displacement += there.inverseMass * (before - push);
             before = push;
         }
         nodes_[count_ - 1].displacement += nodes_[count_ - 1].inverseMass * before;
         return directed;
+    }
+
+    /// What the part of a spring that is a force gives this node beyond what it gave when the tick
+    /// began, which is part of the node's acceleration: held for all steps it would feed the
+    /// spring.
+    Pair changeOfPull(std::size_t i, double perNewton, bool first) {
+        const ChainLink& link = links_[i];
+        ChainSpring& spring = springs_[i];
+        const Pair parting = nodes_[i].velocity - nodes_[i - 1].velocity;
+        const double lengthening = dot(link.start, parting);
+        const double stretch = 1 / link.inverseLength - link.rest;
+        Pair force = (-spring.pull * stretch - spring.brake * lengthening) * link.start;
+        if (state_.settings.damper == Damper::full)
+            force -= spring.brake * (parting - lengthening * link.start);
+        if (first) spring.held = force;
+        const Pair push = perNewton * (force - spring.held);
+        spring.early = dot(push, link.start);
+        return push;
     }
 
     /// Nearly always a rigid link has its rest length. Then no root is needed: a direction that is
@@ -392,7 +417,8 @@ private:
             if (n.inverseMass > 0) n.velocity = rate * n.displacement;
         }
         const double newtons = rate * resistance(state_, step);
-        for (std::size_t i = 1; i < count_; ++i) links_[i].impulse += newtons * links_[i].lambda;
+        for (std::size_t i = 1; i < count_; ++i)
+            links_[i].impulse += newtons * (links_[i].lambda + (elastic_ ? springs_[i].early : 0));
     }
 
     bool allFinite() const {
@@ -425,6 +451,7 @@ private:
     std::size_t count_;
     double tick_;
     bool elastic_ = false;
+    bool torn_ = false;  // whether a rigid link is not as long as it should be
     ChainNode* nodes_ = nullptr;
     ChainLink* links_ = nullptr;
     ChainSpring* springs_ = nullptr;

@@ -136,11 +136,17 @@ private:
         const Joints& joints = state_.joints;
         link.rest = static_cast<double>(joints.restLength[n.link]);
         link.elastic.rigid = joints.kind[n.link] == JointKind::rigid;
-        link.stiffness = static_cast<double>(joints.stiffness[n.link]) -
-                         static_cast<double>(joints.explicitStiffness[n.link]);
+        link.pull = static_cast<double>(joints.explicitStiffness[n.link]);
+        link.brake = static_cast<double>(joints.explicitDamping[n.link]);
+        link.stiffness = static_cast<double>(joints.stiffness[n.link]) - link.pull;
         link.damping = static_cast<double>(joints.damping[n.link] - joints.explicitDamping[n.link]);
         const double force = static_cast<double>(joints.force[n.link]);
         link.guess = link.elastic.rigid && std::abs(force) < maxForce ? force : 0;
+    }
+
+    /// 1/kg, in the direction in which a node moves most easily at that arm.
+    double mobilityAt(std::size_t i, const Point& arm) const {
+        return nodes_[i].inverseMass + nodes_[i].inverseInertia * arm.squaredNorm();
     }
 
     // --- one try with a number of steps -----------------------------------------------------
@@ -155,10 +161,12 @@ private:
         for (std::uint32_t s = 0; s < steps && (whole.good() || steps == mostSteps); ++s) {
             const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
             if (steps == mostSteps) before_ = motion_;
-            Outcome one = makeStep(kick, step, false);
-            if (steps == mostSteps && !one.tolerable()) {
+            torn_ = steps == mostSteps && isTorn(step);
+            Outcome one;
+            if (!torn_) one = makeStep(kick, step, s == 0, false);
+            if (steps == mostSteps && (torn_ || !one.tolerable())) {
                 motion_ = before_;
-                one = makeStep(kick, step, true);
+                one = makeStep(kick, step, s == 0, true);
                 ++state_.statistics.chainFallbacks;
             }
             finishStep(step);
@@ -167,9 +175,10 @@ private:
         return whole;
     }
 
-    Outcome makeStep(double kick, double step, bool fallback) {
+    Outcome makeStep(double kick, double step, bool first, bool fallback) {
+        step_ = step;
         predict(kick, step);
-        beginStep(step);
+        beginStep(kick, step, first);
         if (fallback)
             for (std::size_t i = 1; i < count_; ++i) links_[i].lambda = {0, 0};
         else
@@ -226,7 +235,17 @@ private:
         return moved ? turned(unitVector(m.turning), before) : before;
     }
 
-    void beginStep(double step) {
+    /// Whether a rigid link is not as long as it should be, so that it closes in.
+    bool isTorn(double step) const {
+        for (std::size_t i = 1; i < count_; ++i)
+            if (node(i).kind == LinkKind::joint && links_[i].elastic.rigid &&
+                errorLeft(spanOf(i, false).apart.norm() - links_[i].rest, step) != 0)
+                return true;
+        return false;
+    }
+
+    void beginStep(double kick, double step, bool first) {
+        const double perNewton = kick * step / resistance(state_, kick);
         for (std::size_t i = 1; i < count_; ++i) {
             LinkData& link = links_[i];
             link.start = spanOf(i, false);
@@ -240,8 +259,33 @@ private:
             }
             link.left[0] = link.elastic.rigid ? errorLeft(link.length - link.rest, step) : 0;
             link.inert = !(link.length > 1e-12);
+            link.early = 0;
             if (!link.inert) link.direction = link.start.apart / link.length;
+            if (!link.inert && !link.elastic.rigid) pushByChange(i, perNewton, first);
         }
+    }
+
+    /// What the part of a spring that is a force gives beyond what it gave when the tick began,
+    /// which is part of the nodes' accelerations: held for all steps it would feed the spring.
+    void pushByChange(std::size_t i, double perNewton, bool first) {
+        LinkData& link = links_[i];
+        const std::size_t parent = solver_.links[i].parent;
+        const Point parting =
+            velocityAt(i, link.start.armHere) - velocityAt(parent, link.start.armThere);
+        const double lengthening = link.direction.dot(parting);
+        Point force =
+            (-link.pull * (link.length - link.rest) - link.brake * lengthening) * link.direction;
+        if (state_.settings.damper == Damper::full)
+            force -= link.brake * (parting - lengthening * link.direction);
+        if (first) link.held = force;
+        const Point push = perNewton * (force - link.held);
+        link.early = push.dot(link.direction);
+        move(i, push, link.start.armHere);
+        move(parent, -push, link.start.armThere);
+    }
+
+    Point velocityAt(std::size_t i, const Point& arm) const {
+        return motion_[i].velocity + motion_[i].spin * Point(-arm[1], arm[0]);
     }
 
     /// Begins with the multipliers of the step before: the passes then have little left to do.
@@ -296,12 +340,25 @@ private:
             const Point direction = now.apart / length;
             setDistance<N>(row, fallback ? now : link.start, now,
                            fallback ? direction : link.direction, direction);
-            row.compliance[0] = complianceOf(link.elastic);
+            const double give = torn_ && link.elastic.rigid ? giveOf(i) : 0;
+            row.compliance[0] = complianceOf(link.elastic) + give;
             row.value[0] = valueOf(link.elastic, length - link.rest - link.left[0],
-                                   length - link.length, link.lambda[0]);
+                                   length - link.length, link.lambda[0]) +
+                           give * link.lambda[0];
             worst = std::max(worst, std::abs(row.value[0]) / std::max(link.rest, 1e-3));
         }
         return worst;
+    }
+
+    /// What is torn between two that stand fast can never close. Its links pull so hard that their
+    /// whip is a quarter, no harder; longer ones up to twice as hard, so that in the end all are
+    /// equally long.
+    double giveOf(std::size_t i) const {
+        const double rest = links_[i].rest, length = std::max(links_[i].length, rest);
+        const double lightest = std::max(mobilityAt(i, links_[i].armHere),
+                                         mobilityAt(node(i).parent, links_[i].armThere));
+        const double share = (1 + rest / length) / 2;
+        return 16 * lightest * share * closingSpeed * step_ / length;
     }
 
     void apply() {
@@ -336,7 +393,8 @@ private:
         const double newtons = resistance(state_, step) / step;
         for (std::size_t i = 1; i < count_; ++i)
             for (std::size_t r = 0; r < 2; ++r)
-                links_[i].impulse[r] += newtons * links_[i].lambda[r];
+                links_[i].impulse[r] +=
+                    newtons * (links_[i].lambda[r] + (r == 0 ? links_[i].early : 0));
     }
 
     /// How far this step was from where SHAKE explodes.
@@ -418,6 +476,8 @@ private:
     std::vector<Motion>&motion_, &before_;
     std::vector<LinkData>& links_;
     std::uint32_t count_;
+    double step_ = 0;    // s, of the step that is made
+    bool torn_ = false;  // whether its rigid links give way
 };
 
 void stepTree(State& state, Tree& tree) {

@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 6240685518655699477u);
+    EXPECT_EQ(world.hash(), 8854017242348476646u);
 #else
-    EXPECT_EQ(world.hash(), 4806255392251079480u);
+    EXPECT_EQ(world.hash(), 12733868808135150071u);
 #endif
 }
 
