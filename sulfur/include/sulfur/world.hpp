@@ -168,7 +168,8 @@ public:
     /// Removes a body with its particles, its joints and all joints and attachments that held on to
     /// them. Wakes what touched it.
     void remove(BodyId body);
-    /// Joins two particles, usually of different bodies. At least one must be free to move.
+    /// Joins two particles, usually of different bodies. At least one must be free to move, and if
+    /// both are of dynamic bodies, the ratio of their masses is at most 1e9, as for attach().
     JointId connect(ParticleId a, ParticleId b, const ConnectOptions& options = {});
     /// Removes one joint, and wakes what lay on it. It leaves its body in one piece, even where
     /// nothing holds the parts together any more; only breaking makes bodies of them.
@@ -339,7 +340,7 @@ public:
     void setRestLength(JointId joint, Real restLength);
     /// N, 0 to `infinite`.
     void setStrength(JointId joint, Real strength);
-    /// kg, 1e-9 to 1e12.
+    /// kg, 1e-9 to 1e12, and at most 1e9 times that of any other particle of its body, or a 1e9th.
     void setMass(ParticleId particle, Real mass);
     /// Moves a particle, also one of a fixed body, without giving it velocity; metres, -1e9 to 1e9
     /// on each axis. Wakes its body, what touches it, and what a fixed body now overlaps.

@@ -1,6 +1,9 @@
 #include "core/error_checks.hpp"
 
+#include <algorithm>
 #include <sstream>
+
+#include "core/limits.hpp"
 
 namespace sulfur::detail {
 
@@ -39,6 +42,15 @@ void requirePositive(double value, const Subject& what) {
 void requireNonNegativeOrInfinite(double value, const Subject& what) {
     if (std::isnan(value)) refuse(ErrorCode::notFinite, what, value, "0 to infinity");
     if (value < 0) refuse(ErrorCode::outOfRange, what, value, "0 to infinity");
+}
+
+void requireMassRatio(double one, double other, const Subject& what) {
+    const auto [low, high] = std::minmax(one, other);
+    if (high <= maxMassRatio * low) return;
+    std::ostringstream message;
+    message << what.text() << " of " << low << " kg beside " << high
+            << " kg in what is tied together; allowed is a ratio of at most " << maxMassRatio;
+    throw Error(ErrorCode::outOfRange, message.str());
 }
 
 void validate(const Material& material) {

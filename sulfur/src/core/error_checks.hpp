@@ -38,6 +38,9 @@ void requirePositive(double value, const Subject& what);
 /// Throws unless `value` is in [0, infinity], infinity included.
 void requireNonNegativeOrInfinite(double value, const Subject& what);
 
+/// Throws unless both masses (kg) are so near to each other that the arithmetic carries both.
+void requireMassRatio(double one, double other, const Subject& what);
+
 /// Throws unless friction and restitution are in their documented ranges.
 void validate(const Material& material);
 

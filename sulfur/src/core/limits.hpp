@@ -27,7 +27,10 @@ inline constexpr double maxCoordinate = 1e9;                        // m
 inline constexpr double maxForce = 1e12;                            // N
 inline constexpr double minMass = static_cast<double>(Real(1e-9));  // kg
 inline constexpr double maxMass = 1e12;                             // kg
-inline constexpr double maxAcceleration = 1e6;                      // m/s^2, gravity
+/// Between the masses of what joints or attachments tie together: a tree eliminates one node after
+/// the other in double precision, and a rope whose nodes differ by 1e10 may fly away.
+inline constexpr double maxMassRatio = 1e9;
+inline constexpr double maxAcceleration = 1e6;  // m/s^2, gravity
 
 /// Of an attached or grabbed point, in distances of its supports: a point much farther away would
 /// magnify their rounding.

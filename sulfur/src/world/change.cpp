@@ -216,6 +216,12 @@ void World::setMass(ParticleId id, Real mass) {
     State& state = impl_->state();
     const auto i = indexOf(state, id);
     requireRange(static_cast<double>(mass), detail::minMass, detail::maxMass, "mass");
+    for (const ParticleId other : state.bodies[state.particles.body[i]].particles)
+        if (other != id)
+            detail::requireMassRatio(
+                static_cast<double>(mass),
+                static_cast<double>(state.particles.mass[state.particleSlots.dense(other)]),
+                "mass");
     state.particles.mass[i] = mass;
     const auto body = state.particles.body[i];
     detail::wakeBody(state, body);

@@ -26,6 +26,19 @@ void validatePose(const Pose& pose) {
 void validateMasses(const Blueprint& plan) {
     for (const auto& p : plan.particles)
         requireRange(static_cast<double>(p.mass), minMass, maxMass, "particle mass");
+    const auto [least, most] = std::minmax_element(
+        plan.particles.begin(), plan.particles.end(),
+        [](const ParticleSpec& a, const ParticleSpec& b) { return a.mass < b.mass; });
+    requireMassRatio(static_cast<double>(least->mass), static_cast<double>(most->mass),
+                     "particle mass");
+}
+
+/// Of two particles that are to be tied together. What never moves may have any mass.
+void validateTie(const State& state, std::uint32_t a, std::uint32_t b) {
+    for (const auto p : {a, b})
+        if (state.bodies[state.particles.body[p]].kind != BodyKind::dynamic) return;
+    requireMassRatio(static_cast<double>(state.particles.mass[a]),
+                     static_cast<double>(state.particles.mass[b]), "particle mass");
 }
 
 void addParticle(State& state, const ParticleSpec& spec, const Pose& pose, const Point& turn,
@@ -150,6 +163,7 @@ AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle
             throw Error(ErrorCode::degenerate,
                         "a particle cannot be attached to itself; allowed "
                         "is a point of another body");
+    for (std::uint32_t k = 0; k < held.count; ++k) validateTie(state, particle, held.support[k]);
     held.particle = particle;
     held.id = state.attachmentSlots.insert(static_cast<std::uint32_t>(state.attachments.size()));
     state.attachments.push_back(held);
@@ -250,6 +264,7 @@ JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions
         throw Error(ErrorCode::degenerate,
                     "a joint between two particles that never move; at least one must be of a "
                     "dynamic body");
+    detail::validateTie(state, a, b);
     for (const auto body : {bodyA, bodyB}) detail::wakeBody(state, body);
     const auto owner = bodyA == bodyB ? bodyA : detail::none;
     const JointId id = detail::addJoint(state, a, b, options, rest, owner);

@@ -26,7 +26,7 @@ Vec2 placeOf(const RopePlan& plan, unsigned i) {
     return Vec2(static_cast<Real>(0.03 * along - bow), static_cast<Real>(-0.04 * along - bow));
 }
 
-/// A rope that hangs aside. With a `twig`, a joint to a particle of 10 micrograms at its middle, it
+/// A rope that hangs aside. With a `twig`, a joint to a particle of 1 milligram at its middle, it
 /// is a chain no more, so the general solver moves it, the same to a millionth.
 Blueprint rope(const RopePlan& plan, bool twig) {
     Blueprint blueprint;
@@ -41,7 +41,7 @@ Blueprint rope(const RopePlan& plan, bool twig) {
             {.a = i, .b = i + 1, .stiffness = i % 2 == 0 ? rigid : plan.stiffness});
     if (twig) {
         blueprint.particles.push_back(
-            {.position = placeOf(plan, knot) - Vec2(0, Real(0.05)), .mass = Real(1e-8)});
+            {.position = placeOf(plan, knot) - Vec2(0, Real(0.05)), .mass = Real(1e-6)});
         blueprint.joints.push_back(
             {.a = knot, .b = links + 1, .stiffness = rigid, .restLength = Real(0.05)});
     }

@@ -70,6 +70,7 @@ TEST(Errors, NumbersOutOfRange) {
     expectRefused(world, ErrorCode::outOfRange, [&] { world.setVelocity(p, {Real(1e9), 0}); });
     expectRefused(world, ErrorCode::outOfRange, [&] { world.setMass(p, -1); });
     expectRefused(world, ErrorCode::outOfRange, [&] { world.setMass(p, 0); });
+    expectRefused(world, ErrorCode::outOfRange, [&] { world.setMass(p, Real(1e11)); });
     expectRefused(world, ErrorCode::outOfRange, [&] { world.setStiffness(j, -1); });
     expectRefused(world, ErrorCode::notFinite, [&] { world.setStiffness(j, nan); });
     expectRefused(world, ErrorCode::outOfRange, [&] { world.setDamping(j, -1); });
