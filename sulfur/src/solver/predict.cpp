@@ -20,10 +20,10 @@ void driveTowardsTarget(State& state, const BodyRecord& body) {
     Particles& particles = state.particles;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        const Point way = goalOf(state, body, i) - particles.position[i];
-        particles.displacement[i] = (way / state.stepsLeft).cast<Real>();
-        particles.velocity[i] =
-            particles.displacement[i].cast<double>() / static_cast<double>(state.h);
+        const Point way = (goalOf(state, body, i) - particles.position[i]) / state.stepsLeft;
+        particles.displacement[i] = way.cast<Real>();
+        // Not of what has just been rounded: GCC 12 leaves that rounding out, other builds do not.
+        particles.velocity[i] = way / static_cast<double>(state.h);
     }
 }
 
