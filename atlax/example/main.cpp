@@ -1,5 +1,6 @@
 // atlax_example: what an application of atlax looks like, once for every backend.
 #include <CLI/CLI.hpp>
+#include <atlax/arguments.hpp>
 #include <atlax/backend.hpp>
 
 #include "example.hpp"
@@ -15,7 +16,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(atlax::FixedTimestep::minRateHz, atlax::FixedTimestep::maxRateHz));
     auto* measured = app.add_option("--seconds", seconds,
                                     "Measure so long how ticks keep to real time, then end")
-                         ->check(CLI::Range(0.1, 3600.0));
+                         ->check(atlax::between(0.1, 3600), "0.1 to 3600");
     app.add_option("--pictures", example.pictures, "Folder of the pictures that F12 takes")
         ->check(CLI::ExistingDirectory);
     app.add_flag("--still", example.still, "Draw no motion");

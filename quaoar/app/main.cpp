@@ -1,5 +1,6 @@
 // quaoar: plays Escape from Quaoar, verifies its levels, takes pictures of them.
 #include <CLI/CLI.hpp>
+#include <atlax/arguments.hpp>
 #include <atlax/backend.hpp>
 #include <atlax/records.hpp>
 #include <cstdio>
@@ -40,7 +41,7 @@ void describe(CLI::App& app, Arguments& arguments) {
                                       "Draw one picture offscreen and write it as PNG")
                            ->type_name("OUT.png");
     app.add_option("--at", arguments.at, "Seconds after the start at which the picture is taken")
-        ->check(CLI::Range(0.0, 3600.0))
+        ->check(atlax::between(0, 3600), "0 to 3600")
         ->needs(screenshot);
     app.add_option("--replay", arguments.replay, "Recording that is played up to the picture")
         ->type_name("FILE")

@@ -130,7 +130,8 @@ int main(int argc, char** argv) {
     app.add_option("level", arguments.level, "Level file")->required()->type_name("FILE");
     app.add_option("--out", arguments.out, "Where the proof goes; beside the level if not given")
         ->type_name("PROOF");
-    app.add_option("--seed", arguments.seed, "First seed of the random choices");
+    app.add_option("--seed", arguments.seed, "First seed of the random choices")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--tries", arguments.tries, "Search with so many seeds, keep the shortest way")
         ->check(CLI::Range(1, 10000));
     app.add_option("--budget", arguments.budget, "Simulated seconds before a search gives up")

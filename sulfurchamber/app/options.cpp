@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <atlax/arguments.hpp>
 
 namespace sulfurchamber {
 
@@ -15,14 +16,16 @@ Parsed parseCommandLine(int argc, char** argv) {
     app.add_option("--drop", options.drop, "Let this many boxes fall into the scene")
         ->check(CLI::Range(0, 4000));
     app.add_option("--rain", options.rain, "Let this many boxes per second fall")
-        ->check(CLI::Range(0.0, 100.0));
+        ->check(atlax::between(0, 100), "0 to 100");
     app.add_option("--screenshot", options.screenshot,
                    "Write a picture of the window (PNG) at the time --at, then quit");
-    app.add_option("--picture", options.picture,
-                   "Write a picture of the drawing area (PNG) at the time --at; needs no display");
+    auto* picture = app.add_option(
+        "--picture", options.picture,
+        "Write a picture of the drawing area (PNG) at the time --at; needs no display");
     app.add_option("--at", options.at, "Seconds of simulated time for the pictures")
-        ->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--script", options.script, "Run a script of commands (see --script-help)");
+        ->check(atlax::between(0, 3600), "0 to 3600");
+    app.add_option("--script", options.script, "Run a script of commands (see --script-help)")
+        ->excludes(picture);  // which has no window to act on
     app.add_option("--theme", options.theme,
                    "Panels: dark (default), light, or as the system has them")
         ->check(CLI::IsMember({"dark", "light", "system"}));

@@ -1,6 +1,10 @@
 #include "picture.hpp"
 
+#include <sys/stat.h>
+
 #include <atlax/backend.hpp>
+#include <filesystem>
+#include <optional>
 
 #include "../view/scene_view.hpp"
 
@@ -40,6 +44,13 @@ private:
     bool asked_ = false;
 };
 
+/// A picture that is written is another file than the one that was there.
+std::optional<ino_t> fileNumber(const std::filesystem::path& file) {
+    struct stat info {};
+    if (::stat(file.c_str(), &info) != 0) return std::nullopt;
+    return info.st_ino;
+}
+
 }  // namespace
 
 int writePicture(Workbench& bench, const Options& options) {
@@ -48,10 +59,10 @@ int writePicture(Workbench& bench, const Options& options) {
     atlax::WindowOptions window;
     window.size = {options.width, options.height};
     window.tickRateHz = bench.document().world().settings().tickRate;
-    std::error_code ignored;
-    std::filesystem::remove(options.picture, ignored);
+    const auto before = fileNumber(options.picture);
     const int code = atlax::runOffscreen(app, window);
-    if (code == 0 && !std::filesystem::exists(options.picture)) return 1;  // the log says why
+    const auto after = fileNumber(options.picture);
+    if (code == 0 && (!after || after == before)) return 1;  // the log says why
     return code;
 }
 

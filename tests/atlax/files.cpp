@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -66,6 +68,42 @@ TEST(Files, aFailedWriteLeavesEverythingAsItWas) {
     EXPECT_EQ(readFile(folder / "file", 10), "old");
     EXPECT_EQ(filesIn(folder.path()), 2u);
     EXPECT_THROW(writeFileAtomic("/dev/full/x", "x"), Error);
+}
+
+TEST(Files, behindALinkIsWrittenNotTheLink) {
+    const TemporaryFolder folder;
+    fs::create_symlink(folder / "real", folder / "link");
+    writeFileAtomic(folder / "link", "one");
+    writeFileAtomic(folder / "link", "two", Backup::KeepOne);
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_EQ(readFile(folder / "real", 10), "two");
+    EXPECT_EQ(readFile(folder / "real.bak", 10), "one");
+}
+
+TEST(Files, pipesAndDevicesAreNotReplaced) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    fs::create_symlink("/dev/null", folder / "link");
+    EXPECT_THROW(writeFileAtomic(folder / "pipe", "x"), Error);
+    EXPECT_THROW(writeFileAtomic(folder / "link", "x"), Error);
+    EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_EQ(filesIn(folder.path()), 2u);
+}
+
+TEST(Files, whatKilledWritersLeftIsClearedAway) {
+    const TemporaryFolder folder;
+    for (const char* name : {"file.new-abcdef", "file.new-notes.txt", "file.backup"})
+        writeFileAtomic(folder / name, "x");
+    const fs::path held = folder / "file.new-ghijkl";
+    writeFileAtomic(held, "of a writer that lives");
+    const int writer = ::open(held.c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(writer, LOCK_EX), 0);
+    writeFileAtomic(folder / "file", "new");
+    EXPECT_FALSE(fs::exists(folder / "file.new-abcdef"));
+    EXPECT_TRUE(fs::exists(held));
+    EXPECT_EQ(filesIn(folder.path()), 4u);
+    ::close(writer);
 }
 
 TEST(Files, messagesNameTheFile) {

@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -80,12 +81,47 @@ void writeAll(const Descriptor& out, const fs::path& file, std::span<const std::
     if (::fsync(out.get()) != 0) failErrno(file, "cannot be flushed to the disk");
 }
 
-/// The name of a new file beside the target, removed again unless it was renamed.
+/// Between a file's name and six letters in the names of its new files.
+constexpr std::string_view newMark = ".new-";
+
+/// Through a link, the file that it points to is the one to replace, whether it is there or not.
+fs::path behindLinks(const fs::path& file) {
+    constexpr int most = 40;  // as Linux has it
+    fs::path target = file;
+    std::error_code unknown;
+    for (int i = 0; i < most && fs::is_symlink(target, unknown); ++i)
+        target = target.parent_path() / fs::read_symlink(target);
+    return target;
+}
+
+/// Removes what writers of this file have left that were killed: nobody holds its lock any more.
+void removeLeftovers(const fs::path& target) {
+    const std::string start = target.filename().string() + std::string(newMark);
+    std::error_code ignored;
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(start) || name.size() != start.size() + 6) continue;
+        const Descriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+        if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0)
+            ::unlink(entry.path().c_str());
+    }
+}
+
+/// A new file beside the target, locked while its writer lives, removed again unless it was
+/// renamed.
 class NewFile {
 public:
-    explicit NewFile(const fs::path& target) : name_(target.string() + ".XXXXXX") {
-        number_ = ::mkostemp(name_.data(), O_CLOEXEC);
-        if (number_ < 0) failErrno(target, "cannot be written");
+    explicit NewFile(const fs::path& target) {
+        removeLeftovers(target);
+        struct stat info {};
+        do {  // until nobody has taken it for a leftover before it was locked
+            if (number_ >= 0) ::close(number_);
+            name_ = target.string() + std::string(newMark) + "XXXXXX";
+            number_ = ::mkostemp(name_.data(), O_CLOEXEC);
+            if (number_ < 0) failErrno(target, "cannot be written");
+            ::flock(number_, LOCK_EX);
+        } while (::fstat(number_, &info) == 0 && info.st_nlink == 0);
         ::fchmod(number_, 0644);
     }
     ~NewFile() {
@@ -155,13 +191,16 @@ void writeFileAtomic(const fs::path& file, std::span<const std::byte> bytes, Bac
         fs::create_directories(file.parent_path(), failed);
         if (failed) fail(file, "its folder cannot be made: " + failed.message());
     }
-    if (fs::is_directory(file)) fail(file, "is a folder");
-    NewFile fresh(file);
+    const fs::path target = behindLinks(file);
+    if (fs::is_directory(target)) fail(file, "is a folder");
+    if (fs::exists(target) && !fs::is_regular_file(target))
+        fail(file, "is no regular file; allowed is a file, or a name that is free");
+    NewFile fresh(target);
     Descriptor out(fresh.descriptor());
-    writeAll(out, file, bytes);
+    writeAll(out, target, bytes);
+    if (backup == Backup::KeepOne) keepBackup(target);
+    fresh.renameTo(target);
     if (!out.close()) failErrno(file, "cannot be written");
-    if (backup == Backup::KeepOne) keepBackup(file);
-    fresh.renameTo(file);
 }
 
 void writeFileAtomic(const fs::path& file, std::string_view text, Backup backup) {

@@ -1,5 +1,6 @@
 // Writing so that a crash or a full disk leaves either the old file or the new one, whole.
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -19,13 +20,38 @@ namespace fs = std::filesystem;
                      "; nothing was changed, choose another place or make room");
 }
 
-/// A new file that vanishes unless it is kept.
+/// Between a file's name and six letters in the names of its new files.
+constexpr const char* newMark = ".new-";
+
+/// Removes what writers of this file have left that were killed: nobody holds its lock any more.
+void removeLeftovers(const fs::path& target) {
+    const std::string start = target.filename().string() + newMark;
+    std::error_code ignored;
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(start) || name.size() != start.size() + 6) continue;
+        const int left = ::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+        if (left < 0) continue;
+        if (::flock(left, LOCK_EX | LOCK_NB) == 0) ::unlink(entry.path().c_str());
+        ::close(left);
+    }
+}
+
+/// A new file, locked while its writer lives, that vanishes unless it is kept.
 class NewFile {
 public:
     /// Beside `target`, because only there it can be renamed to it.
-    explicit NewFile(const fs::path& target) : target_(target), path_(target.string() + ".XXXXXX") {
-        descriptor_ = ::mkstemp(path_.data());
-        if (descriptor_ < 0) refuse(target_, "cannot be written", errno);
+    explicit NewFile(const fs::path& target) : target_(target) {
+        removeLeftovers(target);
+        struct stat now {};
+        do {  // until nobody has taken it for a leftover before it was locked
+            if (descriptor_ >= 0) ::close(descriptor_);
+            path_ = target.string() + newMark + "XXXXXX";
+            descriptor_ = ::mkostemp(path_.data(), O_CLOEXEC);
+            if (descriptor_ < 0) refuse(target_, "cannot be written", errno);
+            ::flock(descriptor_, LOCK_EX);
+        } while (::fstat(descriptor_, &now) == 0 && now.st_nlink == 0);
         struct stat before {};
         const bool there = ::stat(target_.c_str(), &before) == 0;
         const auto mask = ::umask(0);
@@ -48,15 +74,15 @@ public:
             done += static_cast<std::size_t>(count);
         }
         if (::fsync(descriptor_) != 0) refuse(target_, "cannot be brought to the disk", errno);
-        const int result = ::close(descriptor_);
-        descriptor_ = -1;
-        if (result != 0) refuse(target_, "cannot be brought to the disk", errno);
     }
 
     void keepAs(const fs::path& name) {
         if (::rename(path_.c_str(), name.c_str()) != 0)
             refuse(target_, "cannot be replaced", errno);
         path_.clear();
+        const int result = ::close(descriptor_);
+        descriptor_ = -1;
+        if (result != 0) refuse(target_, "cannot be brought to the disk", errno);
     }
 
 private:
@@ -96,6 +122,9 @@ void writeFile(const std::string& text, const fs::path& file) {
         throw WriteError(file.string() + ": is a folder; needed is the name of a file");
     // Through a link, the file that it points to is the one to replace.
     const fs::path target = fs::is_symlink(file, problem) ? fs::weakly_canonical(file) : file;
+    if (fs::exists(target, problem) && !fs::is_regular_file(target, problem))
+        throw WriteError(file.string() +
+                         ": is no regular file; allowed is a file, or a name that is free");
     NewFile fresh(target);
     fresh.write(text);
     keepBackup(target);

@@ -278,6 +278,8 @@ Document Document::read(const std::filesystem::path& file, const DocumentLimits&
         throw ReadError(name, 0, "", "is not there; check the name of the file");
     if (std::filesystem::is_directory(status))
         throw ReadError(name, 0, "", "is a folder; needed is a file");
+    if (std::filesystem::is_fifo(status))  // it would wait for a writer for ever
+        throw ReadError(name, 0, "", "is a pipe; needed is a file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw ReadError(name, 0, "", "cannot be opened; check its permissions");
     // One byte more than allowed is enough to see that there is too much, also of an endless pipe.

@@ -1,5 +1,6 @@
 // Files on the disk: whole or not at all.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -97,6 +98,23 @@ TEST_F(File, BehindALinkIsReplacedNotTheLink) {
     writeFile("[]", link);
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(content(file), "[]");
+}
+
+TEST_F(File, IsNoPipe) {
+    const auto pipe = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(writeFile("x", pipe), WriteError);
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_EQ(count(), 1u);
+}
+
+TEST_F(File, ClearsAwayWhatKilledWritersLeft) {
+    const auto file = folder_ / "scene.json";
+    for (const char* name : {"scene.json.new-abcdef", "scene.json.new-notes", "scene.json.backup"})
+        std::ofstream(folder_ / name) << "x";
+    writeFile("new", file);
+    EXPECT_FALSE(fs::exists(folder_ / "scene.json.new-abcdef"));
+    EXPECT_EQ(count(), 3u);
 }
 
 TEST_F(File, OfABlueprint) {

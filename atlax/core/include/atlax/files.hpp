@@ -21,8 +21,9 @@ enum class Backup { None, KeepOne };
 
 /// Writes to a new file in the same folder, flushes it to the disk and renames it over the target:
 /// whatever happens, the target is the old or the new content, never a part. Missing folders are
-/// made. With Backup::KeepOne the previous content stays as "<name>.bak". Throws Error; the target
-/// is then as before.
+/// made. With Backup::KeepOne the previous content stays as "<name>.bak". Through a symbolic link,
+/// the file that it points to is written. What killed writers of this file have left is removed.
+/// Throws Error, also for a pipe, a device or a folder; the target is then as before.
 void writeFileAtomic(const std::filesystem::path& file, std::span<const std::byte> bytes,
                      Backup backup = Backup::None);
 void writeFileAtomic(const std::filesystem::path& file, std::string_view text,
