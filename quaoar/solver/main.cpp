@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <CLI/CLI.hpp>
+#include <atlax/arguments.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <quaoar/recording.hpp>
@@ -135,7 +136,7 @@ int main(int argc, char** argv) {
     app.add_option("--tries", arguments.tries, "Search with so many seeds, keep the shortest way")
         ->check(CLI::Range(1, 10000));
     app.add_option("--budget", arguments.budget, "Simulated seconds before a search gives up")
-        ->check(CLI::Range(1.0, 1e7));
+        ->check(atlax::between(1, 1e7), "1 to 1e7");
     app.add_option("--jitter", arguments.jitter, "Replays with shaken timing, for the report")
         ->check(CLI::Range(0, 10000));
     app.add_option("--check", arguments.check, "Only replay this proof; exit status 0 if it holds")

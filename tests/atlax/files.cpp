@@ -78,6 +78,9 @@ TEST(Files, behindALinkIsWrittenNotTheLink) {
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
     EXPECT_EQ(readFile(folder / "real", 10), "two");
     EXPECT_EQ(readFile(folder / "real.bak", 10), "one");
+    fs::create_symlink(folder / "round", folder / "round");
+    EXPECT_THROW(writeFileAtomic(folder / "round", "x"), Error);
+    EXPECT_EQ(filesIn(folder.path()), 4u);
 }
 
 TEST(Files, pipesAndDevicesAreNotReplaced) {

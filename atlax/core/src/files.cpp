@@ -34,11 +34,6 @@ public:
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     int get() const { return number_; }
-    bool close() {
-        const int result = ::close(number_);
-        number_ = -1;
-        return result == 0;
-    }
 
 private:
     int number_;
@@ -90,7 +85,8 @@ fs::path behindLinks(const fs::path& file) {
     fs::path target = file;
     std::error_code unknown;
     for (int i = 0; i < most && fs::is_symlink(target, unknown); ++i)
-        target = target.parent_path() / fs::read_symlink(target);
+        target = target.parent_path() / fs::read_symlink(target, unknown);
+    if (fs::is_symlink(target, unknown)) fail(file, "is a link that leads nowhere");
     return target;
 }
 
@@ -192,15 +188,16 @@ void writeFileAtomic(const fs::path& file, std::span<const std::byte> bytes, Bac
         if (failed) fail(file, "its folder cannot be made: " + failed.message());
     }
     const fs::path target = behindLinks(file);
-    if (fs::is_directory(target)) fail(file, "is a folder");
-    if (fs::exists(target) && !fs::is_regular_file(target))
+    std::error_code unknown;
+    const auto status = fs::status(target, unknown);
+    if (fs::is_directory(status)) fail(file, "is a folder");
+    if (fs::exists(status) && !fs::is_regular_file(status))
         fail(file, "is no regular file; allowed is a file, or a name that is free");
     NewFile fresh(target);
-    Descriptor out(fresh.descriptor());
+    const Descriptor out(fresh.descriptor());  // locked until the file has its name
     writeAll(out, target, bytes);
     if (backup == Backup::KeepOne) keepBackup(target);
     fresh.renameTo(target);
-    if (!out.close()) failErrno(file, "cannot be written");
 }
 
 void writeFileAtomic(const fs::path& file, std::string_view text, Backup backup) {

@@ -20,6 +20,18 @@ namespace fs = std::filesystem;
                      "; nothing was changed, choose another place or make room");
 }
 
+/// Through a link, the file that it points to is the one to replace, whether it is there or not.
+fs::path behindLinks(const fs::path& file) {
+    constexpr int most = 40;  // as Linux has it
+    fs::path target = file;
+    std::error_code problem;
+    for (int i = 0; i < most && fs::is_symlink(target, problem); ++i)
+        target = target.parent_path() / fs::read_symlink(target, problem);
+    if (fs::is_symlink(target, problem))
+        throw WriteError(file.string() + ": is a link that leads nowhere; choose another place");
+    return target;
+}
+
 /// Between a file's name and six letters in the names of its new files.
 constexpr const char* newMark = ".new-";
 
@@ -80,9 +92,6 @@ public:
         if (::rename(path_.c_str(), name.c_str()) != 0)
             refuse(target_, "cannot be replaced", errno);
         path_.clear();
-        const int result = ::close(descriptor_);
-        descriptor_ = -1;
-        if (result != 0) refuse(target_, "cannot be brought to the disk", errno);
     }
 
 private:
@@ -117,12 +126,12 @@ void keepBackup(const fs::path& file) {
 }  // namespace
 
 void writeFile(const std::string& text, const fs::path& file) {
+    const fs::path target = behindLinks(file);
     std::error_code problem;
-    if (fs::is_directory(file, problem))
+    const auto status = fs::status(target, problem);
+    if (fs::is_directory(status))
         throw WriteError(file.string() + ": is a folder; needed is the name of a file");
-    // Through a link, the file that it points to is the one to replace.
-    const fs::path target = fs::is_symlink(file, problem) ? fs::weakly_canonical(file) : file;
-    if (fs::exists(target, problem) && !fs::is_regular_file(target, problem))
+    if (fs::exists(status) && !fs::is_regular_file(status))
         throw WriteError(file.string() +
                          ": is no regular file; allowed is a file, or a name that is free");
     NewFile fresh(target);

@@ -161,13 +161,10 @@ private:
         for (std::uint32_t s = 0; s < steps && (whole.good() || steps == mostSteps); ++s) {
             const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
             if (steps == mostSteps) before_ = motion_;
-            torn_ = steps == mostSteps && isTorn(step);
-            Outcome one;
-            if (!torn_) one = makeStep(kick, step, s == 0, false);
-            if (steps == mostSteps && (torn_ || !one.tolerable())) {
+            Outcome one = makeStep(kick, step, s == 0, false);
+            if (steps == mostSteps && !torn_ && !one.tolerable()) {
                 motion_ = before_;
                 one = makeStep(kick, step, s == 0, true);
-                ++state_.statistics.chainFallbacks;
             }
             finishStep(step);
             whole.add(one);
@@ -179,6 +176,8 @@ private:
         step_ = step;
         predict(kick, step);
         beginStep(kick, step, first);
+        fallback |= torn_;
+        if (fallback) ++state_.statistics.chainFallbacks;
         if (fallback)
             for (std::size_t i = 1; i < count_; ++i) links_[i].lambda = {0, 0};
         else
@@ -235,17 +234,10 @@ private:
         return moved ? turned(unitVector(m.turning), before) : before;
     }
 
-    /// Whether a rigid link is not as long as it should be, so that it closes in.
-    bool isTorn(double step) const {
-        for (std::size_t i = 1; i < count_; ++i)
-            if (node(i).kind == LinkKind::joint && links_[i].elastic.rigid &&
-                errorLeft(spanOf(i, false).apart.norm() - links_[i].rest, step) != 0)
-                return true;
-        return false;
-    }
-
     void beginStep(double kick, double step, bool first) {
         const double perNewton = kick * step / resistance(state_, kick);
+        const bool shortest = step <= tick() / mostSteps;
+        torn_ = false;
         for (std::size_t i = 1; i < count_; ++i) {
             LinkData& link = links_[i];
             link.start = spanOf(i, false);
@@ -258,6 +250,7 @@ private:
                 continue;
             }
             link.left[0] = link.elastic.rigid ? errorLeft(link.length - link.rest, step) : 0;
+            torn_ |= shortest && link.left[0] != 0;
             link.inert = !(link.length > 1e-12);
             link.early = 0;
             if (!link.inert) link.direction = link.start.apart / link.length;
@@ -477,7 +470,7 @@ private:
     std::vector<LinkData>& links_;
     std::uint32_t count_;
     double step_ = 0;    // s, of the step that is made
-    bool torn_ = false;  // whether its rigid links give way
+    bool torn_ = false;  // whether, in the shortest, a rigid link is not as long as it should be
 };
 
 void stepTree(State& state, Tree& tree) {

@@ -216,14 +216,13 @@ void World::setMass(ParticleId id, Real mass) {
     State& state = impl_->state();
     const auto i = indexOf(state, id);
     requireRange(static_cast<double>(mass), detail::minMass, detail::maxMass, "mass");
-    for (const ParticleId other : state.bodies[state.particles.body[i]].particles)
-        if (other != id)
-            detail::requireMassRatio(
-                static_cast<double>(mass),
-                static_cast<double>(state.particles.mass[state.particleSlots.dense(other)]),
-                "mass");
-    state.particles.mass[i] = mass;
     const auto body = state.particles.body[i];
+    const auto first = state.bodies[body].firstParticle;
+    for (auto k = first; k < first + state.bodies[body].particles.size(); ++k)
+        if (k != i)
+            detail::requireMassRatio(static_cast<double>(mass),
+                                     static_cast<double>(state.particles.mass[k]), "mass");
+    state.particles.mass[i] = mass;
     detail::wakeBody(state, body);
     detail::restoreInverseMass(state, body);
     detail::shapeChanged(state, body);

@@ -1,4 +1,4 @@
-// A scene that uses every feature of the library, stepped tick by tick. Every build of the library
+// A scene that uses most features of the library, stepped tick by tick. Every build of the library
 // must print the same. `every_feature` prints a line for each tick: its number, the hash of the
 // world, and one of each array. `every_feature TICK` prints each element of that tick.
 #include <bit>
@@ -85,8 +85,6 @@ public:
         drive(t);
         interfere(t);
         world_.step();
-        for (const JointBroken& broken : world_.events().jointsBroken)
-            if (world_.contains(broken.body)) world_.setUserData(broken.body, 1);
     }
 
 private:
@@ -110,7 +108,7 @@ private:
         for (int i = 0; i < 24; ++i)
             heap_.push_back(
                 world_.add(plans[i % 8], {{-7.0 + 2 * (i % 8), 1.5 + 1.6 * (i / 8)}, 0.37 * i}));
-        wall_ = world_.add(shapes::wall({.strength = 400}), {.position = {0, 1}});
+        world_.add(shapes::wall({.strength = 400}), {.position = {0, 1}});
         world_.setVelocity(heap_[9], {6, -8});
     }
 
@@ -141,6 +139,10 @@ private:
         chain_ = world_.add(shapes::chain({.from = {2, 9}, .to = {5, 9}, .pinFirst = true}));
         world_.attach(chain_.back(), heap_[20], {Real(0.2), Real(0.2)});
         world_.add(shapes::bridge({.from = {-8, 6}, .to = {-4, 6}}));
+        const Body thread = world_.add(shapes::rope({.from = {7, 9}, .to = {7, 7}}));
+        world_.attach(thread.front(), rope_.joints()[200], Real(0.3));
+        world_.setSelfCollision(thread, true);
+        world_.connect(heap_[0].front(), heap_[1].front(), {.radius = Real(0.02)});
         world_.add(shapes::cloth({.columns = 8, .rows = 6}), {.position = {-14, 4}});
         grab_ = world_.grab(heap_[3].front(), {-2, 6});
     }
@@ -179,12 +181,16 @@ private:
         if (t == 190) world_.restore(world_.snapshot());
         if (t == 200) heap_.push_back(world_.add(shapes::box(), {{1, 7}, 0.3}));
         if (t == 210) world_.setFilter(heap_[15], {.category = 2, .mask = 1});
+        if (t == 212) world_.setMaterial(crate.joints()[0], Material{.restitution = 1});
+        if (t == 214) world_.setRestLength(jelly.joints()[4], Real(0.3));
+        if (t == 216) world_.setStrength(jelly.joints()[5], 1);
+        if (t == 218) world_.setAirFriction(1);
         if (t == 220) world_.setSensor(heap_[12], true);
     }
 
     World world_;
     std::vector<Body> heap_;
-    Body wall_, rod_, lift_, rope_, chain_;
+    Body rod_, lift_, rope_, chain_;
     FieldId wind_;
     GrabId grab_;
 };

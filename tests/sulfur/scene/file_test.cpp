@@ -100,6 +100,15 @@ TEST_F(File, BehindALinkIsReplacedNotTheLink) {
     EXPECT_EQ(content(file), "[]");
 }
 
+TEST_F(File, BehindALinkNeedNotBeThere) {
+    fs::create_symlink(folder_ / "real.json", folder_ / "link.json");
+    writeFile("x", folder_ / "link.json");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.json"));
+    EXPECT_EQ(content(folder_ / "real.json"), "x");
+    fs::create_symlink(folder_ / "round", folder_ / "round");
+    EXPECT_THROW(writeFile("x", folder_ / "round"), WriteError);
+}
+
 TEST_F(File, IsNoPipe) {
     const auto pipe = folder_ / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

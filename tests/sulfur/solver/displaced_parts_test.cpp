@@ -66,6 +66,7 @@ TEST(DisplacedParts, OfReadyMadeBodiesComeTogetherAgain) {
                 }
 }
 
+/// A force that stands for a whole step lets the energy of a spring waver about its mean.
 TEST(DisplacedParts, OfSpringsGainNoEnergy) {
     const std::pair<std::string, Blueprint> plans[] = {
         {"wheel", shapes::wheel({.spokeStiffness = Real(3e5)})},
