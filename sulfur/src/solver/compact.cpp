@@ -247,6 +247,7 @@ void compact(State& state, Removal& removal) {
     }
     updateReach(state);
     state.structure.changed();
+    state.work.changed();  // its lists name what has moved
 }
 
 void removeBody(State& state, std::uint32_t body) {

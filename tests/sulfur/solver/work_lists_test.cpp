@@ -142,5 +142,23 @@ TEST(WorkLists, GapsAreClosedAndHandlesStayVoid) {
     EXPECT_LT(bytes, 2000000u) << "gaps are closed";
 }
 
+/// A bent body is watched by its place among the bodies, which changes when gaps are closed.
+TEST(WorkLists, WhatIsBentIsFollowedWhenGapsAreClosedAfterAnAddition) {
+    World world;
+    std::vector<BodyId> early;
+    for (int i = 0; i < 6; ++i)
+        early.push_back(world.add(shapes::box(), {Point(2.0 * i, 0), 0}).id());
+    const Body bent = world.add(shapes::box(), {Point(20, 0), 0});
+    world.step();
+    world.setPosition(bent[0], world.position(bent[0]) + Point(0.3, 0.1));
+    world.step();
+    world.add(shapes::box(), {Point(30, 0), 0});
+    for (const BodyId id : early) world.remove(id);
+    world.step();
+    EXPECT_EQ(world.validate(), "");
+    test::run(world, 1);
+    EXPECT_NEAR((world.position(bent[0]) - world.position(bent[1])).norm(), 0.9, 0.2);
+}
+
 }  // namespace
 }  // namespace sulfur
