@@ -4,11 +4,14 @@
 // impulse does: both rows would add to theirs without end, and whoever slips out would be thrown by
 // what the one of them has gathered. So bodies on which a driver still closes in when a step has
 // been solved begin the next one without impulses, if its load goes through them to something else
-// that nothing pushes.
+// that nothing pushes. So do bodies that rows have driven beyond the limit of speed: they do not go
+// on like that, and impulses that found no balance would double in every step.
+#include <cmath>
 #include <utility>
 
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
+#include "core/limits.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
@@ -29,14 +32,28 @@ public:
           core_(state.core),
           movers_(core_.movers),
           pressed_(&state.arena),
-          isPressed_(core_.shapes.firstChunk.size(), 0, &state.arena) {}
+          isPressed_(&state.arena) {}
 
-    void run() {
+    void forgetVain() {
+        if (state_.work.kinematic.empty()) return;
+        isPressed_.assign(core_.shapes.firstChunk.size(), 0);
         for (const auto body : state_.work.kinematic) {
             const auto driver = state_.bodies[body].id.index - 1;
             forEachRow(driver, [&](auto& block, std::uint32_t lane) {
                 if (isVain(block, lane)) follow(block, lane, driver);
             });
+        }
+    }
+
+    void forgetLimited() {
+        const Real most = static_cast<Real>(maxSpeed) * state_.h;
+        for (const auto m : core_.awakeMovers) {
+            if (core_.lengths[m] <= most) continue;
+            const Motion3& way = core_.ways[m];
+            if (std::abs(way.x) > most || std::abs(way.y) > most ||
+                movers_.reach[m] * std::abs(way.turn) > most)
+                forEachRow(movers_.body[m],
+                           [&](auto& block, std::uint32_t lane) { forget(block, lane); });
         }
     }
 
@@ -122,7 +139,9 @@ private:
 }  // namespace
 
 void giveWay(State& state) {
-    if (!state.work.kinematic.empty()) GivingWay(state).run();
+    GivingWay way(state);
+    way.forgetVain();
+    way.forgetLimited();
 }
 
 }  // namespace sulfur::detail

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 #include <memory_resource>
+#include <unordered_map>
+#include <utility>
 
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
@@ -15,6 +17,7 @@ namespace sulfur::detail {
 
 namespace {
 
+using tuned::entangled;
 using tuned::leadingSpeed;
 using tuned::tolerated;
 /// Of the way out, in a step: who is in several others follows the deepest.
@@ -105,15 +108,28 @@ double distanceToSegment(const Point& p, const Thick& t) {
     return (p - t.a - share * along).norm();
 }
 
+/// Whether two surfaces are nearer than this share of their thickness.
+bool areNear(const Thick& s, const Thick& t, double share) {
+    const double near = share * (s.radius + t.radius);
+    return distanceToSegment(s.a, t) < near || distanceToSegment(s.b, t) < near ||
+           distanceToSegment(t.a, s) < near || distanceToSegment(t.b, s) < near;
+}
+
 /// Whether the surfaces still overlap by a good part of their thickness.
 bool overlap(const Outline& one, const Outline& other) {
     for (const Thick& s : one)
-        for (const Thick& t : other) {
-            const double near = tolerated * (s.radius + t.radius);
-            if (distanceToSegment(s.a, t) < near || distanceToSegment(s.b, t) < near ||
-                distanceToSegment(t.a, s) < near || distanceToSegment(t.b, s) < near)
-                return true;
-        }
+        for (const Thick& t : other)
+            if (areNear(s, t, tolerated)) return true;
+    return false;
+}
+
+/// Whether lines that have no inside lie in each other: each corner would be pushed out on whatever
+/// side it happens to be.
+bool areEntangled(const Outline& one, const Outline& other) {
+    const auto hasInside = [](const Thick& t) { return t.disc || t.outward != 0; };
+    for (const Thick& s : one)
+        for (const Thick& t : other)
+            if (!hasInside(s) && !hasInside(t) && areNear(s, t, entangled)) return true;
     return false;
 }
 
@@ -185,14 +201,13 @@ void forEachPart(State& state, std::uint32_t body, OfParticle&& ofParticle, OfCl
     const auto last = record.firstParticle + record.particles.size();
     for (auto i = record.firstParticle; i < last; ++i)
         if (state.particles.cluster[i] == none) ofParticle(i);
-    for (const auto c : state.work.awakeClusters)
-        if (state.clusters.list[c].body == body) ofCluster(state.clusters.list[c]);
-}
-
-void addVelocity(State& state, std::uint32_t body, const Vec2& by) {
-    forEachPart(
-        state, body, [&](std::uint32_t i) { state.particles.displacement[i] += by; },
-        [&](Cluster& c) { c.displacement += by; });
+    // Both lists are in the order of bodies.
+    const auto& awake = state.work.awakeClusters;
+    const auto ofBody = std::partition_point(awake.begin(), awake.end(), [&](std::uint32_t c) {
+        return state.clusters.list[c].body < body;
+    });
+    for (auto c = ofBody; c != awake.end() && state.clusters.list[*c].body == body; ++c)
+        ofCluster(state.clusters.list[*c]);
 }
 
 /// Whoever was put somewhere is looked at once.
@@ -205,8 +220,6 @@ void findOverlaps(State& state) {
                  at = core.pairs[at / 2].next[at % 2])
                 core.leading.push_back(core.pairs[at / 2].encounter);
     }
-    std::sort(core.leading.begin(), core.leading.end());
-    core.leading.erase(std::unique(core.leading.begin(), core.leading.end()), core.leading.end());
     state.placed.clear();
 }
 
@@ -238,39 +251,65 @@ void findEntwined(State& state) {
     }
 }
 
-/// Whether two bodies still are in each other; then they are led on.
-bool lead(State& state, std::uint32_t index) {
-    ContactCore& core = state.core;
-    Encounter& encounter = core.encounters[index];
-    if (!encounter.a || encounter.firstPair == none || encounter.a == encounter.b) return false;
-    const auto slotA = encounter.a.index - 1, slotB = encounter.b.index - 1;
-    if (std::binary_search(core.linkedBodies.begin(), core.linkedBodies.end(),
-                           std::pair(slotA, slotB)))
-        return false;
-    const Outline one = surfacesOfBody(state, slotA), other = surfacesOfBody(state, slotB);
-    if (!areInEachOther(one, other) && !(encounter.overlapping != 0 && overlap(one, other)))
-        return false;
-    const Whole a = wholeOf(state, state.bodySlots.denseOf(slotA)),
-                b = wholeOf(state, state.bodySlots.denseOf(slotB));
-    const double weights = a.inverseMass + b.inverseMass;
-    if (weights == 0) return false;
-    for (const auto& whole : {a, b})
-        if (state.bodies[whole.body].asleep)
-            core.toWake.push_back(state.bodies[whole.body].id.index - 1);
-    const WayOut way = shortestWayOut(one, other);
-    const auto share = [&](double w, double by) {
-        return Vec2((w / weights * by * way.direction).cast<Real>());
-    };
-    const double closing = way.direction.dot(a.way - b.way);
-    if (closing < 0) {
-        addVelocity(state, a.body, share(a.inverseMass, -closing));
-        addVelocity(state, b.body, share(b.inverseMass, closing));
+class Leader {
+public:
+    explicit Leader(State& state) : state_(state), core_(state.core), parts_(&state.arena) {}
+
+    /// Whether two bodies still are in each other; then they are led on.
+    bool lead(const Encounter& encounter) {
+        if (!encounter.a || encounter.firstPair == none || encounter.a == encounter.b) return false;
+        const auto slotA = encounter.a.index - 1, slotB = encounter.b.index - 1;
+        if (std::binary_search(core_.linkedBodies.begin(), core_.linkedBodies.end(),
+                               std::pair(slotA, slotB)))
+            return false;
+        Part &a = partOf(slotA), &b = partOf(slotB);
+        const double weights = a.whole.inverseMass + b.whole.inverseMass;
+        if (weights == 0) return false;
+        const bool goesOn = encounter.overlapping != 0 ? overlap(a.outline, b.outline)
+                                                       : areEntangled(a.outline, b.outline);
+        if (!goesOn && !areInEachOther(a.outline, b.outline)) return false;
+        for (const Part* part : {&a, &b})
+            if (state_.bodies[part->whole.body].asleep)
+                core_.toWake.push_back(state_.bodies[part->whole.body].id.index - 1);
+        const WayOut way = shortestWayOut(a.outline, b.outline);
+        const double closing = way.direction.dot(a.whole.way - b.whole.way);
+        const double move = leadingShare * way.depth;
+        for (const auto& [part, side] : {std::pair(&a, 1.0), std::pair(&b, -1.0)}) {
+            const Point out = side * part->whole.inverseMass / weights * way.direction;
+            if (closing < 0) addVelocity(part->whole, -closing * out);
+            core_.leads.push_back({part->whole.body, (move * out).cast<Real>()});
+        }
+        return true;
     }
-    const double move = leadingShare * way.depth;
-    core.leads.push_back({a.body, share(a.inverseMass, move)});
-    core.leads.push_back({b.body, share(b.inverseMass, -move)});
-    return true;
-}
+
+private:
+    /// What is asked for each of the bodies that a body is in.
+    struct Part {
+        Outline outline;
+        Whole whole;
+    };
+
+    Part& partOf(std::uint32_t slot) {
+        const auto at = parts_.find(slot);
+        if (at != parts_.end()) return at->second;
+        return parts_
+            .emplace(slot, Part{surfacesOfBody(state_, slot),
+                                wholeOf(state_, state_.bodySlots.denseOf(slot))})
+            .first->second;
+    }
+
+    void addVelocity(Whole& whole, const Point& by) {
+        whole.way += by;
+        const Vec2 more = by.cast<Real>();
+        forEachPart(
+            state_, whole.body, [&](std::uint32_t i) { state_.particles.displacement[i] += more; },
+            [&](Cluster& c) { c.displacement += more; });
+    }
+
+    State& state_;
+    ContactCore& core_;
+    std::pmr::unordered_map<std::uint32_t, Part> parts_;  // by slot
+};
 
 }  // namespace
 
@@ -280,8 +319,11 @@ void leadApart(State& state) {
     if (!state.placed.empty()) findOverlaps(state);
     findEntwined(state);
     if (core.leading.empty()) return;
+    std::sort(core.leading.begin(), core.leading.end());
+    core.leading.erase(std::unique(core.leading.begin(), core.leading.end()), core.leading.end());
+    Leader leader(state);
     std::erase_if(core.leading, [&](std::uint32_t index) {
-        const bool goesOn = lead(state, index);
+        const bool goesOn = leader.lead(core.encounters[index]);
         core.encounters[index].overlapping = goesOn ? 1 : 0;
         return !goesOn;
     });

@@ -221,8 +221,13 @@ void updateBoxes(State& state) {
     };
     for (const auto c : core.newChunks) renew(c);
     core.newChunks.clear();
-    for (const auto c : core.awakeChunks)
-        if (core.ahead[core.shapes.chunks[c].frame] >= core.shapes.chunks[c].leaveAt) renew(c);
+    const auto hasRoom = [](const Chunk& chunk) {
+        return chunk.crowded != 0 && chunk.owned < tuned::mostPairs;
+    };
+    for (const auto c : core.awakeChunks) {
+        const Chunk& chunk = core.shapes.chunks[c];
+        if (core.ahead[chunk.frame] >= chunk.leaveAt || hasRoom(chunk)) renew(c);
+    }
 }
 
 void lookAtPairs(State& state) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "contacts/encounters.hpp"
+#include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
@@ -27,6 +28,7 @@ void link(ContactCore& core, std::uint32_t pair, std::uint32_t side) {
     if (head != none) core.pairs[head / 2].previous[head % 2] = 2 * pair + side;
     head = 2 * pair + side;
     ++core.shapes.chunks[chunk].pairs;
+    if (p.owner == side) ++core.shapes.chunks[chunk].owned;
 }
 void unlink(ContactCore& core, std::uint32_t pair, std::uint32_t side) {
     const Pair p = core.pairs[pair];
@@ -38,6 +40,7 @@ void unlink(ContactCore& core, std::uint32_t pair, std::uint32_t side) {
         headOf(core, chunk) = next;
     if (next != none) core.pairs[next / 2].previous[next % 2] = previous;
     --core.shapes.chunks[chunk].pairs;
+    if (p.owner == side) --core.shapes.chunks[chunk].owned;
 }
 
 bool isVetoed(const State& state, BodyId a, BodyId b) {
@@ -59,7 +62,20 @@ bool areLinked(const ContactCore& core, std::uint32_t a, std::uint32_t b) {
            std::binary_search(core.linkedBodies.begin(), core.linkedBodies.end(), std::pair(a, b));
 }
 
-void makePair(State& state, std::uint32_t first, std::uint32_t second) {
+double extentOf(const Chunk& c) {
+    return std::max(c.high[0] - c.low[0], c.high[1] - c.low[1]);
+}
+
+/// Whose pair it would be: that of the smaller one, because only so many larger ones have room
+/// around it.
+std::uint32_t ownerOf(const std::vector<Chunk>& chunks, std::uint32_t first, std::uint32_t second) {
+    const double one = extentOf(chunks[first]), other = extentOf(chunks[second]);
+    if (one == other) return std::max(first, second);
+    return one < other ? first : second;
+}
+
+std::uint32_t makePair(State& state, std::uint32_t first, std::uint32_t second,
+                       std::uint32_t owner) {
     ContactCore& core = state.core;
     const auto& chunks = core.shapes.chunks;
     // What reaches less far from its centre is b, so that turns count little where looks are
@@ -79,6 +95,7 @@ void makePair(State& state, std::uint32_t first, std::uint32_t second) {
     Pair& pair = core.pairs[slot];
     pair.a = first;
     pair.b = second;
+    pair.owner = owner == first ? 0 : 1;
     const Chunk &a = chunks[first], &b = chunks[second];
     pair.isManifold = a.kind == ChunkKind::convex && b.kind == ChunkKind::convex &&
                               a.body != b.body && !areLinked(core, a.body, b.body)
@@ -88,6 +105,7 @@ void makePair(State& state, std::uint32_t first, std::uint32_t second) {
     if (first != second) link(core, slot, 1);
     enterEncounter(state, slot);
     watchPair(state, slot, -1);  // it is looked at in this step
+    return slot;
 }
 
 bool meet(const Chunk& a, const Chunk& b) {
@@ -197,21 +215,36 @@ void endPairs(State& state, std::uint32_t chunk) {
         endPair(state, core.shapes.chunks[chunk].firstPair / 2);
 }
 
-void updatePairs(State& state, std::uint32_t index) {
+namespace {
+
+/// Ends the pairs of a chunk that have parted, and lists with whom it has others.
+void findKnown(State& state, std::uint32_t index, std::vector<std::uint32_t>& known) {
     ContactCore& core = state.core;
-    const auto& chunks = core.shapes.chunks;
-    auto& known = core.again;  // chunks
     known.clear();
-    for (auto at = chunks[index].firstPair; at != none;) {
+    for (auto at = core.shapes.chunks[index].firstPair; at != none;) {
         const Pair& p = core.pairs[at / 2];
         const auto next = p.next[at % 2];
-        if (meet(chunks[p.a], chunks[p.b]))
+        if (meet(core.shapes.chunks[p.a], core.shapes.chunks[p.b]))
             known.push_back(at % 2 == 0 ? p.b : p.a);
         else
             endPair(state, at / 2);
         at = next;
     }
     std::sort(known.begin(), known.end());
+}
+
+}  // namespace
+
+void updatePairs(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    auto& chunks = core.shapes.chunks;
+    auto& known = core.again;  // chunks
+    findKnown(state, index, known);
+    if (chunks[index].owned >= tuned::mostPairs) {
+        chunks[index].crowded = 1;
+        return;
+    }
+    const bool wasCrowded = std::exchange(chunks[index].crowded, 0) != 0;
     const Chunk& own = chunks[index];
     core.grid.forEachIn(chunks, own.low, own.high, [&](std::uint32_t other) {
         if (std::binary_search(known.begin(), known.end(), other)) return;
@@ -222,7 +255,15 @@ void updatePairs(State& state, std::uint32_t index) {
         } else if (!mayTouch(state, own, chunks[other])) {
             return;
         }
-        makePair(state, index, other);
+        const auto owner = ownerOf(chunks, index, other);
+        if (chunks[owner].owned >= tuned::mostPairs) {
+            chunks[owner].crowded = 1;
+            return;
+        }
+        const auto pair = makePair(state, index, other, owner);
+        // What had to wait for its pair may be in the other already.
+        if (wasCrowded || chunks[other].crowded != 0)
+            core.leading.push_back(core.pairs[pair].encounter);
     });
 }
 

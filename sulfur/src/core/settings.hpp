@@ -56,6 +56,9 @@ inline constexpr double leadingSpeed = 0.98 * recoverySpeed;
 inline constexpr double mostRecoverySpeed = 0.9;
 /// Share of the thickness from which on rows push apart what is led apart.
 inline constexpr double tolerated = 0.9;
+/// Share of the thickness below which rows would push what was put into each other out on whatever
+/// side each corner happens to be: it is led apart first.
+inline constexpr double entangled = 0.5;
 
 // Distances, in the thickness of what touches.
 
@@ -108,6 +111,9 @@ inline constexpr double mended = 1.0 / 4;
 inline constexpr int impactRounds = 8 * rounds, plasticSweeps = impactRounds / 2;
 /// Rounds of the search for the moment at which two outlines touch.
 inline constexpr int momentRounds = 2 * rounds;
+/// Pairs that a chunk has with larger ones, so that what is put into one place has a price in memory
+/// and time. Where nothing overlaps, boxes meet far fewer.
+inline constexpr std::uint32_t mostPairs = rounds * rounds;
 /// Rounds in which what is fast is held back from one another.
 inline constexpr int keepingRounds = rounds;
 

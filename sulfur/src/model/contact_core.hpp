@@ -41,7 +41,7 @@ struct Pair {
     Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
     std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
-    std::uint32_t unused = 0;  // no padding, because its bytes are hashed
+    std::uint32_t owner = 0;  // 0: it counts as a's own, 1: as b's
 };
 
 /// Whether two chunks are near enough to have rows, asleep or not.

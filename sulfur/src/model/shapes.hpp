@@ -57,6 +57,8 @@ struct Chunk {
     Real radius = 0;                            // m, the largest
     Real fineness = 0;                          // m, the least radius
     std::uint32_t firstPair = none, pairs = 0;  // in the pair table
+    std::uint32_t owned = 0;    // of these, those with larger ones: they count as its own
+    std::uint32_t crowded = 0;  // 1: it may be near more of them than it may have pairs with
     // In the broad phase.
     std::array<double, 2> low{0, 0}, high{0, 0};  // m, the box that it stays in
     std::uint32_t cell = none, nextInCell = none, previousInCell = none;

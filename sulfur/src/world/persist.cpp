@@ -11,7 +11,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x37735f7266756c53u;  // "Slfr_s7", little-endian
+constexpr std::uint64_t snapshotMark = 0x38735f7266756c53u;  // "Slfr_s8", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>

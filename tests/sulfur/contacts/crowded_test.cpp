@@ -1,0 +1,106 @@
+// Many bodies at one place, as somebody makes them who pastes without moving the mouse.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+std::vector<Body> addAtOnePoint(World& world, const Blueprint& plan, int count) {
+    std::vector<Body> bodies;
+    for (int i = 0; i < count; ++i) bodies.push_back(world.add(plan, {Point(0, 2), 0}));
+    return bodies;
+}
+
+std::size_t bytesOf(const World& world) {
+    const auto uses = world.memory();
+    return std::accumulate(uses.begin(), uses.end(), std::size_t{0},
+                           [](std::size_t sum, const MemoryUse& use) { return sum + use.bytes; });
+}
+
+double fastestOf(const World& world, const std::vector<Body>& bodies) {
+    double fastest = 0;
+    for (const Body& body : bodies)
+        for (const ParticleId p : body.particles())
+            fastest = std::max(fastest, static_cast<double>(world.velocity(p).norm()));
+    return fastest;
+}
+
+TEST(Crowded, PairsAndMemoryOfACrowdAreBounded) {
+    constexpr std::size_t count = 800, mostPairs = 64, mostBytes = 32768;
+    World world;
+    addAtOnePoint(world, shapes::ball(), count);
+    for (int i = 0; i < 10; ++i) {
+        world.step();
+        ASSERT_LE(world.statistics().candidates, mostPairs * count);
+        ASSERT_LE(bytesOf(world), mostBytes * count);
+    }
+    EXPECT_EQ(world.validate(), "");
+}
+
+TEST(Crowded, ALargeBodyTouchesAllThatLieOnIt) {
+    World world;
+    world.add(shapes::floor({-60, 0}, {60, 0}));
+    std::vector<Body> balls;
+    for (int i = 0; i < 200; ++i)
+        balls.push_back(world.add(shapes::ball(), {Point(-55 + 0.55 * i, 0.31), 0}));
+    test::run(world, 0.5);
+    for (const Body& ball : balls) EXPECT_GT(world.position(ball[0])[1], 0.29);
+}
+
+TEST(Crowded, RopesAtOnePlaceHaveFewRows) {
+    for (const int rate : {60, 500}) {
+        World world({.tickRate = rate});
+        const auto ropes = addAtOnePoint(world, shapes::rope(), 22);
+        const std::size_t particles = ropes.size() * ropes[0].size();
+        for (int i = 0; i < rate / 20; ++i) {
+            world.step();
+            ASSERT_LE(world.statistics().contacts, 20 * particles) << rate << " Hz, tick " << i;
+        }
+    }
+}
+
+TEST(Crowded, BodiesAtOnePointComeApartAndKeepStill) {
+    struct Kind {
+        std::string name;
+        Blueprint plan;
+        double apart;  // m, between centres
+    };
+    const std::vector<Kind> kinds{{"ball", shapes::ball(), 0.49},
+                                  {"box", shapes::box(), 0.98},
+                                  {"jelly", shapes::jelly(), 0.5},
+                                  {"rope", shapes::rope(), 0.03}};
+    for (const auto& [name, plan, apart] : kinds) {
+        World world({.gravity = {0, 0}, .sleeping = false});
+        const auto bodies = addAtOnePoint(world, plan, 6);
+        test::run(world, 12);
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_GT((world.centreOfMass(bodies[i]) - world.centreOfMass(bodies[k])).norm(),
+                          apart)
+                    << name << ' ' << k << " and " << i;
+        EXPECT_LT(fastestOf(world, bodies), 0.5) << name;
+    }
+}
+
+TEST(Crowded, WhatIsPressedIntoEachOtherAtTheLimitOfSpeedStaysFinite) {
+    for (const double gravity : {1e5, 1e6})
+        for (const int rate : {60, 500}) {
+            World world({.gravity = {0, -static_cast<Real>(gravity)}, .tickRate = rate});
+            world.add(shapes::floor({-20, 0}, {20, 0}));
+            for (int i = 0; i < 120; ++i)
+                world.add(shapes::box(), {Point(i % 10 * 1.2 - 6, 1 + 1.2 * (i / 10)), 0});
+            for (int i = 0; i < 8; ++i) {
+                world.step();
+                ASSERT_EQ(world.validate(), "") << gravity << " m/s^2, " << rate << " Hz, " << i;
+            }
+        }
+}
+
+}  // namespace
+}  // namespace sulfur
