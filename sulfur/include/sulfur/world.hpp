@@ -280,7 +280,8 @@ public:
     /// Where a particle is, metres.
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the
-    /// clock: between the last two ticks' positions, so drawing lags by at most one tick.
+    /// clock: between the last two ticks' positions, so drawing lags by at most one tick. Throws
+    /// Error when `alpha` is not in 0..1.
     Point interpolated(ParticleId particle, double alpha) const;
     /// Mean velocity over the last step (displacement divided by duration), which is the velocity
     /// at the middle of that step; after setVelocity, what was set. A step is a tick, below 480 Hz

@@ -7,6 +7,7 @@
 #include "accuracy/piles.hpp"
 #include "accuracy/show.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 
 namespace sulfur::lab {
 
@@ -25,7 +26,7 @@ public:
         app.add_option("--scene", scenes_, "Only these scenes")->check(CLI::IsMember(keys));
         app.add_option("--load", loads_, "Loads of the rope, in masses of a link")
             ->delimiter(',')
-            ->check(CLI::Range(1.0, 1e6))
+            ->check(between(1.0, 1e6))
             ->capture_default_str();
         app.add_flag("--quick", quick_, "Fewer rates and shorter measurements");
     }

@@ -6,6 +6,7 @@
 #include "bench/history.hpp"
 #include "bench/show.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 
 namespace sulfur::lab {
 
@@ -30,12 +31,12 @@ public:
         auto* quick = app.add_flag("--quick", quick_, "Small sizes, two rounds");
         app.add_flag("--large", large_, "Also the largest sizes")->excludes(quick);
         app.add_option("--rounds", rounds_, "Runs of each row; 5, with --quick 2")
-            ->check(CLI::Range(1, 1000));
+            ->check(between(1, 1000));
         app.add_option("--limit", options_.limit, "Seconds after which a run is stopped")
-            ->check(CLI::Range(0.01, 1e6))
+            ->check(between(0.01, 1e6))
             ->capture_default_str();
         app.add_option("--core", options_.core, "Processor core; the last one by default")
-            ->check(CLI::Range(0, 4095));
+            ->check(between(0, 4095));
         app.add_flag("!--no-stages", options_.stages, "No times of the stages of a tick");
         app.add_flag("--progress", progress_, "Tell on standard error what runs");
         app.add_option("--history", history_,

@@ -3,6 +3,7 @@
 
 #include "broadphase/show.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 
 namespace sulfur::lab {
 
@@ -17,10 +18,10 @@ public:
 
     void declare(CLI::App& app) override {
         app.add_option("--capsules", capsules_, "In each case")
-            ->check(CLI::Range(10, 20'000))
+            ->check(between(10, 20'000))
             ->capture_default_str();
         app.add_option("--grains", grains_, "In each world")
-            ->check(CLI::Range(100, 20'000))
+            ->check(between(100, 20'000))
             ->capture_default_str();
         app.add_flag("--quick", quick_, "Fewer cases, shorter measurements");
     }

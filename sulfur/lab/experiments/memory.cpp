@@ -9,6 +9,7 @@
 #include "bench/show.hpp"
 #include "bench/ticks.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 
 namespace sulfur::lab {
 
@@ -59,7 +60,7 @@ public:
     void declare(CLI::App& app) override {
         app.add_option("--particles", sizes_, "Sizes of the world, with commas between them")
             ->delimiter(',')
-            ->check(CLI::Range(1'000, 10'000'000))
+            ->check(between(1'000, 10'000'000))
             ->capture_default_str();
     }
 

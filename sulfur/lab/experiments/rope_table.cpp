@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 #include "rope_tables.hpp"
 
 namespace sulfur::lab {
@@ -24,13 +25,13 @@ public:
         app.add_flag("--only-explosions", onlyExplosions_,
                      "A rope that never comes to rest but stays bounded counts as stable");
         app.add_option("--seconds", search_.seconds, "Simulated time of a trial")
-            ->check(CLI::Range(2.0, 1000.0))
+            ->check(between(2.0, 1000.0))
             ->capture_default_str();
         app.add_option("--resolution", search_.resolution, "Relative width of the last bracket")
-            ->check(CLI::Range(1e-4, 1.0))
+            ->check(between(1e-4, 1.0))
             ->capture_default_str();
         app.add_option("--highest", search_.highest, "Where the search ends, N/m")
-            ->check(CLI::Range(100.0, 1e12))
+            ->check(between(100.0, 1e12))
             ->capture_default_str();
     }
 

@@ -7,6 +7,7 @@
 #include "bench/show.hpp"
 #include "bench/ticks.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 
 namespace sulfur::lab {
 
@@ -28,10 +29,10 @@ public:
 
     void declare(CLI::App& app) override {
         app.add_option("--bodies", bodies_, "In each scene")
-            ->check(CLI::Range(10, 20'000))
+            ->check(between(10, 20'000))
             ->capture_default_str();
         app.add_option("--rounds", rounds_, "Measurements of each, in turns")
-            ->check(CLI::Range(1, 1000))
+            ->check(between(1, 1000))
             ->capture_default_str();
     }
 

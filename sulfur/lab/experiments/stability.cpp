@@ -8,6 +8,7 @@
 #include "battery/random_worlds.hpp"
 #include "battery/show.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 #include "stability/stability_map.hpp"
 #include "svg_scene.hpp"
 
@@ -40,22 +41,23 @@ public:
         app.add_option("--group", groups_, "Only these groups of the battery")
             ->check(CLI::IsMember(keys));
         app.add_option("--sweeps", setup_.sweeps, "Passes over the constraints in a tick")
-            ->check(CLI::Range(1, 100))
+            ->check(between(1, 100))
             ->capture_default_str();
         app.add_option("--rate", setup_.tickRate, "Hz, where a scene says no other")
-            ->check(CLI::Range(60, 10000))
+            ->check(between(60, 10000))
             ->capture_default_str();
         app.add_option("--shots", setup_.shots, "Random shots of each kind in the battery")
-            ->check(CLI::Range(1, 10'000'000))
+            ->check(between(1, 10'000'000))
             ->capture_default_str();
         app.add_option("--shot", shot_, "Only this shot of the battery, tick by tick")
-            ->check(CLI::Range(0, 20'000'000));
+            ->check(between(0, 20'000'000));
         app.add_option_function<std::uint64_t>(
-            "--seed",
-            [this](std::uint64_t seed) {
-                setup_.seeds = SeedRange{seed, seed};
-            },
-            "Only this random world");
+               "--seed",
+               [this](std::uint64_t seed) {
+                   setup_.seeds = SeedRange{seed, seed};
+               },
+               "Only this random world")
+            ->check(between(std::uint64_t{0}, maxSeed));
         app.add_option_function<std::string>(
                "--seeds", [this](const std::string& text) { setup_.seeds = seedRange(text); },
                "Random worlds: how many, or FROM-TO")
@@ -124,12 +126,16 @@ private:
         const bool fine = dash == std::string::npos
                               ? isNumber(text)
                               : isNumber(text.substr(0, dash)) && isNumber(text.substr(dash + 1));
-        return fine ? "" : "'" + text + "' is neither a count nor FROM-TO";
+        if (!fine) return "'" + text + "' is neither a count nor FROM-TO";
+        const SeedRange range = seedRange(text);
+        return range.first <= range.last ? "" : "'" + text + "' holds no random world";
     }
     /// Whether `key` is among the named ones, or none is named.
     static bool wanted(const std::vector<std::string>& named, const std::string& key) {
         return named.empty() || std::find(named.begin(), named.end(), key) != named.end();
     }
+
+    static constexpr std::uint64_t maxSeed = 999'999'999'999'999'999;  // of 18 digits
 
     bool battery_ = false, quick_ = false, shrink_ = false;
     std::optional<long> shot_;

@@ -7,6 +7,7 @@
 #include "bench/plots.hpp"
 #include "bench/show.hpp"
 #include "experiments/experiment.hpp"
+#include "experiments/number.hpp"
 #include "paper_tables.hpp"
 
 namespace sulfur::lab {
@@ -24,10 +25,10 @@ public:
 
     void declare(CLI::App& app) override {
         app.add_option("--rounds", options_.rounds, "Runs of each cell, whose median counts")
-            ->check(CLI::Range(1, 1000))
+            ->check(between(1, 1000))
             ->capture_default_str();
         app.add_option("--most", most_, "Boxes a second at which the search for the limit ends")
-            ->check(CLI::Range(200, 100'000))
+            ->check(between(200, 100'000))
             ->capture_default_str();
         app.add_flag("--quick", quick_, "Three columns, one run, no search for the limit");
     }

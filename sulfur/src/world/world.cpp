@@ -303,6 +303,7 @@ Point World::position(ParticleId id) const {
 }
 
 Point World::interpolated(ParticleId id, double alpha) const {
+    detail::requireRange(alpha, 0, 1, "interpolated: alpha");
     const auto& p = impl_->state().particles;
     const auto i = indexOf(impl_->state(), id);
     return p.position[i] - (1 - alpha) * p.displacement[i].cast<double>();

@@ -64,6 +64,24 @@ TEST(Program, RefusesAWrongNameInOneSentence) {
     }
 }
 
+TEST(Program, TakesNumbersFromTheirRangeOnly) {
+    for (const char* option :
+         {"table3 --seconds",  "table3 --resolution",   "table3 --highest",    "table4 --rounds",
+          "table4 --most",     "accuracy --load",       "bench --limit",       "bench --rounds",
+          "bench --core",      "broadphase --capsules", "broadphase --grains", "memory --particles",
+          "skip --bodies",     "skip --rounds",         "stability --sweeps",  "stability --rate",
+          "stability --shots", "stability --shot",      "stability --seed",    "stability --seeds"})
+        for (const char* number : {"nan", "-nan", "inf", "-1e300", "1e300", "1,nan", "2x", "''"}) {
+            const auto outcome = lab(std::string(option) + '=' + number);
+            EXPECT_EQ(outcome.status, 1) << option << ' ' << number;
+            EXPECT_EQ(outcome.output.rfind("sulfur_lab: ", 0), 0u) << outcome.output;
+        }
+    for (const char* none : {"--seeds 0", "--seeds 60-51", "--seed 18446744073709551615"})
+        EXPECT_EQ(lab(std::string("stability --battery --group random ") + none).status, 1) << none;
+    EXPECT_NE(lab("table3 --seconds nan").output.find("\"nan\" is no number from 2 to 1000"),
+              std::string::npos);
+}
+
 TEST(Program, PrintsTheCriterionWithTheTable) {
     const auto outcome = lab(std::string("table3") + quick);
     EXPECT_EQ(outcome.status, 0);

@@ -83,6 +83,20 @@ TEST(Errors, NumbersOutOfRange) {
                   [&] { world.setMaterial(body, {.restitution = 2}); });
 }
 
+TEST(Errors, PlacesLieBetweenTwoTicks) {
+    World world;
+    const Body ball = world.add(shapes::ball());
+    world.step();
+    const auto place = [&](double alpha) {
+        return [&world, &ball, alpha] { world.interpolated(ball.front(), alpha); };
+    };
+    for (const double alpha : {std::nan(""), double(infinite), -double(infinite)})
+        expectRefused(world, ErrorCode::notFinite, place(alpha));
+    for (const double alpha : {7.0, -0.01, std::nextafter(1.0, 2.0), -1e-300})
+        expectRefused(world, ErrorCode::outOfRange, place(alpha));
+    for (const double alpha : {0.0, -0.0, 0.5, 1.0}) EXPECT_NO_THROW(place(alpha)());
+}
+
 TEST(Errors, ImpossibleConnections) {
     World world;
     const Body a = world.add(shapes::ball());
