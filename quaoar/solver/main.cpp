@@ -1,6 +1,8 @@
 // quaoar_solve: searches for a way through a level and writes its proof.
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atlax/arguments.hpp>
@@ -29,11 +31,29 @@ struct Arguments {
     std::string check;
 };
 
+/// A file in memory, which this process and those that it starts find under a name.
+class MemoryFile {
+public:
+    explicit MemoryFile(const std::string& text) : number_(::memfd_create("proof", 0)) {
+        if (::write(number_, text.data(), text.size()) == static_cast<ssize_t>(text.size())) return;
+        ::close(number_);
+        throw std::runtime_error("there is no memory for checking the proof");
+    }
+    ~MemoryFile() { ::close(number_); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    std::string name() const { return "/proc/self/fd/" + std::to_string(number_); }
+
+private:
+    int number_;
+};
+
 /// Starts this program again to replay the proof: nothing that the search left in memory can
-/// help it.
-bool acceptedByFreshProcess(const std::string& level, const std::string& proof) {
+/// help it. The disk sees no proof that has not been accepted.
+bool acceptedByFreshProcess(const std::string& level, const Recording& proof) {
+    const MemoryFile file(proof.format());
     std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-    std::string check = "--check", levelArgument = level, proofArgument = proof;
+    std::string check = "--check", levelArgument = level, proofArgument = file.name();
     char* arguments[] = {program.data(), levelArgument.data(), check.data(), proofArgument.data(),
                          nullptr};
     pid_t child = 0;
@@ -104,14 +124,9 @@ int solve(const Arguments& arguments) {
     const auto proof = searchAll(level, arguments);
     if (!proof) throw std::runtime_error("no way through " + arguments.level + " was found");
 
-    std::filesystem::path candidate = out;
-    candidate += ".new";
-    proof->write(candidate);
-    if (!acceptedByFreshProcess(arguments.level, candidate.string())) {
-        std::filesystem::remove(candidate);
+    if (!acceptedByFreshProcess(arguments.level, *proof))
         throw std::runtime_error("the way that was found does not replay in a fresh process");
-    }
-    std::filesystem::rename(candidate, out);
+    proof->write(out);
     std::printf("%s  %.3f s, replayed by a fresh process\n", out.string().c_str(),
                 static_cast<double>(proof->ticks()) / quaoar::Session::tickRate);
     if (arguments.jitter > 0) {

@@ -3,11 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sulfur/version.hpp>
 
 #include "experiments/experiment.hpp"
+#include "write_whole.hpp"
 
 namespace {
 
@@ -18,21 +18,6 @@ struct Options {
     std::string csvFile, jsonFile;  ///< empty: standard output
     std::string plotFolder;
 };
-
-/// Written beside its name and then renamed, so that no half picture is ever there.
-void writeWhole(const std::filesystem::path& file, const std::string& text) {
-    std::filesystem::path half = file;
-    half += ".new";
-    std::ofstream stream(half, std::ios::binary);
-    stream << text;
-    stream.close();
-    std::error_code problem;
-    if (stream) std::filesystem::rename(half, file, problem);
-    if (stream && !problem) return;
-    std::error_code ignored;
-    std::filesystem::remove(half, ignored);
-    throw std::runtime_error(file.string() + " cannot be written; choose a place that can");
-}
 
 void show(const Report& report, const Options& options) {
     if (!options.csvFile.empty()) writeWhole(options.csvFile, report.csv);

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atlax/error.hpp>
 #include <atlax/files.hpp>
+#include <csignal>
 #include <cstdlib>
 
 #include "temporary_folder.hpp"
@@ -107,6 +109,31 @@ TEST(Files, whatKilledWritersLeftIsClearedAway) {
     EXPECT_TRUE(fs::exists(held));
     EXPECT_EQ(filesIn(folder.path()), 4u);
     ::close(writer);
+}
+
+/// What a process does that is ended by `signal`.
+template <class Write>
+[[noreturn]] void writeForEver(int signal, const Write& write) noexcept {
+    std::signal(signal, SIG_DFL);  // whoever runs the tests may ignore it
+    for (;;) write();
+}
+
+TEST(Files, anInterruptedWriterLeavesNothing) {
+    const TemporaryFolder folder;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        writeFileAtomic(folder / "file", "text", Backup::KeepOne);
+        const pid_t writer = ::fork();
+        if (writer == 0)
+            writeForEver(signal,
+                         [&] { writeFileAtomic(folder / "file", "text", Backup::KeepOne); });
+        ::usleep(20'000);
+        ::kill(writer, signal);
+        int status = 0;
+        ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+        EXPECT_EQ(readFile(folder / "file", 100), "text");
+        EXPECT_EQ(filesIn(folder.path()), 2u) << "the file and its backup";
+    }
 }
 
 TEST(Files, messagesNameTheFile) {

@@ -6,6 +6,7 @@
 #include <atlax/error.hpp>
 #include <atlax/files.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -104,6 +105,24 @@ void removeLeftovers(const fs::path& target) {
     }
 }
 
+/// Signals that end a program wait as long as it lives: else the file that is written would be
+/// left.
+class SignalsWait {
+public:
+    SignalsWait() {
+        sigset_t ends;
+        ::sigemptyset(&ends);
+        for (const int number : {SIGHUP, SIGINT, SIGTERM}) ::sigaddset(&ends, number);
+        ::pthread_sigmask(SIG_BLOCK, &ends, &before_);
+    }
+    ~SignalsWait() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
 /// A new file beside the target, locked while its writer lives, removed again unless it was
 /// renamed.
 class NewFile {
@@ -133,6 +152,7 @@ public:
     }
 
 private:
+    SignalsWait wait_;
     std::string name_;
     int number_ = -1;
 };

@@ -5,10 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <stdexcept>
 #include <vector>
+
+#include "write_whole.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -44,12 +47,19 @@ double timeOf(const std::string& text) {
     return whole && std::isfinite(time) && time > 0 ? time : -1;
 }
 
-/// The last entry of each row.
-std::map<std::string, Entry> readHistory(const std::string& file) {
-    std::map<std::string, Entry> last;
+struct History {
+    std::string text;                   ///< of the whole file
+    std::map<std::string, Entry> last;  ///< of each row
+};
+
+History readHistory(const std::string& file) {
+    History history;
     std::ifstream stream(file);
+    if (!stream && std::filesystem::exists(file))
+        throw std::runtime_error(file + " cannot be read; choose a file with --history that can");
     std::string line;
     for (int number = 1; std::getline(stream, line); ++number) {
+        history.text += line + '\n';
         if (number == 1 && line == head) continue;
         const auto fields = fieldsOf(line);
         const double time = fields.size() == fieldCount ? timeOf(fields[5]) : -1;
@@ -58,9 +68,10 @@ std::map<std::string, Entry> readHistory(const std::string& file) {
                 fmt::format("{}, line {}: this is no entry of a history; choose a file with "
                             "--history that a comparison wrote, or one that is not there",
                             file, number));
-        last[fields[2] + ',' + fields[3] + ',' + fields[4]] = {fields[0], fields[1], time};
+        history.last[fields[2] + ',' + fields[3] + ',' + fields[4]] = {fields[0], fields[1], time};
     }
-    return last;
+    if (history.text.empty()) history.text = std::string(head) + '\n';
+    return history;
 }
 
 /// Without commas, which the file has between its fields.
@@ -89,9 +100,7 @@ void checkDate(const std::string& date) {
 
 std::string keepHistory(const std::string& file, const std::string& date,
                         const Comparison& comparison) {
-    const auto last = readHistory(file);
-    const bool fresh = std::ifstream(file).peek() == std::ifstream::traits_type::eof();
-    std::string added = fresh ? std::string(head) + '\n' : std::string();
+    auto [text, last] = readHistory(file);
     std::string told;
     for (const Row& row : comparison.rows) {
         const Engine& engine = engineOf(row.setting.engine);
@@ -99,8 +108,8 @@ std::string keepHistory(const std::string& file, const std::string& date,
         const std::string key = plain(row.scene.key) + ',' + plain(row.scene.variant) + ',' +
                                 plain(row.setting.label());
         const double time = row.msPerSecond.median;
-        added += fmt::format("{},{},{},{:.6g},{},{:.6g}\n", date, plain(engine.version), key, time,
-                             plain(row.scene.error), row.figure(row.scene.error));
+        text += fmt::format("{},{},{},{:.6g},{},{:.6g}\n", date, plain(engine.version), key, time,
+                            plain(row.scene.error), row.figure(row.scene.error));
         const auto before = last.find(key);
         if (before == last.end()) continue;
         const double change = time / before->second.time - 1;
@@ -110,12 +119,7 @@ std::string keepHistory(const std::string& file, const std::string& date,
                                 row.scene.variant, row.setting.label(), time, before->second.time,
                                 before->second.date, before->second.version, 100 * change);
     }
-    std::ofstream stream(file, std::ios::app);
-    stream << added;
-    stream.close();
-    if (!stream)
-        throw std::runtime_error(file +
-                                 " cannot be written; choose a file with --history that can");
+    writeWhole(file, text);
     if (told.empty())
         told = fmt::format("No row of ours changed by more than {:.0f} % since its last entry.\n",
                            100 * regression);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <sulfur/scene/file.hpp>
 #include <system_error>
@@ -49,6 +50,24 @@ void removeLeftovers(const fs::path& target) {
         ::close(left);
     }
 }
+
+/// Signals that end a program wait as long as it lives: else the file that is written would be
+/// left.
+class SignalsWait {
+public:
+    SignalsWait() {
+        sigset_t ends;
+        ::sigemptyset(&ends);
+        for (const int number : {SIGHUP, SIGINT, SIGTERM}) ::sigaddset(&ends, number);
+        ::pthread_sigmask(SIG_BLOCK, &ends, &before_);
+    }
+    ~SignalsWait() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsWait(const SignalsWait&) = delete;
+    SignalsWait& operator=(const SignalsWait&) = delete;
+
+private:
+    sigset_t before_{};
+};
 
 /// A new file, locked while its writer lives, that vanishes unless it is kept.
 class NewFile {
@@ -95,6 +114,7 @@ public:
     }
 
 private:
+    SignalsWait wait_;
     fs::path target_;
     std::string path_;
     int descriptor_ = -1;

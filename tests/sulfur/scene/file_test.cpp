@@ -1,8 +1,10 @@
 // Files on the disk: whole or not at all.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -124,6 +126,30 @@ TEST_F(File, ClearsAwayWhatKilledWritersLeft) {
     writeFile("new", file);
     EXPECT_FALSE(fs::exists(folder_ / "scene.json.new-abcdef"));
     EXPECT_EQ(count(), 3u);
+}
+
+/// What a process does that is ended by `signal`.
+template <class Write>
+[[noreturn]] void writeForEver(int signal, const Write& write) noexcept {
+    std::signal(signal, SIG_DFL);  // whoever runs the tests may ignore it
+    for (;;) write();
+}
+
+TEST_F(File, IsWholeAndAloneWhenItsWriterIsInterrupted) {
+    const auto file = folder_ / "scene.json";
+    const std::string text = format(parse(fullScene, "a"));
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        writeFile(text, file);
+        const pid_t writer = ::fork();
+        if (writer == 0) writeForEver(signal, [&] { writeFile(text, file); });
+        ::usleep(20'000);
+        ::kill(writer, signal);
+        int status = 0;
+        ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+        EXPECT_EQ(content(file), text);
+        EXPECT_EQ(count(), 2u) << "the scene and its backup";
+    }
 }
 
 TEST_F(File, OfABlueprint) {
