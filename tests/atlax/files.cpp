@@ -44,6 +44,20 @@ TEST(Files, oneBackupIsKept) {
     EXPECT_EQ(filesIn(folder.path()), 2u);
 }
 
+TEST(Files, aWriterKilledWhileItBacksUpLeavesNothingForGood) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "settings";
+    for (const char* left : {"settings.bak.new", "settings.bak"}) {
+        writeFileAtomic(file, "one");
+        fs::remove(folder / "settings.bak");
+        fs::create_hard_link(file, folder / left);  // where it was killed
+        writeFileAtomic(file, "two", Backup::KeepOne);
+        EXPECT_EQ(readFile(file, 100), "two") << left;
+        EXPECT_EQ(readFile(folder / "settings.bak", 100), "one") << left;
+        EXPECT_EQ(filesIn(folder.path()), 2u) << left;
+    }
+}
+
 TEST(Files, readingIsBounded) {
     const TemporaryFolder folder;
     writeFileAtomic(folder / "ten", "0123456789");

@@ -173,6 +173,9 @@ void keepBackup(const fs::path& file) {
         ::unlink(fresh.c_str());
         failErrno(backup, "cannot be written");
     }
+    // Where a writer was killed here before, both were names of one file: then a rename does
+    // nothing.
+    ::unlink(fresh.c_str());
 }
 
 fs::path xdgFolder(const char* variable, const char* fallback, std::string_view application) {
