@@ -1,4 +1,6 @@
 // SulfurChamber's start: what can be refused is refused before a window opens.
+#include <malloc.h>
+
 #include <atlax/records.hpp>
 #include <atlax/wx/view.hpp>
 #include <cstdlib>
@@ -13,6 +15,15 @@ namespace {
 
 using sulfurchamber::Options;
 using sulfurchamber::Workbench;
+
+/// The steps of the history come and go as long as one works. What they leave goes back to the
+/// system: glibc would keep holes of their sizes, which it learns from the first that go, and fill
+/// them badly. What frames take and leave on the heap's end stays, as it would have otherwise.
+void giveLargeBlocksBack() {
+    constexpr int large = 256 << 10, end = 64 << 20;
+    ::mallopt(M_MMAP_THRESHOLD, large);
+    ::mallopt(M_TRIM_THRESHOLD, end);
+}
 
 int runWindow(Workbench& bench, const Options& options, char* program) {
     if (!options.unattended()) atlax::keepRecords("sulfurchamber", SULFURCHAMBER_VERSION);
@@ -42,6 +53,7 @@ int main(int argc, char** argv) {
     }
     if (parsed.exitCode) return *parsed.exitCode;
     const Options& options = parsed.options;
+    giveLargeBlocksBack();
     try {
         Workbench bench;
         if (!options.file.empty()) bench.document().open(options.file);

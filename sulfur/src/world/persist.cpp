@@ -135,6 +135,7 @@ Snapshot World::snapshot() const {
     detail::archiveAll(writer, impl_->state());
     std::uint64_t seal = detail::sealOf(writer.result, writer.result.size());
     writer(seal);
+    writer.result.shrink_to_fit();  // what is kept for long keeps no room to grow
     return std::move(writer.result);
 }
 

@@ -73,6 +73,15 @@ TEST(Persist, HandlesAreValidAgain) {
     EXPECT_EQ(body.size(), 5u);
 }
 
+TEST(Persist, ASnapshotTakesTheMemoryOfItsBytes) {
+    for (const int boxes : {0, 1, 30, 100}) {
+        World world;
+        for (int i = 0; i < boxes; ++i) world.add(shapes::box(), {.position = {0, 2.0 * i}});
+        const Snapshot snapshot = world.snapshot();
+        EXPECT_EQ(snapshot.capacity(), snapshot.size()) << boxes;
+    }
+}
+
 TEST(Persist, HashNoticesAnyChange) {
     World world;
     const Body body = world.add(shapes::box());
