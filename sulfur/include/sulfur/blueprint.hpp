@@ -15,7 +15,7 @@ namespace sulfur {
 
 /// A point mass. Without a radius it touches nothing by itself; with one it is a disc.
 struct ParticleSpec {
-    Vec2 position{0, 0};  ///< metres, in the body's frame
+    Vec2 position{0, 0};  ///< metres, in the body's frame; each axis up to 5e8 either way
     Real mass = 1;        ///< kilograms, 1e-9 to 1e12; the ratio of any two at most 1e9
     Real radius = 0;      ///< metres, >= 0
     bool pinned = false;  ///< held where it is; it behaves as if its mass were infinite

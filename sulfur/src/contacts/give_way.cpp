@@ -117,7 +117,8 @@ private:
 
     template <class Function>
     void forEachRow(std::uint32_t body, Function&& f) {
-        for (auto c = core_.shapes.firstChunk[body]; c != none;
+        const auto& first = core_.shapes.firstChunk;  // of those that have a shape
+        for (auto c = body < first.size() ? first[body] : none; c != none;
              c = core_.shapes.chunks[c].nextOfBody)
             for (auto at = core_.shapes.chunks[c].firstPair; at != none;) {
                 const Pair& pair = core_.pairs[at / 2];

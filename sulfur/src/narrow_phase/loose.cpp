@@ -65,7 +65,8 @@ Real momentOfPoints(Xy start, Xy way, Real limit) {
     const Real a = dot(way, way), b = dot(start, way), c = dot(start, start) - limit * limit;
     if (!(dot(start, start) > reachedRound * reachedRound * limit * limit)) return 0;
     if (!(b < 0)) return 1;
-    return std::clamp<Real>((-b - std::sqrt(std::max<Real>(b * b - a * c, 0))) / a, 0, 1);
+    // Far beyond all that has a size the difference is no number; then it is 0.
+    return std::clamp<Real>((-b - std::sqrt(std::max<Real>(0, b * b - a * c))) / a, 0, 1);
 }
 
 // --- who may touch whom ---------------------------------------------------------------------

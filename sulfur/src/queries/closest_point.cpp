@@ -134,10 +134,12 @@ std::optional<ClosestPoint> World::closestPoint(Point point, double reach,
 std::optional<ParticleId> World::nearestParticle(Point point, Real reach) const {
     detail::requireFinite(point, "point");
     detail::requireRange(static_cast<double>(reach), 0, 1e9, "reach");
-    const auto& p = impl_->state().particles;
+    const detail::State& state = impl_->state();
+    const auto& p = state.particles;
     double best = static_cast<double>(reach) * static_cast<double>(reach);
     std::optional<ParticleId> found;
     for (std::size_t i = 0; i < p.size(); ++i) {
+        if (state.bodies[p.body[i]].gone > 0) continue;
         const double distance = (p.position[i] - point).squaredNorm();
         if (distance > best || (found && distance == best)) continue;
         best = distance;

@@ -16,6 +16,9 @@ namespace {
 /// caller, and the sweeps bring it into shape before it may move as one piece.
 using tuned::strainLimit;
 
+/// kg m^2: less than that has an inverse that Real does not hold, or no product with it.
+constexpr double leastInertia = 1e-30;
+
 bool isStrained(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
     const auto& x = state.particles.position;
@@ -198,12 +201,12 @@ private:
         }
     }
 
-    /// False if all of its particles are in one place: then its joints are solved.
+    /// False if all of its particles are as good as in one place: then its joints are solved.
     bool addCluster(std::uint32_t body, const std::vector<std::uint32_t>& particles,
                     const std::vector<std::uint32_t>& shared) {
         const Measures m = measure(state_, particles);
         const auto pins = pinnedAmong(state_, particles);
-        if (m.inertia <= 0) return false;
+        if (!(m.inertia > leastInertia)) return false;
         Cluster c;
         c.body = body;
         c.first = static_cast<std::uint32_t>(next_.members.size());

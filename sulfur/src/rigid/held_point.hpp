@@ -54,11 +54,12 @@ private:
     std::size_t count_ = 0;
 };
 
-/// m^-1 v; where a direction is blocked, as if both were as easy as the easier one.
+/// m^-1 v; where a direction is blocked, or so easy that Real does not hold it, as if both were as
+/// easy as the easier one.
 inline Vec2 solve2(const Matrix2& m, const Vec2& v) {
     const Real determinant = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
     const Real scale = m(0, 0) + m(1, 1);
-    if (!(determinant > Real(1e-6) * scale * scale))
+    if (!(determinant > Real(1e-6) * scale * scale) || !std::isfinite(determinant))
         return scale > 0 ? Vec2(v / scale) : Vec2(0, 0);
     return Vec2(m(1, 1) * v[0] - m(0, 1) * v[1], m(0, 0) * v[1] - m(1, 0) * v[0]) / determinant;
 }

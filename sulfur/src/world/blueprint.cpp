@@ -2,6 +2,7 @@
 #include <sulfur/error.hpp>
 
 #include "core/error_checks.hpp"
+#include "core/limits.hpp"
 
 namespace sulfur {
 
@@ -9,7 +10,9 @@ namespace {
 
 void validateParticle(const ParticleSpec& p, std::size_t i) {
     using namespace detail;
-    requireFinite(p.position, Subject("particle", i, "position"));
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+        requireRange(static_cast<double>(p.position[axis]), -maxCoordinate / 2, maxCoordinate / 2,
+                     Subject("particle", i, "position"));
     requirePositive(static_cast<double>(p.mass), Subject("particle", i, "mass"));
     requireRange(static_cast<double>(p.radius), 0, 1e6, Subject("particle", i, "radius"));
 }
