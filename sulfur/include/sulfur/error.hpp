@@ -15,6 +15,7 @@ enum class ErrorCode {
     staleHandle,  ///< a handle that is null, or whose thing was removed
     degenerate,   ///< geometry that cannot work, such as a rigid joint of length zero
     badSnapshot,  ///< bytes that are no snapshot, or one of another version or build
+    outOfMemory,  ///< a world in the middle of a tick for which there was no memory
 };
 
 /// Thrown by every public function that is given something it cannot use. The message is one

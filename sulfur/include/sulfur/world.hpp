@@ -152,6 +152,9 @@ private:
 /// Every function that takes a handle throws Error{staleHandle} when it is null or its thing is
 /// gone; every function that takes numbers throws Error when they are not finite or not in the
 /// documented range. The world is then unchanged.
+///
+/// Where there is no memory, a call throws std::bad_alloc and the world is unchanged too. Only
+/// step() cannot promise that; see there.
 class World {
 public:
     /// An empty world. Throws Error when a setting is out of its range.
@@ -362,7 +365,10 @@ public:
 
     // --- time ------------------------------------------------------------------------------
 
-    /// Advances by exactly one tick.
+    /// Advances by exactly one tick. Once the world has been in much the same situation before, a
+    /// tick takes no memory. If it needs some and there is none, it throws std::bad_alloc in its
+    /// middle, and there the world stays: from then on validate() says so, and whatever asks for
+    /// the state or changes it throws Error{outOfMemory}, until restore() brings back a snapshot.
     void step();
     /// Ticks since the world was made.
     std::uint64_t ticks() const;

@@ -1,6 +1,7 @@
 // What World hides.
 #pragma once
 
+#include <sulfur/error.hpp>
 #include <sulfur/world.hpp>
 
 #include "model/state.hpp"
@@ -9,14 +10,23 @@
 namespace sulfur {
 
 /// Whoever asks for the state finds members of rigid components where these are. What asks for
-/// nothing of particles takes `data`.
+/// nothing of particles takes `known()`, and what is no part of the state `data`.
 struct World::Impl {
     detail::State data;
+    bool torn = false;  // there was no memory in the middle of a tick
 
-    detail::State& state() {
-        detail::bringMembers(data);
+    detail::State& known() {
+        if (torn) refuseTorn();
         return data;
     }
+    detail::State& state() {
+        detail::bringMembers(known());
+        return data;
+    }
+    /// The same for a call that is about to change it, with room for what any such call notes: who
+    /// wakes, whose shape is stale, who was placed.
+    detail::State& changing();
+    [[noreturn]] static void refuseTorn();
 };
 
 }  // namespace sulfur

@@ -15,6 +15,9 @@ namespace sulfur::detail {
 template <class Predicate>
 void cutSkin(BodyRecord& body, Predicate&& stays) {
     if (!body.skin) return;
+    std::size_t staying = 0;
+    for (std::size_t k = 0; k < body.particles.size(); ++k) staying += stays(k) ? 1 : 0;
+    if (staying == body.particles.size()) return;
     Skin cut;
     cut.texture = body.skin->texture;
     std::vector<std::uint32_t> newPlace(body.particles.size(), none);
@@ -24,7 +27,6 @@ void cutSkin(BodyRecord& body, Predicate&& stays) {
         newPlace[k] = next++;
         if (k < body.skin->uv.size()) cut.uv.push_back(body.skin->uv[k]);
     }
-    if (next == newPlace.size()) return;
     for (auto triangle : body.skin->triangles) {
         bool whole = true;
         for (auto& corner : triangle) {

@@ -5,6 +5,7 @@
 
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
+#include "core/room.hpp"
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
@@ -274,6 +275,14 @@ void removeShape(State& state, std::uint32_t slot) {
         core.grid.remove(core.shapes.chunks, c);
     });
     dropShape(state, slot);
+}
+
+void makeRoomToForget(State& state, std::uint32_t slot) {
+    ContactCore& core = state.core;
+    makeRoomFor(core.freePairs, core.pairs.size());
+    makeRoomFor(core.freeTouches, core.touches.size());
+    makeRoomFor(core.changedEncounters, core.encounters.size());
+    makeRoomToDrop(state, slot);
 }
 
 void forgetBody(State& state, std::uint32_t index) {

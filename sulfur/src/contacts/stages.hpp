@@ -67,5 +67,7 @@ bool hasLinks(const ContactCore& core, std::uint32_t bodySlot);
 void removeShape(State& state, std::uint32_t bodySlot);
 /// Takes a body that goes away, by dense index, out of all that contacts and sensors know.
 void forgetBody(State& state, std::uint32_t body);
+/// It can then be done without taking memory, for the body of a slot.
+void makeRoomToForget(State& state, std::uint32_t bodySlot);
 
 }  // namespace sulfur::detail

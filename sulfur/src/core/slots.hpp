@@ -6,6 +6,8 @@
 #include <sulfur/ids.hpp>
 #include <vector>
 
+#include "core/room.hpp"
+
 namespace sulfur::detail {
 
 inline constexpr std::uint32_t none = 0xffffffffu;
@@ -27,6 +29,13 @@ public:
         }
         dense_[slot] = denseIndex;
         return {slot + 1, ++generation_[slot]};
+    }
+
+    /// So many handles can be given out, and all that there are be erased, without taking memory.
+    void makeRoom(std::size_t more) {
+        detail::makeRoom(dense_, more);
+        detail::makeRoom(generation_, more);
+        makeRoomFor(free_, dense_.size() + more);
     }
 
     void erase(Id id) {

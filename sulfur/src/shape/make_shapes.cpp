@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/room.hpp"
 #include "core/trigonometry.hpp"
 #include "model/clusters.hpp"
 #include "model/state.hpp"
@@ -475,6 +476,27 @@ void endUse(State& state, std::uint32_t use, std::uint32_t mover) {
 void shapeIsStale(State& state, std::uint32_t bodySlot) {
     auto& stale = state.core.staleShapes;
     if (stale.empty() || stale.back() != bodySlot) stale.push_back(bodySlot);
+}
+
+void makeRoomToDrop(State& state, std::uint32_t bodySlot) {
+    Shapes& shapes = state.core.shapes;
+    makeRoomFor(state.core.movers.free, state.core.movers.size());
+    makeRoomFor(shapes.freeChunks, shapes.chunks.size());
+    if (bodySlot >= shapes.firstChunk.size()) return;
+    // As if all ranges of a kind were of one length.
+    std::size_t chunks = 0, corners = 0;
+    for (auto c = shapes.firstChunk[bodySlot]; c != none; c = shapes.chunks[c].nextOfBody) {
+        ++chunks;
+        corners += shapes.chunks[c].corners;
+    }
+    for (auto c = shapes.firstChunk[bodySlot]; c != none; c = shapes.chunks[c].nextOfBody) {
+        const Chunk& chunk = shapes.chunks[c];
+        for (auto k = chunk.firstCorner; k < chunk.firstCorner + chunk.corners; ++k)
+            shapes.spokePool.makeRoomToRelease(shapes.corners[k].spokes, corners);
+        shapes.cornerPool.makeRoomToRelease(chunk.corners, chunks);
+        shapes.sidePool.makeRoomToRelease(chunk.sides, chunks);
+        shapes.usePool.makeRoomToRelease(chunk.uses, chunks);
+    }
 }
 
 void dropShape(State& state, std::uint32_t bodySlot) {

@@ -14,5 +14,7 @@ void makeShape(State& state, std::uint32_t body);
 void shapeIsStale(State& state, std::uint32_t bodySlot);
 /// Takes away chunks and movers of a body by its slot; they must be in no pair and no grid.
 void dropShape(State& state, std::uint32_t bodySlot);
+/// It can then be done without taking memory.
+void makeRoomToDrop(State& state, std::uint32_t bodySlot);
 
 }  // namespace sulfur::detail

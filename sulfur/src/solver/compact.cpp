@@ -3,10 +3,13 @@
 // A body that nothing is tied to goes at once, but its particles and joints keep their places in
 // the arrays until half of these are gaps: removing costs what is removed, whatever else there is.
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "bodies/skins.hpp"
 #include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
+#include "core/room.hpp"
 #include "joints/classify.hpp"
 #include "model/state.hpp"
 #include "solver/compact.hpp"
@@ -17,13 +20,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// New index of each old one, or none.
-std::vector<std::uint32_t> renumber(const std::vector<bool>& removed) {
-    std::vector<std::uint32_t> to(removed.size(), none);
+void renumber(const std::vector<bool>& removed, std::vector<std::uint32_t>& to) {
     std::uint32_t next = 0;
-    for (std::size_t i = 0; i < removed.size(); ++i)
-        if (!removed[i]) to[i] = next++;
-    return to;
+    for (std::size_t i = 0; i < removed.size(); ++i) to[i] = removed[i] ? none : next++;
 }
 
 template <class T>
@@ -148,21 +147,19 @@ void squeezeBodies(State& state, const Removal& removal) {
     }
 }
 
-void squeezeParticles(State& state, const Removal& removal,
-                      const std::vector<std::uint32_t>& newBody) {
+void squeezeParticles(State& state, const Removal& removal) {
     state.particles.forEachArray([&](auto& list) { squeeze(list, removal.particles); });
     for (std::uint32_t i = 0; i < state.particles.size(); ++i) {
-        state.particles.body[i] = newBody[state.particles.body[i]];
+        state.particles.body[i] = removal.newBody[state.particles.body[i]];
         state.particleSlots.move(state.particles.id[i], i);
     }
 }
 
-void squeezeJoints(State& state, const Removal& removal,
-                   const std::vector<std::uint32_t>& newBody) {
+void squeezeJoints(State& state, const Removal& removal) {
     Joints& joints = state.joints;
     joints.forEachArray([&](auto& list) { squeeze(list, removal.joints); });
     for (std::uint32_t j = 0; j < joints.size(); ++j) {
-        if (joints.body[j] != none) joints.body[j] = newBody[joints.body[j]];
+        if (joints.body[j] != none) joints.body[j] = removal.newBody[joints.body[j]];
         state.jointSlots.move(joints.id[j], j);
     }
 }
@@ -173,35 +170,35 @@ void squeezeAttachments(State& state, const Removal& removal) {
         state.attachmentSlots.move(state.attachments[i].id, i);
 }
 
-/// Clusters of bodies that changed are dropped; they are found again with the structure.
-void squeezeClusters(State& state, const Removal& removal,
-                     const std::vector<std::uint32_t>& newBody) {
-    const Clusters before = std::move(state.clusters);
-    state.clusters = {};
-    Clusters& after = state.clusters;
-    std::vector<std::uint32_t> newCluster(before.list.size(), none);
-    for (std::uint32_t c = 0; c < before.list.size(); ++c) {
-        Cluster cluster = before.list[c];
+/// Clusters of bodies that changed are dropped; they are found again with the structure. The others
+/// move towards the front.
+void squeezeClusters(State& state, Removal& removal) {
+    Clusters& clusters = state.clusters;
+    std::uint32_t kept = 0, members = 0;
+    for (std::uint32_t c = 0; c < clusters.list.size(); ++c) {
+        Cluster cluster = clusters.list[c];
+        removal.newCluster[c] = none;
         if (removal.bodies[cluster.body]) continue;
-        cluster.body = newBody[cluster.body];
+        cluster.body = removal.newBody[cluster.body];
         if (state.bodies[cluster.body].clustersStale) continue;
-        const auto from = cluster.first, to = cluster.last;
-        cluster.first = static_cast<std::uint32_t>(after.members.size());
-        after.members.insert(after.members.end(), before.members.begin() + from,
-                             before.members.begin() + to);
-        after.places.insert(after.places.end(), before.places.begin() + from,
-                            before.places.begin() + to);
-        cluster.last = static_cast<std::uint32_t>(after.members.size());
-        newCluster[c] = static_cast<std::uint32_t>(after.list.size());
-        after.list.push_back(cluster);
+        const auto from = std::exchange(cluster.first, members);
+        for (auto k = from; k < cluster.last; ++k, ++members) {
+            clusters.members[members] = clusters.members[k];
+            clusters.places[members] = clusters.places[k];
+        }
+        cluster.last = members;
+        clusters.list[kept] = cluster;
+        removal.newCluster[c] = kept++;
     }
-    for (Hinge hinge : before.hinges) {
-        if (newCluster[hinge.cluster] == none) continue;
-        hinge.cluster = newCluster[hinge.cluster];
-        after.hinges.push_back(hinge);
-    }
+    clusters.list.resize(kept);
+    clusters.members.resize(members);
+    clusters.places.resize(members);
+    std::erase_if(clusters.hinges, [&](Hinge& hinge) {
+        hinge.cluster = removal.newCluster[hinge.cluster];
+        return hinge.cluster == none;
+    });
     for (auto& cluster : state.particles.cluster)
-        if (cluster != none) cluster = newCluster[cluster];
+        if (cluster != none) cluster = removal.newCluster[cluster];
 }
 
 }  // namespace
@@ -233,31 +230,50 @@ void compact(State& state, Removal& removal) {
         if (removal.bodies[i]) removeShape(state, state.bodies[i].id.index - 1);
     markChangedBodies(state, removal);
     forgetHandles(state, removal);
-    const auto newBody = renumber(removal.bodies);
-    const auto newParticle = renumber(removal.particles);
+    renumber(removal.bodies, removal.newBody);
+    renumber(removal.particles, removal.newParticle);
     const bool particlesGo = std::find(removal.particles.begin(), removal.particles.end(), true) !=
                              removal.particles.end();
-    squeezeJoints(state, removal, newBody);
+    squeezeJoints(state, removal);
     squeezeAttachments(state, removal);
     squeezeBodies(state, removal);
-    squeezeClusters(state, removal, newBody);
+    squeezeClusters(state, removal);
     if (particlesGo) {
-        squeezeParticles(state, removal, newBody);
-        renumberParticles(state, newParticle);
+        squeezeParticles(state, removal);
+        renumberParticles(state, removal.newParticle);
     }
     updateReach(state);
     state.structure.changed();
     state.work.changed();  // its lists name what has moved
 }
 
+void makeRoomToCompact(State& state) {
+    state.particleSlots.makeRoom(0);
+    state.jointSlots.makeRoom(0);
+    state.bodySlots.makeRoom(0);
+    state.attachmentSlots.makeRoom(0);
+    makeRoomFor(state.sensing.bodies, state.bodies.size());
+    makeRoomFor(state.surface, state.particles.size());
+}
+
 void removeBody(State& state, std::uint32_t body) {
-    wakeTouching(state, body);
     const bool tied = isTied(state, body);
+    const std::size_t gone = state.gone.particles + state.bodies[body].particles.size();
+    const bool compacts = tied || 2 * gone >= state.particles.size();
+    makeRoomToForget(state, state.bodies[body].id.index - 1);
+    for (auto* ranges : {&state.work.awake, &state.work.points, &state.work.free})
+        makeRoom(*ranges, 1);
+    std::optional<Removal> removal;
+    if (compacts) {
+        makeRoomToCompact(state);
+        removal.emplace(state);
+    }
+    // From here on nothing fails.
+    wakeTouching(state, body);
     if (!tied) retire(state, body);
-    if (!tied && 2 * state.gone.particles < state.particles.size()) return;
-    Removal removal(state);
-    if (tied) removal.bodies[body] = true;
-    compact(state, removal);
+    if (!compacts) return;
+    if (tied) removal->bodies[body] = true;
+    compact(state, *removal);
 }
 
 }  // namespace sulfur::detail

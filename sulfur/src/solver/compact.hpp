@@ -16,10 +16,20 @@ struct Removal {
         : particles(state.particles.size()),
           joints(state.joints.size()),
           attachments(state.attachments.size()),
-          bodies(state.bodies.size()) {}
+          bodies(state.bodies.size()),
+          newParticle(state.particles.size()),
+          newBody(state.bodies.size()),
+          newCluster(state.clusters.list.size()) {}
+
+    /// New index of each old one, or none; compact() fills them.
+    std::vector<std::uint32_t> newParticle, newBody, newCluster;
 };
 void compact(State& state, Removal& removal);
-/// Takes a body away, with what is tied to it. What touched it wakes.
+/// It can then be done without taking memory, unless a body with a skin loses some of its
+/// particles, or bodies go for which makeRoomToForget() was not called.
+void makeRoomToCompact(State& state);
+/// Takes a body away, with what is tied to it. What touched it wakes. If there is no memory,
+/// nothing has changed.
 void removeBody(State& state, std::uint32_t body);
 
 /// All that names particles by their index follows them to new ones, except the arrays themselves.

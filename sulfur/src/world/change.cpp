@@ -5,6 +5,7 @@
 #include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "core/room.hpp"
 #include "rigid/find_clusters.hpp"
 #include "shape/make_shapes.hpp"
 #include "world/impl.hpp"
@@ -61,8 +62,9 @@ void refuseFixed(const State& state, std::uint32_t body) {
 void World::setGravity(Vec2 gravity) {
     requireVector(gravity, detail::maxAcceleration, "gravity");
     if (gravity == impl_->data.settings.gravity) return;
-    impl_->state().settings.gravity = gravity;
-    wakeAll(impl_->state());
+    State& state = impl_->changing();
+    state.settings.gravity = gravity;
+    wakeAll(state);
 }
 
 Vec2 World::gravity() const {
@@ -97,7 +99,7 @@ Real World::airFriction() const {
 }
 
 void World::setMaterial(BodyId id, const Material& material) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     detail::validate(material);
     state.bodies[index].material = material;
@@ -106,7 +108,7 @@ void World::setMaterial(BodyId id, const Material& material) {
 }
 
 void World::setFilter(BodyId id, const Filter& filter) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     state.bodies[index].filter = filter;
     detail::shapeIsStale(state, id.index - 1);
@@ -115,7 +117,7 @@ void World::setFilter(BodyId id, const Filter& filter) {
 }
 
 void World::setMaterial(JointId id, const std::optional<Material>& material) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto j = indexOf(state, id);
     if (material) detail::validate(*material);
     state.joints.material[j] = material.value_or(Material{});
@@ -126,7 +128,7 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
 }
 
 void World::setSelfCollision(BodyId id, bool on) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     if (state.bodies[index].selfCollision == on) return;
     state.bodies[index].selfCollision = on;
@@ -136,7 +138,7 @@ void World::setSelfCollision(BodyId id, bool on) {
 }
 
 void World::setCollision(BodyId a, BodyId b, bool on) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto first = indexOf(state, a), second = indexOf(state, b);
     if (first == second)
         throw Error(ErrorCode::degenerate,
@@ -144,6 +146,7 @@ void World::setCollision(BodyId a, BodyId b, bool on) {
                     "setSelfCollision for one");
     const auto pair = detail::BodyPair::of(a, b);
     auto& vetoes = state.vetoes;
+    detail::makeRoom(vetoes, 1);
     const auto at = std::lower_bound(vetoes.begin(), vetoes.end(), pair);
     const bool vetoed = at != vetoes.end() && *at == pair;
     if (vetoed != on) return;
@@ -159,7 +162,7 @@ void World::setCollision(BodyId a, BodyId b, bool on) {
 }
 
 void World::setSensor(BodyId id, bool sensor) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     if (state.bodies[index].sensor == sensor) return;
     state.bodies[index].sensor = sensor;
@@ -175,7 +178,7 @@ void World::setUserData(BodyId id, std::uint64_t data) {
 }
 
 void World::setStiffness(JointId id, Real stiffness) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto j = indexOf(state, id);
     detail::requireNonNegativeOrInfinite(static_cast<double>(stiffness), "stiffness");
     if (stiffness == infinite && state.joints.restLength[j] == 0)
@@ -186,7 +189,7 @@ void World::setStiffness(JointId id, Real stiffness) {
 }
 
 void World::setDamping(JointId id, Real damping) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto j = indexOf(state, id);
     requireRange(static_cast<double>(damping), 0, 1e12, "damping");
     state.joints.damping[j] = damping;
@@ -194,7 +197,7 @@ void World::setDamping(JointId id, Real damping) {
 }
 
 void World::setRestLength(JointId id, Real restLength) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto j = indexOf(state, id);
     requireRange(static_cast<double>(restLength), 0, 1e9, "rest length");
     if (restLength == 0 && (state.joints.stiffness[j] == infinite || state.joints.radius[j] > 0))
@@ -205,7 +208,7 @@ void World::setRestLength(JointId id, Real restLength) {
 }
 
 void World::setStrength(JointId id, Real strength) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto j = indexOf(state, id);
     detail::requireNonNegativeOrInfinite(static_cast<double>(strength), "strength");
     state.joints.strength[j] = strength;
@@ -213,7 +216,7 @@ void World::setStrength(JointId id, Real strength) {
 }
 
 void World::setMass(ParticleId id, Real mass) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto i = indexOf(state, id);
     requireRange(static_cast<double>(mass), detail::minMass, detail::maxMass, "mass");
     const auto body = state.particles.body[i];
@@ -229,7 +232,7 @@ void World::setMass(ParticleId id, Real mass) {
 }
 
 void World::setPosition(ParticleId id, Point position) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto i = indexOf(state, id);
     for (int axis = 0; axis < 2; ++axis)
         requireRange(position[axis], -maxCoordinate, maxCoordinate, "position");
@@ -245,27 +248,29 @@ void World::setPosition(ParticleId id, Point position) {
 }
 
 void World::setVelocity(ParticleId id, Vec2 velocity) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto i = indexOf(state, id);
     requireSpeed(velocity);
     refuseFixed(state, state.particles.body[i]);
+    detail::makeRoom(state.fresh, 1);
     wakeOwner(state, i);
     setParticleVelocity(state, i, velocity);
 }
 
 void World::setVelocity(BodyId id, Vec2 velocity) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     requireSpeed(velocity);
     refuseFixed(state, index);
-    detail::wakeBody(state, index);
     const auto& body = state.bodies[index];
+    detail::makeRoom(state.fresh, body.particles.size());
+    detail::wakeBody(state, index);
     for (std::uint32_t k = 0; k < body.particles.size(); ++k)
         setParticleVelocity(state, body.firstParticle + k, velocity);
 }
 
 void World::applyForce(ParticleId id, Vec2 force) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto i = indexOf(state, id);
     requireVector(force, maxForce, "force");
     if (force.isZero(0)) return;
@@ -276,7 +281,7 @@ void World::applyForce(ParticleId id, Vec2 force) {
 }
 
 void World::applyImpulse(ParticleId id, Vec2 impulse) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto i = indexOf(state, id);
     requireVector(impulse, maxForce, "impulse");
     if (impulse.isZero(0)) return;
@@ -288,7 +293,7 @@ void World::applyImpulse(ParticleId id, Vec2 impulse) {
 }
 
 void World::moveTo(BodyId id, const Pose& pose) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     for (int axis = 0; axis < 2; ++axis)
         requireRange(pose.position[axis], -maxCoordinate / 2, maxCoordinate / 2, "pose: position");
@@ -303,7 +308,8 @@ void World::moveTo(BodyId id, const Pose& pose) {
 }
 
 void World::wake(BodyId id) {
-    detail::wakeBody(impl_->state(), indexOf(impl_->state(), id));
+    State& state = impl_->changing();
+    detail::wakeBody(state, indexOf(state, id));
 }
 
 }  // namespace sulfur

@@ -3,6 +3,7 @@
 #include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "core/room.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -82,9 +83,11 @@ void wakeIn(State& state, const Field& field) {
 }  // namespace
 
 FieldId World::add(const Field& field) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     requireField(state, field);
     auto& influences = state.influences;
+    detail::makeRoom(influences.fields, 1);
+    influences.fieldSlots.makeRoom(1);
     const FieldId id =
         influences.fieldSlots.insert(static_cast<std::uint32_t>(influences.fields.size()));
     influences.fields.push_back({id, field});
@@ -93,7 +96,7 @@ FieldId World::add(const Field& field) {
 }
 
 void World::set(FieldId id, const Field& field) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     requireField(state, field);
     FieldRecord& record = state.influences.fields[index];
@@ -103,9 +106,10 @@ void World::set(FieldId id, const Field& field) {
 }
 
 void World::remove(FieldId id) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, id);
     auto& influences = state.influences;
+    influences.fieldSlots.makeRoom(0);
     wakeIn(state, influences.fields[index].field);
     influences.fieldSlots.erase(id);
     influences.fields.erase(influences.fields.begin() + index);

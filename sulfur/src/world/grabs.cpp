@@ -3,6 +3,7 @@
 #include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "core/room.hpp"
 #include "core/trigonometry.hpp"
 #include "particles/motion.hpp"
 #include "world/impl.hpp"
@@ -61,6 +62,8 @@ GrabId addGrab(State& state, const detail::Attachment& held, const Point& target
     grab.damping = 2 * options.dampingRatio * mass * omega;
     grab.maxForce = options.maxForce.value_or(Real(981) * mass);
     auto& influences = state.influences;
+    detail::makeRoom(influences.grabs, 1);
+    influences.grabSlots.makeRoom(1);
     grab.id = influences.grabSlots.insert(static_cast<std::uint32_t>(influences.grabs.size()));
     influences.grabs.push_back(grab);
     detail::wakeBody(state, body);
@@ -84,7 +87,7 @@ void wakeHeld(State& state, const Grab& grab) {
 }  // namespace
 
 GrabId World::grab(ParticleId particle, Point target, const GrabOptions& options) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     detail::Attachment held;
     held.count = 1;
     held.support[0] = indexOf(state, particle);
@@ -93,7 +96,7 @@ GrabId World::grab(ParticleId particle, Point target, const GrabOptions& options
 }
 
 GrabId World::grab(BodyId body, Vec2 localPoint, Point target, const GrabOptions& options) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOf(state, body);
     detail::requireFinite(localPoint, "local point");
     const detail::Attachment held = detail::supportsFor(state, index, localPoint);
@@ -105,7 +108,7 @@ GrabId World::grab(BodyId body, Vec2 localPoint, Point target, const GrabOptions
 }
 
 void World::setTarget(GrabId id, Point target) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     Grab& grab = state.influences.grabs[indexOfGrab(state, id)];
     validateTarget(target);
     if (target == grab.target) return;
@@ -114,9 +117,10 @@ void World::setTarget(GrabId id, Point target) {
 }
 
 void World::release(GrabId id) {
-    State& state = impl_->state();
+    State& state = impl_->changing();
     const auto index = indexOfGrab(state, id);
     auto& influences = state.influences;
+    influences.grabSlots.makeRoom(0);
     wakeHeld(state, influences.grabs[index]);
     influences.grabSlots.erase(id);
     influences.grabs.erase(influences.grabs.begin() + index);

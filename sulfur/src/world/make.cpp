@@ -6,6 +6,7 @@
 #include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "core/room.hpp"
 #include "core/segments.hpp"
 #include "core/trigonometry.hpp"
 #include "solver/compact.hpp"
@@ -92,6 +93,32 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     return j.id.back();
 }
 
+void makeRoomForParticles(State& state, std::size_t count, BodyKind kind) {
+    state.particles.forEachArray([&](auto& list) { makeRoom(list, count); });
+    state.particleSlots.makeRoom(count);
+    if (kind == BodyKind::dynamic) makeRoom(state.fresh, count);
+}
+
+void makeRoomForJoints(State& state, std::size_t count) {
+    state.joints.forEachArray([&](auto& list) { makeRoom(list, count); });
+    state.jointSlots.makeRoom(count);
+}
+
+/// What a body has by itself.
+BodyRecord recordOf(const Blueprint& plan) {
+    BodyRecord body;
+    body.kind = plan.kind;
+    body.material = plan.material;
+    body.filter = plan.filter;
+    body.selfCollision = plan.selfCollision;
+    body.sensor = plan.sensor;
+    body.name = plan.name;
+    body.skin = plan.skin;
+    body.particles.reserve(plan.particles.size());
+    body.joints.reserve(plan.joints.size());
+    return body;
+}
+
 Real distanceNow(const State& state, std::uint32_t a, std::uint32_t b) {
     return static_cast<Real>((state.particles.position[b] - state.particles.position[a]).norm());
 }
@@ -164,6 +191,8 @@ AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle
                         "a particle cannot be attached to itself; allowed "
                         "is a point of another body");
     for (std::uint32_t k = 0; k < held.count; ++k) validateTie(state, particle, held.support[k]);
+    makeRoom(state.attachments, 1);
+    state.attachmentSlots.makeRoom(1);
     held.particle = particle;
     held.id = state.attachmentSlots.insert(static_cast<std::uint32_t>(state.attachments.size()));
     state.attachments.push_back(held);
@@ -211,19 +240,18 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     plan.validate();
     detail::validateMasses(plan);
     detail::validatePose(pose);
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
+    detail::BodyRecord body = detail::recordOf(plan);
+    detail::makeRoomForParticles(state, plan.particles.size(), plan.kind);
+    detail::makeRoomForJoints(state, plan.joints.size());
+    state.bodySlots.makeRoom(1);
+    detail::makeRoom(state.bodies, 1);
+    detail::makeRoom(state.bodyIds, 1);
+    // From here on nothing fails.
     const auto index = static_cast<std::uint32_t>(state.bodies.size());
     const detail::Counts before = detail::countsOf(state);
-    detail::BodyRecord body;
     body.id = state.bodySlots.insert(index);
-    body.kind = plan.kind;
     body.firstParticle = static_cast<std::uint32_t>(state.particles.size());
-    body.material = plan.material;
-    body.filter = plan.filter;
-    body.selfCollision = plan.selfCollision;
-    body.sensor = plan.sensor;
-    body.name = plan.name;
-    body.skin = plan.skin;
     const Point turn = detail::unitVector(pose.angle);
     for (const ParticleSpec& spec : plan.particles)
         detail::addParticle(state, spec, pose, turn, body, index);
@@ -247,11 +275,12 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
 }
 
 void World::remove(BodyId id) {
-    detail::removeBody(impl_->state(), indexOf(impl_->state(), id));
+    detail::State& state = impl_->changing();
+    detail::removeBody(state, indexOf(state, id));
 }
 
 JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions& options) {
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
     const auto a = indexOf(state, first), b = indexOf(state, second);
     if (a == b)
         throw Error(ErrorCode::degenerate,
@@ -265,8 +294,10 @@ JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions
                     "a joint between two particles that never move; at least one must be of a "
                     "dynamic body");
     detail::validateTie(state, a, b);
-    for (const auto body : {bodyA, bodyB}) detail::wakeBody(state, body);
     const auto owner = bodyA == bodyB ? bodyA : detail::none;
+    detail::makeRoomForJoints(state, 1);
+    if (owner != detail::none) detail::makeRoom(state.bodies[owner].joints, 1);
+    for (const auto body : {bodyA, bodyB}) detail::wakeBody(state, body);
     const JointId id = detail::addJoint(state, a, b, options, rest, owner);
     if (owner != detail::none) {
         state.bodies[owner].joints.push_back(id);
@@ -277,7 +308,7 @@ JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions
 }
 
 AttachmentId World::attach(ParticleId particle, BodyId body, Vec2 localPoint) {
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
     const auto p = indexOf(state, particle);
     const auto b = indexOf(state, body);
     detail::requireFinite(localPoint, "local point");
@@ -285,7 +316,7 @@ AttachmentId World::attach(ParticleId particle, BodyId body, Vec2 localPoint) {
 }
 
 AttachmentId World::attach(ParticleId particle, JointId joint, Real along) {
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
     const auto p = indexOf(state, particle);
     const auto j = indexOf(state, joint);
     detail::requireRange(static_cast<double>(along), 0, 1, "along");
@@ -297,27 +328,29 @@ AttachmentId World::attach(ParticleId particle, JointId joint, Real along) {
 }
 
 void World::remove(JointId id) {
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
     const auto index = indexOf(state, id);
-    detail::jointChanged(state, index);
     detail::Removal removal(state);
+    detail::makeRoomToCompact(state);
     removal.joints[index] = true;
+    detail::jointChanged(state, index);
     detail::compact(state, removal);
 }
 
 void World::remove(AttachmentId id) {
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
     const auto index = indexOf(state, id);
+    detail::Removal removal(state);
+    detail::makeRoomToCompact(state);
+    removal.attachments[index] = true;
     const detail::Attachment& held = state.attachments[index];
     for (const auto p : {held.particle, held.support[0]})
         detail::wakeBody(state, state.particles.body[p]);
-    detail::Removal removal(state);
-    removal.attachments[index] = true;
     detail::compact(state, removal);
 }
 
 void World::setPinned(ParticleId particle, bool pinned) {
-    detail::State& state = impl_->state();
+    detail::State& state = impl_->changing();
     const auto i = indexOf(state, particle);
     state.particles.pinned[i] = pinned ? 1 : 0;
     if (pinned) state.particles.velocity[i] = Point(0, 0);

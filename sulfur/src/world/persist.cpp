@@ -154,6 +154,7 @@ void World::restore(const Snapshot& snapshot) {
 }
 
 std::string World::validate() const {
+    if (impl_->torn) return "a tick for which there was no memory";
     return detail::findBroken(impl_->state());
 }
 

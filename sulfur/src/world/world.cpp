@@ -5,6 +5,7 @@
 #include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "core/room.hpp"
 #include "shape/materials.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
@@ -50,6 +51,20 @@ std::uint32_t indexOf(const State& state, AttachmentId id) {
 }
 
 }  // namespace detail
+
+void World::Impl::refuseTorn() {
+    throw Error(ErrorCode::outOfMemory,
+                "the world is in the middle of a tick for which there was no memory; allowed is "
+                "World::restore");
+}
+
+detail::State& World::Impl::changing() {
+    detail::State& changed = state();
+    detail::makeRoom(changed.turned, changed.bodies.size());
+    detail::makeRoom(changed.core.staleShapes, 2);
+    detail::makeRoom(changed.placed, 1);
+    return changed;
+}
 
 using detail::BodyRecord;
 using detail::indexOf;
@@ -98,13 +113,19 @@ World::~World() = default;
 // --- time ----------------------------------------------------------------------------------
 
 void World::step() {
-    detail::step(impl_->data);
+    State& state = impl_->known();
+    try {
+        detail::step(state);
+    } catch (...) {  // of threads that the host lends, too
+        impl_->torn = true;
+        throw;
+    }
 }
 std::uint64_t World::ticks() const {
-    return impl_->data.tick;
+    return impl_->known().tick;
 }
 double World::time() const {
-    const State& state = impl_->data;
+    const State& state = impl_->known();
     return state.rateTime +
            static_cast<double>(state.tick - state.rateTick) / state.settings.tickRate;
 }
@@ -131,20 +152,20 @@ void World::setTasks(Tasks* tasks) {
 // --- looking -------------------------------------------------------------------------------
 
 bool World::contains(BodyId id) const {
-    return impl_->data.bodySlots.contains(id);
+    return impl_->known().bodySlots.contains(id);
 }
 bool World::contains(ParticleId id) const {
-    return impl_->data.particleSlots.contains(id);
+    return impl_->known().particleSlots.contains(id);
 }
 bool World::contains(JointId id) const {
-    return impl_->data.jointSlots.contains(id);
+    return impl_->known().jointSlots.contains(id);
 }
 bool World::contains(AttachmentId id) const {
-    return impl_->data.attachmentSlots.contains(id);
+    return impl_->known().attachmentSlots.contains(id);
 }
 
 std::span<const BodyId> World::bodies() const {
-    return impl_->data.bodyIds;
+    return impl_->known().bodyIds;
 }
 
 std::vector<JointId> World::connections() const {
@@ -167,19 +188,19 @@ const BodyRecord& record(const State& state, BodyId id) {
 }  // namespace
 
 std::span<const ParticleId> World::particles(BodyId id) const {
-    return record(impl_->data, id).particles;
+    return record(impl_->known(), id).particles;
 }
 std::span<const JointId> World::joints(BodyId id) const {
-    return record(impl_->data, id).joints;
+    return record(impl_->known(), id).joints;
 }
 const std::string& World::name(BodyId id) const {
-    return record(impl_->data, id).name;
+    return record(impl_->known(), id).name;
 }
 BodyKind World::kind(BodyId id) const {
-    return record(impl_->data, id).kind;
+    return record(impl_->known(), id).kind;
 }
 const Material& World::material(BodyId id) const {
-    return record(impl_->data, id).material;
+    return record(impl_->known(), id).material;
 }
 const Material& World::material(JointId id) const {
     const State& state = impl_->state();
@@ -190,7 +211,7 @@ const Material& World::material(JointId id) const {
     return detail::surfaceOf(state, j, owner);
 }
 bool World::selfCollision(BodyId id) const {
-    return record(impl_->data, id).selfCollision;
+    return record(impl_->known(), id).selfCollision;
 }
 bool World::collision(BodyId a, BodyId b) const {
     const State& state = impl_->state();
@@ -205,10 +226,10 @@ std::vector<std::pair<BodyId, BodyId>> World::vetoes() const {
     return pairs;
 }
 const Filter& World::filter(BodyId id) const {
-    return record(impl_->data, id).filter;
+    return record(impl_->known(), id).filter;
 }
 bool World::sensor(BodyId id) const {
-    return record(impl_->data, id).sensor;
+    return record(impl_->known(), id).sensor;
 }
 std::vector<BodyId> World::visitors(BodyId id) const {
     indexOf(impl_->state(), id);
@@ -218,13 +239,13 @@ std::vector<BodyId> World::visitors(BodyId id) const {
     return found;
 }
 const std::optional<Skin>& World::skin(BodyId id) const {
-    return record(impl_->data, id).skin;
+    return record(impl_->known(), id).skin;
 }
 std::uint64_t World::userData(BodyId id) const {
-    return record(impl_->data, id).userData;
+    return record(impl_->known(), id).userData;
 }
 bool World::asleep(BodyId id) const {
-    return record(impl_->data, id).asleep;
+    return record(impl_->known(), id).asleep;
 }
 
 Point World::centreOfMass(BodyId id) const {
