@@ -60,7 +60,8 @@ void noteItems(State& state) {
 /// Whether something has been changed by hand since the lists were made.
 bool isChanged(const State& state) {
     return state.structure.stale || state.work.stale || !state.turned.empty() ||
-           !state.fresh.empty() || !state.influences.grabs.empty();
+           !state.fresh.empty() || !state.influences.grabs.empty() ||
+           !state.core.staleShapes.empty() || state.core.listsStale || state.anyForced;
 }
 
 /// Whether a tick would change nothing but the clock: all that could move sleeps.
@@ -90,9 +91,7 @@ void updateNarrowPhase(State& state) {
 void runStages(State& state) {
     state.arena.reset();
     // Stages that derive anew what has changed ask for all members.
-    if (isChanged(state) || state.anyForced || !state.core.staleShapes.empty() ||
-        state.core.listsStale)
-        bringMembers(state);
+    if (isChanged(state)) bringMembers(state);
     timed(state, Stage::changes, applyChanges);
     timed(state, Stage::forces, gatherForces);
     timed(state, Stage::fields, applyFields);
@@ -106,7 +105,7 @@ void runStages(State& state) {
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     tellContacts(state);
     timed(state, Stage::sleep, updateSleep);
-    state.idle = state.core.staleShapes.empty() && !state.core.listsStale && allRest(state);
+    state.idle = allRest(state);
     state.nearby.valid = false;
     timed(state, Stage::sensors, updateSensors);
     state.lastStep = static_cast<double>(state.h);

@@ -57,6 +57,12 @@ void refuseFixed(const State& state, std::uint32_t body) {
                     "a fixed body cannot have a velocity; allowed are dynamic and kinematic ones");
 }
 
+/// The lists of contacts count what bounces.
+void changeMaterial(State& state, Material& material, const Material& to) {
+    if ((material.restitution > 0) != (to.restitution > 0)) state.core.listsStale = true;
+    material = to;
+}
+
 }  // namespace
 
 void World::setGravity(Vec2 gravity) {
@@ -102,7 +108,7 @@ void World::setMaterial(BodyId id, const Material& material) {
     State& state = impl_->changing();
     const auto index = indexOf(state, id);
     detail::validate(material);
-    state.bodies[index].material = material;
+    changeMaterial(state, state.bodies[index].material, material);
     detail::shapeIsStale(state, id.index - 1);
     detail::wakeTouching(state, index);
 }
@@ -120,7 +126,7 @@ void World::setMaterial(JointId id, const std::optional<Material>& material) {
     State& state = impl_->changing();
     const auto j = indexOf(state, id);
     if (material) detail::validate(*material);
-    state.joints.material[j] = material.value_or(Material{});
+    changeMaterial(state, state.joints.material[j], material.value_or(Material{}));
     state.joints.ownMaterial[j] = material ? 1 : 0;
     for (const auto p : {state.joints.a[j], state.joints.b[j]})
         detail::shapeIsStale(state, state.bodies[state.particles.body[p]].id.index - 1);

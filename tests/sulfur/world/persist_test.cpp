@@ -199,5 +199,40 @@ TEST(Persist, DamagedSnapshotsAreRefused) {
     }
 }
 
+/// While all rests no stage runs. What is changed then is not left for later, of which a restored
+/// world would know nothing.
+TEST(Persist, WhatIsChangedWhileAllRestsGoesOnAlike) {
+    Blueprint lift = shapes::box();
+    lift.kind = BodyKind::kinematic;
+    using Change = void (*)(World&, const Body&, const Body&);
+    const Change changes[] = {[](World& world, const Body&, const Body& driver) {
+                                  world.applyForce(driver[0], Vec2(-87, 3));
+                              },
+                              [](World& world, const Body& floor, const Body&) {
+                                  world.setMaterial(floor.id(), {.restitution = Real(0.5)});
+                              },
+                              [](World& world, const Body& floor, const Body&) {
+                                  world.setMaterial(floor.joints()[0],
+                                                    Material{.restitution = Real(0.5)});
+                              }};
+    for (const Change& change : changes) {
+        World world, copy;
+        const Body floor = world.add(shapes::floor({-5, 0}, {5, 0}));
+        const Body driver = world.add(lift, {Point(0, 3), 0});
+        test::run(world, 1);
+        const auto idle = world.statistics().idleTicks;
+        ASSERT_GT(idle, 0u);
+        change(world, floor, driver);
+        copy.restore(world.snapshot());
+        for (int i = 0; i < 5; ++i) {
+            world.step();
+            copy.step();
+            ASSERT_EQ(world.hash(), copy.hash())
+                << "change " << &change - changes << ", tick " << i;
+        }
+        EXPECT_GT(world.statistics().idleTicks, idle);
+    }
+}
+
 }  // namespace
 }  // namespace sulfur
