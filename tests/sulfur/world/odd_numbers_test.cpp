@@ -51,7 +51,7 @@ TEST(OddNumbers, WhatIsTinyFallsAsAllElse) {
     Blueprint plan = shapes::ball({.radius = Real(1e-20), .mass = Real(1e-9)});
     const Body disc = world.add(plan);
     Blueprint dust;
-    for (const Vec2 at : {Vec2(0, 0), Vec2(Real(1e-15), 0), Vec2(0, Real(1e-15))})
+    for (const Vec2& at : {Vec2(0, 0), Vec2(Real(1e-15), 0), Vec2(0, Real(1e-15))})
         dust.particles.push_back({.position = at, .mass = Real(1e-9)});
     dust.joints = {{.a = 0, .b = 1}, {.a = 1, .b = 2}, {.a = 2, .b = 0}};
     const Body speck = world.add(dust, {.position = {5, 0}});
