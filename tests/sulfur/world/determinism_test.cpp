@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 8854017242348476646u);
+    EXPECT_EQ(world.hash(), 10013563166254674302u);
 #else
     EXPECT_EQ(world.hash(), 4447423138566912785u);
 #endif
