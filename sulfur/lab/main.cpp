@@ -7,7 +7,7 @@
 #include <sulfur/version.hpp>
 
 #include "experiments/experiment.hpp"
-#include "write_whole.hpp"
+#include "whole_file.hpp"
 
 namespace {
 
@@ -20,14 +20,15 @@ struct Options {
 };
 
 void show(const Report& report, const Options& options) {
-    if (!options.csvFile.empty()) writeWhole(options.csvFile, report.csv);
-    if (!options.jsonFile.empty()) writeWhole(options.jsonFile, report.json);
+    if (!options.csvFile.empty()) files::writeWhole(options.csvFile, report.csv);
+    if (!options.jsonFile.empty()) files::writeWhole(options.jsonFile, report.json);
     const bool csv = options.csv && options.csvFile.empty();
     const bool json = options.json && options.jsonFile.empty();
     std::cout << (csv ? report.csv : json ? report.json : report.text);
     if (!options.plotFolder.empty())
         for (const auto& picture : report.pictures)
-            writeWhole(std::filesystem::path(options.plotFolder) / picture.file, picture.svg);
+            files::writeWhole(std::filesystem::path(options.plotFolder) / picture.file,
+                              picture.svg);
     std::cout.flush();
     if (!std::cout) throw std::runtime_error("the result cannot be written to standard output");
 }

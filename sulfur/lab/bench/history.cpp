@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "write_whole.hpp"
+#include "whole_file.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -119,7 +119,7 @@ std::string keepHistory(const std::string& file, const std::string& date,
                                 row.scene.variant, row.setting.label(), time, before->second.time,
                                 before->second.date, before->second.version, 100 * change);
     }
-    writeWhole(file, text);
+    files::writeWhole(file, text);
     if (told.empty())
         told = fmt::format("No row of ours changed by more than {:.0f} % since its last entry.\n",
                            100 * regression);
