@@ -47,13 +47,15 @@ public:
 
     void forgetLimited() {
         const Real most = static_cast<Real>(maxSpeed) * state_.h;
+        std::uint32_t done = none;  // movers of one body stand together
         for (const auto m : core_.awakeMovers) {
-            if (core_.lengths[m] <= most) continue;
+            if (core_.lengths[m] <= most || movers_.body[m] == done) continue;
             const Motion3& way = core_.ways[m];
-            if (std::abs(way.x) > most || std::abs(way.y) > most ||
-                movers_.reach[m] * std::abs(way.turn) > most)
-                forEachRow(movers_.body[m],
-                           [&](auto& block, std::uint32_t lane) { forget(block, lane); });
+            if (std::abs(way.x) <= most && std::abs(way.y) <= most &&
+                movers_.reach[m] * std::abs(way.turn) <= most)
+                continue;
+            done = movers_.body[m];
+            forEachRow(done, [&](auto& block, std::uint32_t lane) { forget(block, lane); });
         }
     }
 
