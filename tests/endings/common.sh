@@ -23,5 +23,4 @@ ends_with() { tail -c ${#2} "$1" | cmp --quiet - <(printf %s "$2"); }
 # Without an own group of jobs a script's children would not hear SIGINT.
 hears_signals() { exec env --default-signal=HUP,INT,TERM "$@"; }
 
-milliseconds() { printf '%s' "$((${EPOCHREALTIME/[.,]/} / 1000))"; }
 runs() { kill -0 "$pid" 2> /dev/null; }

@@ -3,6 +3,7 @@
 // Then the file FAIL_BELOW/failed tells what it was.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -34,11 +35,13 @@ bool isBelow(const char* path) {
            (std::string(whole) + '/').compare(0, folder().size(), folder()) == 0;
 }
 
-/// Sockets and pipes lie nowhere.
+/// What is no regular file lies nowhere.
 std::string nameOf(int descriptor) {
+    struct stat info {};
     char path[PATH_MAX] = {};
     const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
-    const bool isFile = ::readlink(link.c_str(), path, sizeof path - 1) > 0 && path[0] == '/';
+    const bool isFile = ::fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) &&
+                        ::readlink(link.c_str(), path, sizeof path - 1) > 0;
     return isFile ? path : "/";
 }
 
