@@ -61,9 +61,9 @@ private:
     void takeBlowsOff() {
         for (const Blow& blow : core_.blows) {
             Motion3& way = core_.ways[blow.mover];
-            way.x -= blow.when * blow.velocity[0];
-            way.y -= blow.when * blow.velocity[1];
-            way.turn -= blow.when * blow.spin;
+            way.x -= blow.late.x;
+            way.y -= blow.late.y;
+            way.turn -= blow.late.turn;
             core_.lengths[blow.mover] = lengthOf(blow.mover, {});
         }
     }

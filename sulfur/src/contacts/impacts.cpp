@@ -66,12 +66,14 @@ public:
           movers_(core_.movers),
           h_(state.h),
           meetings_(&state.arena),
-          moments_(&state.arena) {}
+          moments_(&state.arena),
+          late_(&state.arena) {}
 
     void run() {
         collect();
         if (meetings_.empty()) return;
         moments_.assign(movers_.size(), 0);
+        late_.assign(movers_.size(), {});
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
@@ -232,8 +234,9 @@ private:
         for (std::size_t k = 0; k < 3; ++k) {
             const auto m = s.body[k];
             if (movers_.bodies[m].inverseMass == 0 || !movesAlone(state_, m)) continue;
-            const Motion3 way = motionNow(movers_, m);
-            s.angular[side] -= when * cross(Vec2(way.x, way.y), s.linear[k]);
+            const Motion3 way = motionNow(movers_, m), &late = late_[m];
+            const Vec2 gone(when * way.x - late.x, when * way.y - late.y);
+            s.angular[side] -= cross(gone, s.linear[k]);
         }
         return weighed(s);
     }
@@ -249,12 +252,18 @@ private:
             p.vx += v[0];
             p.vy += v[1];
             p.spin += w;
-            core_.blows.push_back({m, v, w, before, {}});
+            const Motion3 late{before * v[0], before * v[1], before * w};
+            core_.blows.push_back({m, v, w, late, {}});
+            late_[m] = sumOf(late_[m], late);
             moments_[m] = std::max(moments_[m], before);
         }
     }
 
-    /// What struck one mover is one blow, from the first moment on.
+    static Motion3 sumOf(const Motion3& a, const Motion3& b) {
+        return {a.x + b.x, a.y + b.y, a.turn + b.turn};
+    }
+
+    /// What struck one mover is one blow.
     void merge() {
         auto& blows = core_.blows;
         std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> order(&state_.arena);
@@ -271,7 +280,7 @@ private:
             Blow& sum = blows[kept - 1];
             sum.velocity += blow.velocity;
             sum.spin += blow.spin;
-            sum.when = std::min(sum.when, blow.when);
+            sum.late = sumOf(sum.late, blow.late);
         }
         blows.resize(kept);
     }
@@ -387,6 +396,7 @@ private:
     Real h_;
     std::pmr::vector<Meeting> meetings_;
     std::pmr::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
+    std::pmr::vector<Motion3> late_;  // by mover, of all its blows
 };
 
 }  // namespace
@@ -424,20 +434,20 @@ void endBlows(State& state) {
         const Vec2 now = turns ? c->displacement : state.particles.displacement[i];
         const Real angle = turns ? static_cast<Real>(c->angle) : 0;
         const auto left = [](Real given, Real kept) {
-            return given > 0 ? std::clamp<Real>(kept, 0, given) : std::clamp<Real>(kept, given, 0);
+            return given == 0 ? Real(1) : std::clamp<Real>(kept / given, 0, 1);
         };
-        blow.velocity = Vec2(left(blow.velocity[0], now[0] - blow.before.x),
-                             left(blow.velocity[1], now[1] - blow.before.y));
-        blow.spin = left(blow.spin, angle - blow.before.turn);
+        blow.late.x *= left(blow.velocity[0], now[0] - blow.before.x);
+        blow.late.y *= left(blow.velocity[1], now[1] - blow.before.y);
+        blow.late.turn *= left(blow.spin, angle - blow.before.turn);
     }
     std::erase_if(state.core.blows,
                   [&](const Blow& blow) { return !movesAlone(state, blow.mover); });
     for (const Blow& blow : state.core.blows) {
         const auto i = state.core.denseOfMover[blow.mover];
-        const Vec2 back = -blow.when * blow.velocity;
+        const Vec2 back(-blow.late.x, -blow.late.y);
         if (state.core.moverIsCluster[blow.mover]) {
             state.clusters.list[i].shift += back;
-            state.clusters.list[i].twist -= static_cast<double>(blow.when * blow.spin);
+            state.clusters.list[i].twist -= static_cast<double>(blow.late.turn);
         } else {
             state.particles.position[i] += back.cast<double>();
         }

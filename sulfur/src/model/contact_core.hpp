@@ -84,7 +84,7 @@ struct Blow {
     std::uint32_t mover = 0;
     Vec2 velocity{0, 0};  // m in a step
     Real spin = 0;        // rad in a step
-    Real when = 0;        // share of the step that was over
+    Motion3 late;         // of these, what was over before: it does not go so far in this step
     Motion3 before;       // as it would have gone
 };
 
