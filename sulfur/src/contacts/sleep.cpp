@@ -128,7 +128,6 @@ void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
     if (!measureRest(state)) return;
-    bringMembers(state);  // who falls asleep stays where it is
     DisjointSets islands(state.bodies.size(), &state.arena);
     const auto unite = [&](std::uint32_t a, std::uint32_t b) {
         if (isDynamic(state, a) && isDynamic(state, b)) {
@@ -147,6 +146,7 @@ void updateSleep(State& state) {
             restless[islands.find(i)] = true;
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
         if (!isDynamic(state, i) || state.bodies[i].asleep || restless[islands.find(i)]) continue;
+        bringMembers(state);  // who falls asleep stays where it is
         sleepBody(state, i);
     }
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
