@@ -39,7 +39,7 @@ public:
         isPressed_.assign(core_.shapes.firstChunk.size(), 0);
         for (const auto body : state_.work.kinematic) {
             const auto driver = state_.bodies[body].id.index - 1;
-            forEachRow(driver, [&](auto& block, std::uint32_t lane) {
+            forEachRow(core_, driver, [&](auto& block, std::uint32_t lane) {
                 if (isVain(block, lane)) follow(block, lane, driver);
             });
         }
@@ -55,7 +55,7 @@ public:
                 movers_.reach[m] * std::abs(way.turn) <= most)
                 continue;
             done = movers_.body[m];
-            forEachRow(done, [&](auto& block, std::uint32_t lane) { forget(block, lane); });
+            forEachRow(core_, done, [&](auto& block, std::uint32_t lane) { forget(block, lane); });
         }
     }
 
@@ -85,11 +85,11 @@ private:
         const std::size_t first = pressed_.size();
         bool ends = press(block, lane, driver);
         for (std::size_t k = first; k < pressed_.size(); ++k)
-            forEachRow(pressed_[k], [&](auto& other, std::uint32_t l) {
+            forEachRow(core_, pressed_[k], [&](auto& other, std::uint32_t l) {
                 if (pressingOf(other, l) >= loadShare * load) ends |= press(other, l, driver);
             });
         for (std::size_t k = first; ends && k < pressed_.size(); ++k)
-            forEachRow(pressed_[k], [&](auto& other, std::uint32_t l) { forget(other, l); });
+            forEachRow(core_, pressed_[k], [&](auto& other, std::uint32_t l) { forget(other, l); });
     }
 
     /// Notes whom a row presses. Returns whether that is something else that nothing pushes.
@@ -115,21 +115,6 @@ private:
             body.spin -= twist * body.inverseInertia;
         });
         forgetImpulses(block, lane);
-    }
-
-    template <class Function>
-    void forEachRow(std::uint32_t body, Function&& f) {
-        const auto& first = core_.shapes.firstChunk;  // of those that have a shape
-        for (auto c = body < first.size() ? first[body] : none; c != none;
-             c = core_.shapes.chunks[c].nextOfBody)
-            for (auto at = core_.shapes.chunks[c].firstPair; at != none;) {
-                const Pair& pair = core_.pairs[at / 2];
-                at = pair.next[at % 2];
-                if (pair.row) f(core_.rows.manifold(pair.row), RowGraph::laneOf(pair.row));
-                for (auto i = pair.firstTouch; i != none; i = core_.touches[i].next)
-                    if (const RowPlace row = core_.touches[i].row)
-                        f(core_.rows.touch(row), RowGraph::laneOf(row));
-            }
     }
 
     State& state_;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "model/clusters.hpp"
@@ -22,7 +23,7 @@ using tuned::leadingSpeed;
 using tuned::tolerated;
 /// Of the way out, in a step: who is in several others follows the deepest.
 constexpr double leadingShare = tuned::recoveryShare;
-/// Ticks after which bodies that press on each other are looked at again.
+/// Steps after which bodies that press on each other are looked at again.
 constexpr std::uint64_t lookEvery = tuned::seldom;
 
 /// A capsule or disc of a body: where its ends are now.
@@ -238,7 +239,7 @@ bool isConvex(const ContactCore& core, const Encounter& encounter) {
 /// far side. Most of that mends itself; what is still so at the next look is led apart.
 void findEntwined(State& state) {
     ContactCore& core = state.core;
-    for (auto e = state.tick % lookEvery; e < core.encounters.size(); e += lookEvery) {
+    for (auto e = stepNumber(state) % lookEvery; e < core.encounters.size(); e += lookEvery) {
         Encounter& encounter = core.encounters[e];
         if (encounter.firstPair == none || encounter.overlapping != 0 || encounter.pressing == 0 ||
             isConvex(core, encounter) || !isFree(state, encounter.a) || !isFree(state, encounter.b))
@@ -263,8 +264,7 @@ public:
                                std::pair(slotA, slotB)))
             return false;
         Part &a = partOf(slotA), &b = partOf(slotB);
-        const double weights = a.whole.inverseMass + b.whole.inverseMass;
-        if (weights == 0) return false;
+        if (a.whole.inverseMass + b.whole.inverseMass == 0) return false;
         const bool goesOn = encounter.overlapping != 0 ? overlap(a.outline, b.outline)
                                                        : areEntangled(a.outline, b.outline);
         if (!goesOn && !areInEachOther(a.outline, b.outline)) return false;
@@ -274,8 +274,9 @@ public:
         const WayOut way = shortestWayOut(a.outline, b.outline);
         const double closing = way.direction.dot(a.whole.way - b.whole.way);
         const double move = leadingShare * way.depth;
-        for (const auto& [part, side] : {std::pair(&a, 1.0), std::pair(&b, -1.0)}) {
-            const Point out = side * part->whole.inverseMass / weights * way.direction;
+        const auto [weightA, weightB] = weightsOf(a.whole, b.whole, way.direction);
+        for (const auto& [part, weight] : {std::pair(&a, weightA), std::pair(&b, -weightB)}) {
+            const Point out = weight * way.direction;
             if (closing < 0) addVelocity(part->whole, -closing * out);
             core_.leads.push_back({part->whole.body, (move * out).cast<Real>()});
         }
@@ -296,6 +297,38 @@ private:
             .emplace(slot, Part{surfacesOfBody(state_, slot),
                                 wholeOf(state_, state_.bodySlots.denseOf(slot))})
             .first->second;
+    }
+
+    /// By which share of the way each of two goes: as their masses have it, but whoever stands
+    /// against something fixed in his way leaves it to the other.
+    std::pair<double, double> weightsOf(const Whole& a, const Whole& b, const Point& way) const {
+        double weightA = a.inverseMass, weightB = b.inverseMass;
+        const bool isBlockedA = isBlocked(a.body, way), isBlockedB = isBlocked(b.body, -way);
+        if (isBlockedA != isBlockedB) (isBlockedA ? weightA : weightB) = 0;
+        const double sum = weightA + weightB;
+        if (sum == 0) return weightsWithin(a.inverseMass, b.inverseMass);
+        return weightsWithin(weightA, weightB);
+    }
+    static std::pair<double, double> weightsWithin(double a, double b) {
+        return {a / (a + b), b / (a + b)};
+    }
+    /// Whether rows with something that nothing pushes press a body against its way.
+    bool isBlocked(std::uint32_t body, const Point& way) const {
+        double against = 0;
+        const auto look = [&](const auto& block, std::uint32_t lane) {
+            Vec2 onBody(0, 0);
+            bool isFixed = false;
+            forEachPush(block, lane, [&](std::uint32_t m, const Vec2& push, Real) {
+                const SolverBody& solver = core_.movers.bodies[m];
+                if (solver.inverseMass == 0 && solver.inverseInertia == 0)
+                    isFixed = isFixed || !push.isZero(0);
+                else
+                    onBody += push;
+            });
+            if (isFixed) against -= onBody.cast<double>().dot(way);
+        };
+        forEachRow(core_, state_.bodies[body].id.index - 1, look);
+        return against > 0;
     }
 
     void addVelocity(Whole& whole, const Point& by) {

@@ -47,4 +47,20 @@ inline void forgetImpulses(TouchBlock& t, std::uint32_t l) {
     t.rubbing[l] = t.pressing[l] = 0;
 }
 
+/// Calls f(block, lane) for all rows of a body, given by its slot.
+template <class Core, class Function>
+void forEachRow(Core& core, std::uint32_t body, Function&& f) {
+    const auto& first = core.shapes.firstChunk;  // of those that have a shape
+    for (auto c = body < first.size() ? first[body] : none; c != none;
+         c = core.shapes.chunks[c].nextOfBody)
+        for (auto at = core.shapes.chunks[c].firstPair; at != none;) {
+            const Pair& pair = core.pairs[at / 2];
+            at = pair.next[at % 2];
+            if (pair.row) f(core.rows.manifold(pair.row), RowGraph::laneOf(pair.row));
+            for (auto i = pair.firstTouch; i != none; i = core.touches[i].next)
+                if (const RowPlace row = core.touches[i].row)
+                    f(core.rows.touch(row), RowGraph::laneOf(row));
+        }
+}
+
 }  // namespace sulfur::detail

@@ -102,5 +102,30 @@ TEST(Crowded, WhatIsPressedIntoEachOtherAtTheLimitOfSpeedStaysFinite) {
         }
 }
 
+/// A rod that is put into the bottom of something heavy on the floor cannot go down: the other
+/// rises.
+TEST(Crowded, WhoeverStandsInTheWayIsNotLedThroughTheFloor) {
+    for (const int rate : {60, 500}) {
+        World world({.tickRate = rate, .sleeping = false});
+        world.add(shapes::floor({-9, 0}, {9, 0}));
+        const Real radius = Real(0.02);
+        const Body wall = world.add(
+            shapes::wall(
+                {.size = {2, 1}, .columns = 4, .rows = 2, .radius = radius, .strength = 1e9}),
+            {Point(0, 0.52), 0});
+        test::run(world, 0.5);
+        const Body rod = world.add(shapes::rope({.from = {Real(-0.3), radius - Real(0.003)},
+                                                 .to = {Real(0.2), radius - Real(0.003)},
+                                                 .links = 1,
+                                                 .radius = radius}));
+        test::run(world, 4);
+        double lowest = 1;
+        for (const ParticleId p : wall.particles()) lowest = std::min(lowest, world.position(p)[1]);
+        const Point middle = (world.position(rod[0]) + world.position(rod[1])) / 2;
+        EXPECT_GT(std::max(std::abs(middle[0]) - 1.3, lowest - middle[1]), 0.8 * 2 * 0.02) << rate;
+        EXPECT_GT(middle[1], 0.9 * 0.02) << rate;
+    }
+}
+
 }  // namespace
 }  // namespace sulfur
