@@ -41,6 +41,7 @@ public:
           moved_(&state.arena) {}
 
     void run() {
+        core_.held.clear();
         takeBlowsOff();
         measureStrips();
         collect();
@@ -187,6 +188,7 @@ private:
         if (anyStops) find(pair);
         for (Passing& p : core_.passings) p.depth += apart(p);
         for (const Passing& p : core_.passings) push(p, p.depth - apart(p));
+        core_.held.push_back(static_cast<std::uint32_t>(&pair - core_.pairs.data()));
     }
     void find(const Pair& pair) {
         const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];

@@ -174,6 +174,8 @@ struct ContactCore {
     std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
+    std::vector<std::uint32_t> held;    // pairs that continuous collision has moved apart in it
+    std::vector<Point> places;  // m, by particle that moves by itself: before constraints
     std::vector<std::uint32_t> struckEncounters;
     std::vector<std::uint32_t> toWake;  // bodies by slot
     bool listsStale = true;

@@ -11,6 +11,7 @@
 #include "solver/areas.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/grabs.hpp"
+#include "solver/momenta.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -88,6 +89,7 @@ void sweepAll(State& state) {
 }  // namespace
 
 void solveConstraints(State& state) {
+    notePlaces(state);
     state.contacts.clear();
     countRows(state);
     clearMultipliers(state);

@@ -4,6 +4,7 @@
 #include "core/limits.hpp"
 #include "particles/motion.hpp"
 #include "rigid/cluster_motion.hpp"
+#include "solver/momenta.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -20,6 +21,12 @@ void velocitiesFromDisplacements(State& state) {
         motionKernels().takeUp(view, kick, range.first, range.last);
 }
 
+void takeUpDisplacements(State& state) {
+    velocitiesFromDisplacements(state);
+    updateTreeVelocities(state);
+    updateClusterVelocities(state);
+}
+
 void movePoints(State& state) {
     const MotionView view = motionOf(state.particles);
     for (const Range range : state.work.points) {
@@ -31,9 +38,7 @@ void movePoints(State& state) {
 }  // namespace
 
 void updateVelocities(State& state) {
-    velocitiesFromDisplacements(state);
-    updateTreeVelocities(state);
-    updateClusterVelocities(state);
+    keepMomenta(state, takeUpDisplacements);
     movePoints(state);
     moveClusters(state);
     state.looked(Stage::velocities, state.work.awakeClusters.size());

@@ -154,7 +154,7 @@ MemoryUse ofScratch(const State& state) {
     const auto& e = state.work.explicitBatches;
     return Sum()
         .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.lengths,
-             c.blows, c.knocks, c.impulses, c.struck)
+             c.blows, c.knocks, c.impulses, c.struck, c.held, c.places)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)

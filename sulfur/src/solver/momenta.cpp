@@ -1,0 +1,296 @@
+#include "solver/momenta.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/disjoint_sets.hpp"
+#include "model/contact_core.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Bodies that push each other, and what a step has changed of them.
+struct Group {
+    std::uint32_t parts = 0;
+    double mass = 0, inertia = 0;         // kg; kg m^2 about its centre
+    Point about{0, 0}, centre{0, 0};      // m: where its first part is; from there
+    Point momentum{0, 0}, lost{0, 0};     // kg m/s: as it is, and what is missing
+    double angular = 0, lostAngular = 0;  // kg m^2/s about `about`, the same
+    double energy = 0;                    // J, of motion
+    // What is given back.
+    Point velocity{0, 0}, way{0, 0};  // m/s: of its centre before, and more of it
+    double spin = 0;                  // rad/s
+    double slower = 0;                // share of the motion within it
+};
+
+/// A rigid component or a particle that moves by itself, as the step leaves it.
+struct Part {
+    double mass = 0, inertia = 0;
+    Point predicted{0, 0}, end{0, 0};    // m: its place without constraints, and with them
+    Point velocity{0, 0}, change{0, 0};  // m/s: without constraints, and by them
+    double spin = 0, spinChange = 0;     // rad/s
+    Point* newVelocity = nullptr;        // where it takes up what is given back
+    double* newSpin = nullptr;
+};
+
+Motion3 placeOf(const ContactCore& core, std::uint32_t m) {
+    const SolverBody& b = core.movers.bodies[m];
+    return {b.x, b.y, b.turn};
+}
+
+/// Whether a row has pressed its bodies, or moved them apart.
+bool acts(const ContactCore& core, const ManifoldBlock& r, std::uint32_t l) {
+    if (r.rubbing[l] != 0) return true;
+    const Motion3 a = placeOf(core, r.a[l]), b = placeOf(core, r.b[l]);
+    return std::any_of(std::begin(r.points), std::end(r.points), [&](const ManifoldPoint& p) {
+        const Real way = p.normalX[l] * (b.x - a.x) + p.normalY[l] * (b.y - a.y) +
+                         p.normalArmB[l] * b.turn - p.normalArmA[l] * a.turn;
+        return p.pressing[l] > 0 || p.gap[l] + way < 0;
+    });
+}
+bool acts(const ContactCore& core, const TouchBlock& t, std::uint32_t l) {
+    if (t.pressing[l] > 0 || t.rubbing[l] != 0) return true;
+    const Motion3 p = placeOf(core, t.p[l]), a = placeOf(core, t.a[l]), b = placeOf(core, t.b[l]);
+    const Real nx = t.normalX[l], ny = t.normalY[l];
+    const Real leanX = t.lean[l] * t.sideX[l], leanY = t.lean[l] * t.sideY[l];
+    const Real way = nx * p.x + ny * p.y + (leanX - t.weightA[l] * nx) * a.x +
+                     (leanY - t.weightA[l] * ny) * a.y - (leanX + t.weightB[l] * nx) * b.x -
+                     (leanY + t.weightB[l] * ny) * b.y + t.normalArmP[l] * p.turn -
+                     t.normalArmA[l] * a.turn - t.normalArmB[l] * b.turn;
+    return t.gap[l] + way < 0;
+}
+
+class Momenta {
+public:
+    explicit Momenta(State& state)
+        : state_(state),
+          core_(state.core),
+          index_(state.bodies.size(), none, &state.arena),
+          sets_(state.work.bodies.size(), &state.arena),
+          open_(state.work.bodies.size(), 0, &state.arena),
+          group_(state.work.bodies.size(), none, &state.arena),
+          groups_(&state.arena) {
+        link();
+        findGroups();
+        if (groups_.empty()) return;
+        forEachPart([&](Group& g, const Part& p) { add(g, p); });
+        for (Group& g : groups_) settle(g);
+    }
+
+    void giveBack() {
+        if (groups_.empty()) return;
+        forEachPart([&](const Group& g, const Part& p) {
+            const Point arm = p.end - g.about, turning(-g.spin * arm[1], g.spin * arm[0]);
+            *p.newVelocity += g.way + turning - g.slower * (*p.newVelocity - g.velocity);
+            if (p.newSpin) *p.newSpin += g.spin - g.slower * *p.newSpin;
+        });
+    }
+
+private:
+    void open(std::uint32_t body) {
+        if (body != none && index_[body] != none) open_[index_[body]] = 1;
+    }
+    /// What is fixed, driven or asleep is in no group.
+    void unite(std::uint32_t a, std::uint32_t b) {
+        if (a != none && b != none && index_[a] != none && index_[b] != none) {
+            sets_.unite(index_[a], index_[b]);
+        } else {
+            open(a);
+            open(b);
+        }
+    }
+
+    void link() {
+        for (std::uint32_t k = 0; k < state_.work.bodies.size(); ++k) {
+            const auto body = state_.work.bodies[k];
+            if (state_.bodies[body].kind == BodyKind::dynamic) index_[body] = k;
+        }
+        linkRows();
+        for (const auto* pairs : {&core_.struck, &core_.held})
+            for (const auto pair : *pairs) linkPair(core_.pairs[pair]);
+        for (const auto e : core_.leading)
+            unite(state_.bodySlots.dense(core_.encounters[e].a),
+                  state_.bodySlots.dense(core_.encounters[e].b));
+        const auto& body = state_.particles.body;
+        for (const auto j : state_.work.tiedJoints)
+            unite(body[state_.joints.a[j]], body[state_.joints.b[j]]);
+        for (const Attachment& held : state_.attachments)
+            unite(body[held.particle], body[held.support[0]]);
+        for (const Grab& grab : state_.influences.grabs)
+            open(body[state_.particleSlots.dense(grab.support[0])]);
+        for (const auto i : state_.work.heldNodes) open(body[i]);
+    }
+    void linkPair(const Pair& pair) {
+        const auto bodyOf = [&](std::uint32_t chunk) {
+            return state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body);
+        };
+        if (pair.a != none) unite(bodyOf(pair.a), bodyOf(pair.b));
+    }
+    void linkRows() {
+        const auto bodyOf = [&](std::uint32_t m) {
+            const auto slot = core_.movers.body[m];
+            return slot == none ? none : state_.bodySlots.denseOf(slot);
+        };
+        const auto forEachRow = [&](const auto& list, std::uint32_t colour, auto&& f) {
+            for (std::size_t k = 0; k < list.blocks.size(); ++k) {
+                const std::uint32_t rows = std::min<std::uint32_t>(
+                    RowGraph::rowsIn(list, colour, k), static_cast<std::uint32_t>(rowLanes));
+                for (std::uint32_t l = 0; l < rows; ++l)
+                    if (acts(core_, list.blocks[k], l)) f(list.blocks[k], l);
+            }
+        };
+        for (const auto c : core_.rows.inUse()) {
+            forEachRow(core_.rows.manifolds[c], c, [&](const ManifoldBlock& r, std::uint32_t l) {
+                unite(bodyOf(r.a[l]), bodyOf(r.b[l]));
+            });
+            forEachRow(core_.rows.touches[c], c, [&](const TouchBlock& t, std::uint32_t l) {
+                unite(bodyOf(t.p[l]), bodyOf(t.a[l]));
+                if (t.b[l] != 0) unite(bodyOf(t.p[l]), bodyOf(t.b[l]));
+            });
+        }
+    }
+
+    /// Those of several parts that push nothing else.
+    void findGroups() {
+        const Particles& p = state_.particles;
+        std::pmr::vector<std::uint32_t> parts(group_.size(), 0, &state_.arena);
+        const auto count = [&](std::uint32_t body, bool isFree) {
+            if (index_[body] == none) return;
+            ++parts[sets_.find(index_[body])];
+            if (!isFree) open(body);
+        };
+        for (const auto k : state_.work.awakeClusters) {
+            const Cluster& c = state_.clusters.list[k];
+            count(c.body, c.freeInverseMass > 0 && c.freeInverseInertia > 0);
+        }
+        for (const Range range : state_.work.points)
+            for (auto i = range.first; i < range.last; ++i) count(p.body[i], p.inverseMass[i] > 0);
+        for (std::uint32_t k = 0; k < open_.size(); ++k)
+            if (open_[k] != 0) parts[sets_.find(k)] = 0;
+        for (std::uint32_t k = 0; k < group_.size(); ++k) {
+            const auto root = sets_.find(k);
+            if (parts[root] < 2) continue;
+            if (group_[root] == none) {
+                group_[root] = static_cast<std::uint32_t>(groups_.size());
+                groups_.emplace_back();
+            }
+            group_[k] = group_[root];
+        }
+    }
+    Group* groupOf(std::uint32_t body) {
+        const auto place = index_[body];
+        return place == none || group_[place] == none ? nullptr : &groups_[group_[place]];
+    }
+
+    /// Calls f(group, part) for all that is in a group.
+    template <class Function>
+    void forEachPart(Function&& f) {
+        const double h = static_cast<double>(state_.h);
+        for (const auto k : state_.work.awakeClusters) {
+            Cluster& c = state_.clusters.list[k];
+            Group* const group = groupOf(c.body);
+            if (group == nullptr) continue;
+            Part p;
+            p.mass = c.mass;
+            p.inertia = 1 / c.freeInverseInertia;
+            p.predicted = c.centre + c.predicted.cast<double>();
+            p.end = c.centre + c.displacement.cast<double>() + c.shift.cast<double>();
+            p.velocity = c.velocity;
+            p.change = (c.displacement - c.predicted).cast<double>() / h;
+            p.spin = c.spin;
+            p.spinChange = (c.angle - c.predictedAngle) / h;
+            p.newVelocity = &c.velocity;
+            p.newSpin = &c.spin;
+            f(*group, p);
+        }
+        const auto& velocity = state_.particles.velocity;
+        for (const Range range : state_.work.free)
+            for (auto i = range.first; i < range.last; ++i)
+                withParticle(i, (h * velocity[i]).cast<Real>(), f);
+        for (const auto t : state_.work.lonelyTrees) {
+            const Tree& tree = state_.trees.list[t];
+            const bool isTouched = state_.trees.touched[t] != 0;
+            for (auto k = tree.first; k < tree.last; ++k)
+                if (const auto i = state_.trees.nodes[k].particle; i != none)
+                    withParticle(
+                        i, isTouched ? state_.trees.predicted[k] : state_.particles.displacement[i],
+                        f);
+        }
+    }
+    template <class Function>
+    void withParticle(std::uint32_t i, const Vec2& predicted, Function&& f) {
+        Particles& q = state_.particles;
+        Group* const group = groupOf(q.body[i]);
+        if (group == nullptr) return;
+        Part p;
+        p.mass = 1 / static_cast<double>(q.inverseMass[i]);
+        p.predicted = core_.places[i] + predicted.cast<double>();
+        p.end = q.position[i] + q.displacement[i].cast<double>();
+        p.velocity = q.velocity[i];
+        p.change = (q.displacement[i] - predicted).cast<double>() / static_cast<double>(state_.h);
+        p.newVelocity = &q.velocity[i];
+        f(*group, p);
+    }
+
+    static void add(Group& g, const Part& p) {
+        if (g.parts++ == 0) g.about = p.end;
+        const Point arm = p.end - g.about, now = p.velocity + p.change;
+        const double spin = p.spin + p.spinChange;
+        const double angular = p.mass * cross(arm, now) + p.inertia * spin;
+        const double before =
+            p.mass * cross(Point(p.predicted - g.about), p.velocity) + p.inertia * p.spin;
+        g.mass += p.mass;
+        g.inertia += p.inertia + p.mass * arm.squaredNorm();
+        g.centre += p.mass * arm;
+        g.momentum += p.mass * now;
+        g.lost -= p.mass * p.change;
+        g.angular += angular;
+        g.lostAngular += before - angular;
+        g.energy += (p.mass * now.squaredNorm() + p.inertia * spin * spin) / 2;
+    }
+
+    static void settle(Group& g) {
+        g.centre /= g.mass;
+        g.about += g.centre;
+        g.velocity = g.momentum / g.mass;
+        g.way = g.lost / g.mass;
+        const double inertia = g.inertia - g.mass * g.centre.squaredNorm();
+        if (!(inertia > 0)) return;
+        const double lost = g.lostAngular - g.mass * cross(g.centre, g.way);
+        const double within = g.angular - g.mass * cross(g.centre, g.velocity);
+        const double energy = g.energy - g.mass * g.velocity.squaredNorm() / 2;
+        // A spin w adds w L to the energy within, and slower motion by a share s takes 2 s E away,
+        // but also s L.
+        const double gain = lost * within / inertia, takes = 2 * energy - within * within / inertia;
+        if (gain > 0 && takes > 0) g.slower = std::min(gain / takes, 0.5);
+        g.spin = (lost + g.slower * within) / inertia;
+    }
+
+    State& state_;
+    ContactCore& core_;
+    std::pmr::vector<std::uint32_t> index_;  // by body: its place in work.bodies if it is dynamic
+    DisjointSets sets_;                      // of these places
+    std::pmr::vector<std::uint8_t> open_;    // by place: it pushes something that is in no group
+    std::pmr::vector<std::uint32_t> group_;  // by place, or none
+    std::pmr::vector<Group> groups_;
+};
+
+}  // namespace
+
+void notePlaces(State& state) {
+    auto& places = state.core.places;
+    if (state.work.points.empty()) return;
+    places.resize(state.particles.size());
+    for (const Range range : state.work.points)
+        std::copy(state.particles.position.begin() + range.first,
+                  state.particles.position.begin() + range.last, places.begin() + range.first);
+}
+
+void keepMomenta(State& state, void (*takeUp)(State& state)) {
+    Momenta momenta(state);
+    takeUp(state);
+    momenta.giveBack();
+}
+
+}  // namespace sulfur::detail
