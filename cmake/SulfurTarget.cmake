@@ -51,8 +51,8 @@ function(sulfur_in_few_files target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # They hide each other's names.
-  target_compile_options(${target} PRIVATE -Wno-shadow)
+  # What is local to a function hides names of other files.
+  target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endfunction()
 
 # sulfur_alone(<sources>...): they are never compiled together with others.
