@@ -14,7 +14,7 @@ using Pixel = std::array<std::uint8_t, 4>;
 
 constexpr int side = 200;
 
-Image drawn(const DebugWorld& world, float pixelsPerMetre = 50, const DebugStyle& style = {}) {
+Image drawnWorld(const DebugWorld& world, float pixelsPerMetre = 50, const DebugStyle& style = {}) {
     OffscreenCanvas offscreen({side, side});
     Canvas& canvas = offscreen.begin();
     canvas.clear(colors::black);
@@ -37,31 +37,31 @@ int litPixels(const Image& image) {
 }
 
 TEST(DebugDraw, showsEachThingWhereItIs) {
-    const Image disc = drawn([](DebugPen& pen) { pen.disc({0, 0}, 1, DebugState::Moving); });
+    const Image disc = drawnWorld([](DebugPen& pen) { pen.disc({0, 0}, 1, DebugState::Moving); });
     EXPECT_TRUE(lit(disc, 149, 100)) << "its rim, one metre to the right";
     EXPECT_FALSE(lit(disc, 100, 100)) << "an outline covers nothing";
 
-    const Image capsule = drawn([](DebugPen& pen) {
+    const Image capsule = drawnWorld([](DebugPen& pen) {
         pen.capsule({-1, 0}, {1, 0}, 0.5f, DebugState::Moving);
     });
     EXPECT_TRUE(lit(capsule, 100, 75)) << "its upper edge";
     EXPECT_TRUE(lit(capsule, 174, 100)) << "its round end";
 
-    const Image joint = drawn([](DebugPen& pen) {
+    const Image joint = drawnWorld([](DebugPen& pen) {
         pen.joint({-1, 0}, {1, 0}, 0, DebugState::Moving);
     });
     EXPECT_TRUE(lit(joint, 120, 100) || lit(joint, 120, 99));
 
-    const Image contact = drawn([](DebugPen& pen) { pen.contact({0, 0}, {0, 1}, 5); });
+    const Image contact = drawnWorld([](DebugPen& pen) { pen.contact({0, 0}, {0, 1}, 5); });
     EXPECT_TRUE(lit(contact, 100, 60) || lit(contact, 99, 60)) << "5 N s are a metre up";
     EXPECT_FALSE(lit(contact, 100, 140));
 
-    const Image bounds = drawn([](DebugPen& pen) {
+    const Image bounds = drawnWorld([](DebugPen& pen) {
         pen.bounds({{-1, -1}, {2, 2}}, DebugState::Moving);
     });
     EXPECT_TRUE(lit(bounds, 50, 100) || lit(bounds, 49, 100));
 
-    const Image field = drawn([](DebugPen& pen) { pen.field({0, 0}, 1, {0, -0.5f}); });
+    const Image field = drawnWorld([](DebugPen& pen) { pen.field({0, 0}, 1, {0, -0.5f}); });
     EXPECT_TRUE(lit(field, 100, 115) || lit(field, 99, 115)) << "half a metre down";
 }
 
@@ -70,7 +70,7 @@ TEST(DebugDraw, statesAndLoadsHaveTheirColours) {
     style.dot = 10;
     style.line = 10;
     for (int i = 0; i < debugStateCount; ++i) {
-        const Image image = drawn(
+        const Image image = drawnWorld(
             [&](DebugPen& pen) {
                 pen.particle({0, 0}, static_cast<DebugState>(i));
             },
@@ -80,7 +80,7 @@ TEST(DebugDraw, statesAndLoadsHaveTheirColours) {
         EXPECT_NEAR(image.pixel(100, 100)[2], wanted.b * 255, 1);
     }
     const auto loaded = [&](float load) {
-        return drawn(
+        return drawnWorld(
                    [&](DebugPen& pen) {
                        pen.joint({-1, 0}, {1, 0}, load, DebugState::Moving);
                    },
@@ -95,7 +95,7 @@ TEST(DebugDraw, statesAndLoadsHaveTheirColours) {
 
 TEST(DebugDraw, dotsAndLinesAreAsThickAtAnyZoom) {
     const auto dots = [](float zoom) {
-        return litPixels(drawn(
+        return litPixels(drawnWorld(
             [](DebugPen& pen) {
                 pen.particle({0, 0}, DebugState::Moving);
             },
@@ -109,7 +109,7 @@ TEST(DebugDraw, nonsenseDrawsNothing) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float inf = std::numeric_limits<float>::infinity();
     const Vec2 nowhere{nan, inf};
-    const Image image = drawn([&](DebugPen& pen) {
+    const Image image = drawnWorld([&](DebugPen& pen) {
         pen.particle(nowhere, DebugState::Moving);
         pen.disc({0, 0}, -1, DebugState::Moving);
         pen.disc(nowhere, 1, DebugState::Moving);
@@ -125,11 +125,11 @@ TEST(DebugDraw, nonsenseDrawsNothing) {
         pen.field(Rect{nowhere, {1, 1}}, {0, 0});
     });
     EXPECT_EQ(litPixels(image), 0);
-    EXPECT_EQ(litPixels(drawn({})), 0) << "and so does no world at all";
+    EXPECT_EQ(litPixels(drawnWorld({})), 0) << "and so does no world at all";
 }
 
 TEST(DebugDraw, whatTheAdaptorThrowsPassesThrough) {
-    EXPECT_THROW(drawn([](DebugPen&) { throw std::runtime_error("no world"); }),
+    EXPECT_THROW(drawnWorld([](DebugPen&) { throw std::runtime_error("no world"); }),
                  std::runtime_error);
 }
 

@@ -24,7 +24,7 @@ Image plain(std::array<std::uint8_t, 4> color) {
     return image;
 }
 
-WindowOptions small() {
+WindowOptions smallWindow() {
     WindowOptions options;
     options.size = {160, 120};
     options.offscreen = true;
@@ -65,7 +65,7 @@ TEST(LostContext, picturesAreMadeAgainAndTheProgramGoesOn) {
         draw(canvas);
         if (app.draws == 8) app.platform->requestScreenshot(folder / "after.png");
     };
-    EXPECT_EQ(runOffscreen(app, small()), 0);
+    EXPECT_EQ(runOffscreen(app, smallWindow()), 0);
     EXPECT_EQ(app.restored, 1);
     EXPECT_EQ(app.draws, 10);
     EXPECT_EQ(app.stops, 1);
@@ -84,7 +84,7 @@ TEST(LostContext, whatWasMadeBeforeIsNoPictureAnyMore) {
         canvas.sprite(app.before, {80, 60}, {100, 80}, {.tint = Color::hex(0xFFB347)});
         seen = canvas.readFrame().pixel(80, 60);
     };
-    EXPECT_EQ(runOffscreen(app, small()), 0);
+    EXPECT_EQ(runOffscreen(app, smallWindow()), 0);
     EXPECT_EQ(seen, amber) << "plain in its tint, and not what has its name in the new context";
 }
 
@@ -92,7 +92,7 @@ TEST(LostContext, aProgramThatMakesNothingAgainEndsWithASentence) {
     TexturedApp app;
     app.refuses = true;
     testing::internal::CaptureStderr();
-    EXPECT_EQ(runOffscreen(app, small()), 1);
+    EXPECT_EQ(runOffscreen(app, smallWindow()), 1);
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("the graphics driver was reset, and this program cannot"),
               std::string::npos)
@@ -108,7 +108,7 @@ TEST(LostContext, aDriverThatIsResetAgainAndAgainEndsTheProgram) {
         if (app.draws == 100) app.platform->quit();
     };
     testing::internal::CaptureStderr();
-    EXPECT_EQ(runOffscreen(app, small()), 1);
+    EXPECT_EQ(runOffscreen(app, smallWindow()), 1);
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("reset again and again"), std::string::npos) << said;
 }

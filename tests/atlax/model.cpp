@@ -138,8 +138,8 @@ TEST(Model, everyCutOffFileIsRefusedOrReadWhole) {
     }
 }
 
-Image drawn(std::span<const Model> models, std::span<const ModelInstance> places,
-            const ModelView& view = {}) {
+Image drawnModels(std::span<const Model> models, std::span<const ModelInstance> places,
+                  const ModelView& view = {}) {
     OffscreenCanvas offscreen({64, 64});
     Canvas& c = offscreen.begin();
     std::vector<ModelInstance> instances(places.begin(), places.end());
@@ -156,7 +156,7 @@ TEST(CanvasModels, standWhereTheyShouldAndUpright) {
     const std::array models{fromText(triangleGltf, "test.gltf")};
     // Its corners are (0,5), (1,5) and (0,6), times 2, from 2 down.
     const std::array places{ModelInstance{.position = {0, -10}, .size = 2}};
-    const Image image = drawn(models, places, flat);
+    const Image image = drawnModels(models, places, flat);
     EXPECT_EQ(image.pixel(35, 29), (std::array<std::uint8_t, 4>{255, 128, 0, 255}));
     EXPECT_EQ(image.pixel(50, 14)[3], 0);
     EXPECT_EQ(image.pixel(35, 35)[3], 0);
@@ -168,7 +168,7 @@ TEST(CanvasModels, whatIsNearerCoversInAnyOrder) {
     for (const float depth : {1.0f, -1.0f}) {
         const std::array places{ModelInstance{.depth = depth, .tint = {1, 0, 0, 1}},
                                 ModelInstance{.tint = {0, 0, 1, 1}}};
-        const Image image = drawn(models, places, flat);
+        const Image image = drawnModels(models, places, flat);
         EXPECT_EQ(image.pixel(32, 32)[depth > 0 ? 0 : 2], 255) << depth;
         EXPECT_EQ(image.pixel(32, 32)[depth > 0 ? 2 : 0], 0) << depth;
     }
@@ -179,8 +179,8 @@ TEST(CanvasModels, planesThatCrossCoverEachOtherHalf) {
     const std::array places{ModelInstance{.turn = {0, 0.8f, 0}, .tint = {1, 0, 0, 1}},
                             ModelInstance{.turn = {0, -0.8f, 0}, .tint = {0, 0, 1, 1}}};
     for (const float eye : {0.0f, 6.0f}) {
-        const Image image =
-            drawn(models, places, {.light = colors::black, .ambient = colors::white, .eye = eye});
+        const Image image = drawnModels(
+            models, places, {.light = colors::black, .ambient = colors::white, .eye = eye});
         // Turned about y, the left of the first comes forward.
         EXPECT_EQ(image.pixel(28, 32), (std::array<std::uint8_t, 4>{255, 0, 0, 255})) << eye;
         EXPECT_EQ(image.pixel(36, 32), (std::array<std::uint8_t, 4>{0, 0, 255, 255})) << eye;
@@ -191,9 +191,9 @@ TEST(CanvasModels, lightFollowsTheCosine) {
     const std::array models{fromText(square)};
     for (const float angle : {0.0f, 0.5f, 1.0f}) {
         const std::array places{ModelInstance{.turn = {0, angle, 0}}};
-        const Image image =
-            drawn(models, places,
-                  {.towardsLight = {0, 0, 2}, .light = colors::white, .ambient = colors::black});
+        const Image image = drawnModels(
+            models, places,
+            {.towardsLight = {0, 0, 2}, .light = colors::white, .ambient = colors::black});
         EXPECT_NEAR(image.pixel(32, 32)[0], 255 * std::cos(angle), 1.5) << angle;
     }
 }
@@ -202,7 +202,7 @@ TEST(CanvasModels, perspectiveMakesNearThingsLarger) {
     const std::array models{fromText(square)};
     const auto width = [&](float depth) {
         const std::array places{ModelInstance{.depth = depth}};
-        const Image image = drawn(models, places, {.ambient = colors::white, .eye = 4});
+        const Image image = drawnModels(models, places, {.ambient = colors::white, .eye = 4});
         int count = 0;
         for (int x = 0; x < 64; ++x) count += image.pixel(x, 32)[3] > 127;
         return count;

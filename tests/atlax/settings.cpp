@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using namespace atlax;
 using Strings = std::vector<std::string>;
 
-constexpr auto sample =
+constexpr auto sampleText =
     R"({"version": 1, "settings": {"a": true, "b.c": 7, "d": 0.5, "e": "text", "f": ["x", "y"]}})";
 
 /// Runs `body` in a process of its own, because it changes limits or the user; true when it
@@ -115,14 +115,14 @@ TEST(Settings, badTextsAreRefusedWithAReason) {
             EXPECT_EQ(message.find('\n'), std::string::npos);
         }
     }
-    EXPECT_EQ(parseSettings(sample, "x").values.size(), 5u);
+    EXPECT_EQ(parseSettings(sampleText, "x").values.size(), 5u);
 }
 
 TEST(Settings, mutatedTextsAreReadOrRefused) {
     std::mt19937 random(11);
     int good = 0, refused = 0;
     for (int i = 0; i < 4000; ++i) {
-        std::string text = sample;
+        std::string text = sampleText;
         for (unsigned n = 1 + random() % 3; n > 0; --n) {
             const auto at = random() % text.size();
             if (random() % 3 == 0)

@@ -20,7 +20,7 @@ Recording sample() {
     return recording;
 }
 
-std::string refusal(const std::string& text) {
+std::string refusalOf(const std::string& text) {
     try {
         Recording::parse(text, "a.proof");
     } catch (const RecordingError& error) {
@@ -52,27 +52,27 @@ TEST(Recording, WhatIsWrittenIsRead) {
 TEST(Recording, EveryTruncationIsRefused) {
     const std::string text = sample().format();
     for (std::size_t length = 0; length < text.size(); ++length) {
-        const std::string message = refusal(text.substr(0, length));
+        const std::string message = refusalOf(text.substr(0, length));
         EXPECT_EQ(message.find("a.proof:"), 0u) << message;
     }
 }
 
 TEST(Recording, DamageIsRefusedWithItsLine) {
     const std::string text = sample().format();
-    EXPECT_NE(refusal(replaced(text, "recording 1", "recording 9")).find("a.proof:1:"),
+    EXPECT_NE(refusalOf(replaced(text, "recording 1", "recording 9")).find("a.proof:1:"),
               std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "numbers ", "numbers x")).find("a.proof:5:"),
+    EXPECT_NE(refusalOf(replaced(text, "numbers ", "numbers x")).find("a.proof:5:"),
               std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "ticks 101", "ticks 99999999999")).find("a.proof:6:"),
+    EXPECT_NE(refusalOf(replaced(text, "ticks 101", "ticks 99999999999")).find("a.proof:6:"),
               std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "\n70 ", "\n-70 ")).find("a.proof:9:"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "\n70 ", "\n0 ")).find("a.proof:9:"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "\n70 ", "\n71 ")).find("longer"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "\n70 ", "\n69 ")).find("shorter"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "\n70 ", "\n1 70 ")).find("a.proof:9:"), std::string::npos);
-    EXPECT_NE(refusal(replaced(text, "fedcba", "fedxba")).find("a.proof:7:"), std::string::npos);
-    EXPECT_NE(refusal(text + "more\n").find("after"), std::string::npos);
-    EXPECT_NE(refusal(std::string(1000, '\0')).find("a.proof:1:"), std::string::npos);
+    EXPECT_NE(refusalOf(replaced(text, "\n70 ", "\n-70 ")).find("a.proof:9:"), std::string::npos);
+    EXPECT_NE(refusalOf(replaced(text, "\n70 ", "\n0 ")).find("a.proof:9:"), std::string::npos);
+    EXPECT_NE(refusalOf(replaced(text, "\n70 ", "\n71 ")).find("longer"), std::string::npos);
+    EXPECT_NE(refusalOf(replaced(text, "\n70 ", "\n69 ")).find("shorter"), std::string::npos);
+    EXPECT_NE(refusalOf(replaced(text, "\n70 ", "\n1 70 ")).find("a.proof:9:"), std::string::npos);
+    EXPECT_NE(refusalOf(replaced(text, "fedcba", "fedxba")).find("a.proof:7:"), std::string::npos);
+    EXPECT_NE(refusalOf(text + "more\n").find("after"), std::string::npos);
+    EXPECT_NE(refusalOf(std::string(1000, '\0')).find("a.proof:1:"), std::string::npos);
 }
 
 TEST(Recording, HugeFilesAreRefusedUnread) {

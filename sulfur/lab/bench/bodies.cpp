@@ -10,7 +10,7 @@ namespace sulfur::lab::bench {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Area, and the integral of the squared distance from the origin.
 std::pair<double, double> polygonMoments(const std::vector<Point>& points) {

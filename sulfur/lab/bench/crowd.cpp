@@ -10,7 +10,6 @@ namespace sulfur::lab::bench {
 
 namespace {
 
-constexpr double millimetres = 1e3;
 constexpr double sampleInterval = 0.25;  // s
 
 struct Entry {

@@ -10,7 +10,7 @@ namespace sulfur::lab::bench {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A square drum with walls of 1 m that turns at 25 degrees a second.
 class Tumbler final : public Crowd {

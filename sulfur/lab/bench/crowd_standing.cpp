@@ -11,8 +11,6 @@ namespace sulfur::lab::bench {
 
 namespace {
 
-constexpr double millimetres = 1e3;
-
 /// Pyramids of boxes of 1 m that touch on all sides, in rows above each other, each row on a ground
 /// of its own.
 class Pyramids final : public Crowd {

@@ -35,7 +35,7 @@ std::vector<std::string> fieldsOf(const std::string& line) {
     return fields;
 }
 
-struct Entry {
+struct Past {
     std::string date, version;
     double time = 0;
 };
@@ -48,8 +48,8 @@ double timeOf(const std::string& text) {
 }
 
 struct History {
-    std::string text;                   ///< of the whole file
-    std::map<std::string, Entry> last;  ///< of each row
+    std::string text;                  ///< of the whole file
+    std::map<std::string, Past> last;  ///< of each row
 };
 
 History readHistory(const std::string& file) {

@@ -13,8 +13,6 @@ namespace sulfur::lab::bench {
 
 namespace {
 
-constexpr double millimetres = 1e3;
-
 std::vector<Square> squaresOf(const EngineWorld& world, std::size_t count) {
     std::vector<Square> all;
     for (std::size_t i = 0; i < count; ++i) all.push_back(world.square(i));

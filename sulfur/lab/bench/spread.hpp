@@ -7,6 +7,9 @@
 
 namespace sulfur::lab::bench {
 
+/// In a metre; figures of overlaps are given in them.
+inline constexpr double millimetres = 1e3;
+
 struct Spread {
     double median = 0, least = 0, most = 0;
     std::size_t count = 0;

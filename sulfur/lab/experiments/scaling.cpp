@@ -16,7 +16,7 @@ namespace sulfur::lab {
 
 namespace {
 
-struct Measured {
+struct Curve {
     bench::Growth growth;
     std::vector<bench::Spread> times;  ///< s, one for each size
     bench::PowerLaw law;
@@ -40,11 +40,11 @@ public:
         const bench::TickOptions options =
             quick_ ? bench::TickOptions{.warmUp = 10, .ticks = 10, .repeats = 3}
                    : bench::TickOptions{};
-        std::vector<Measured> all;
+        std::vector<Curve> all;
         for (bench::Growth& growth : bench::growths(quick_)) {
             if (!only_.empty() && std::find(only_.begin(), only_.end(), growth.key) == only_.end())
                 continue;
-            Measured measured{std::move(growth), {}, {}};
+            Curve measured{std::move(growth), {}, {}};
             std::optional<bench::Pinned> pin;
             if (!measured.growth.threads) pin.emplace();
             std::vector<std::pair<double, double>> points;
@@ -57,19 +57,19 @@ public:
             all.push_back(std::move(measured));
         }
         Report report{asText(all), asCsv(all), asJson(all)};
-        for (const Measured& measured : all)
+        for (const Curve& measured : all)
             report.pictures.push_back(
                 {"scaling_" + measured.growth.key + ".svg", picture(measured)});
         return report;
     }
 
 private:
-    static std::string asText(const std::vector<Measured>& all) {
+    static std::string asText(const std::vector<Curve>& all) {
         std::string out =
             "Time of a tick, microseconds of processor time: the median, and the exponent p of "
             "time = c size^p\nthrough all sizes. One thread, but where threads are what grows: "
             "there on the wall.\n";
-        for (const Measured& m : all) {
+        for (const Curve& m : all) {
             out += fmt::format("\n{}: p = {:.2f}\n", m.growth.title, m.law.exponent);
             for (std::size_t i = 0; i < m.times.size(); ++i)
                 out += fmt::format("{:>12g}{:>14.1f}  ({:.1f} - {:.1f})\n", m.growth.sizes[i],
@@ -79,9 +79,9 @@ private:
         return out;
     }
 
-    static std::string asCsv(const std::vector<Measured>& all) {
+    static std::string asCsv(const std::vector<Curve>& all) {
         std::string out = "growth,size,tick_s,least_s,most_s,exponent\n";
-        for (const Measured& m : all)
+        for (const Curve& m : all)
             for (std::size_t i = 0; i < m.times.size(); ++i)
                 out += fmt::format("{},{},{},{},{},{}\n", m.growth.key, m.growth.sizes[i],
                                    m.times[i].median, m.times[i].least, m.times[i].most,
@@ -89,10 +89,10 @@ private:
         return out;
     }
 
-    static std::string asJson(const std::vector<Measured>& all) {
+    static std::string asJson(const std::vector<Curve>& all) {
         std::string out = "{\n  \"growths\": [";
         const char* separator = "\n";
-        for (const Measured& m : all) {
+        for (const Curve& m : all) {
             out += fmt::format("{}    {{\"growth\": {}, \"exponent\": {}, \"points\": [", separator,
                                bench::jsonText(m.growth.key), bench::jsonNumber(m.law.exponent));
             separator = ",\n";
@@ -104,7 +104,7 @@ private:
         return out + "\n  ]\n}\n";
     }
 
-    static std::string picture(const Measured& m) {
+    static std::string picture(const Curve& m) {
         Plot plot;
         plot.title = "Time of a tick: " + m.growth.title;
         plot.xTitle = m.growth.title;

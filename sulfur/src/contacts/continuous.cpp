@@ -26,7 +26,7 @@ namespace {
 /// What comes nearer in a step by more than this share of the thickness is fast. It may overlap by
 /// as much.
 constexpr Real fast = Real(tuned::fast);
-constexpr int mostRounds = tuned::keepingRounds;
+constexpr int mostKeepingRounds = tuned::keepingRounds;
 
 class Keeper {
 public:
@@ -48,7 +48,7 @@ public:
         if (pairs_.empty()) return;
         unheld_.assign(core_.ways.begin(), core_.ways.end());
         held_.assign(movers_.size(), 0);
-        for (round_ = 1; round_ <= mostRounds && !pairs_.empty(); ++round_) {
+        for (round_ = 1; round_ <= mostKeepingRounds && !pairs_.empty(); ++round_) {
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             moved_.clear();
             for (const auto pair : pairs_) hold(core_.pairs[pair]);

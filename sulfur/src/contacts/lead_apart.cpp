@@ -76,9 +76,9 @@ bool encloses(const Outline& outline, const Point& p) {
     return turns > 0;
 }
 
-bool cross(const Thick& s, const Thick& t) {
+bool doCross(const Thick& s, const Thick& t) {
     const auto side = [](const Point& a, const Point& b, const Point& p) {
-        return sulfur::cross(b - a, p - a);
+        return cross(b - a, p - a);
     };
     return side(s.a, s.b, t.a) * side(s.a, s.b, t.b) < 0 &&
            side(t.a, t.b, s.a) * side(t.a, t.b, s.b) < 0;
@@ -98,7 +98,7 @@ bool areInEachOther(const Outline& one, const Outline& other) {
     if (holds(one, other) || holds(other, one)) return true;
     for (const Thick& s : one)
         for (const Thick& t : other)
-            if (!s.disc && !t.disc && cross(s, t)) return true;
+            if (!s.disc && !t.disc && doCross(s, t)) return true;
     return false;
 }
 

@@ -9,7 +9,7 @@ namespace sulfur::detail {
 namespace {
 
 /// Fewer joints of one colour are solved one by one.
-constexpr std::uint32_t fewest = 4;
+constexpr std::uint32_t fewestWide = 4;
 
 bool isFree(const State& state, std::uint32_t j) {
     const auto& cluster = state.particles.cluster;
@@ -96,7 +96,7 @@ void batchJoints(State& state, const std::vector<std::uint32_t>& list, SweptJoin
                    isFree(state, list[k]) == isFree(state, list[first]);
         };
         while (last < size && same(last)) ++last;
-        const bool wide = isFree(state, list[first]) && last - first >= fewest;
+        const bool wide = isFree(state, list[first]) && last - first >= fewestWide;
         // Neighbours of one part; where bodies do not come in their order, of a few.
         for (std::uint32_t from = first, to = first; from < last; from = to) {
             const auto part = parts.of(list[from]);

@@ -39,7 +39,7 @@ void addElasticForce(State& state, std::uint32_t j) {
     particles.force[b] -= force;
 }
 
-ForceView viewOf(State& state) {
+ForceView forceViewOf(State& state) {
     Particles& p = state.particles;
     const ExplicitJoints& j = state.work.explicitBatches;
     return {p.position.data()->data(),
@@ -96,7 +96,7 @@ void gatherForces(State& state) {
     state.looked(Stage::forces, list.size());
     if (list.empty()) return;
     state.anyForced = true;
-    const ForceView view = viewOf(state);
+    const ForceView view = forceViewOf(state);
     constexpr std::size_t inMicrosecond = 400;
     const std::size_t size = state.particles.size();
     const std::size_t pieces =

@@ -18,7 +18,7 @@ void requirePoint(const Point& point, const char* what) {
         detail::requireRange(point[axis], -detail::maxCoordinate, detail::maxCoordinate, what);
 }
 
-void requireVector(Vec2 value, double limit, const char* what) {
+void requireEachAxis(Vec2 value, double limit, const char* what) {
     for (int axis = 0; axis < 2; ++axis)
         detail::requireRange(static_cast<double>(value[axis]), -limit, limit, what);
 }
@@ -45,7 +45,7 @@ struct FieldCheck {
 
     void operator()(const UniformField& field) const {
         std::visit(ZoneCheck{}, field.zone);
-        requireVector(field.acceleration, detail::maxAcceleration, "field: acceleration");
+        requireEachAxis(field.acceleration, detail::maxAcceleration, "field: acceleration");
     }
     void operator()(const RadialField& field) const {
         requirePoint(field.centre, "field: centre");
@@ -57,7 +57,7 @@ struct FieldCheck {
     }
     void operator()(const WindField& field) const {
         std::visit(ZoneCheck{}, field.zone);
-        requireVector(field.velocity, static_cast<double>(detail::maxSpeed), "field: velocity");
+        requireEachAxis(field.velocity, static_cast<double>(detail::maxSpeed), "field: velocity");
         detail::requireRange(static_cast<double>(field.drag), 0, tickRate, "field: drag");
     }
 };

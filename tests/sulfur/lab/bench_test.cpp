@@ -15,6 +15,7 @@
 #include "bench/show.hpp"
 #include "bench/squares.hpp"
 #include "bench/ticks.hpp"
+#include "figure_of.hpp"
 #include "paper_tables.hpp"
 
 namespace {
@@ -50,13 +51,6 @@ public:
     std::vector<RopePlan> ropes;
     long steps = 0;
 };
-
-double figureOf(const Figures& figures, const std::string& name) {
-    for (const Figure& figure : figures)
-        if (figure.name == name) return figure.value;
-    ADD_FAILURE() << name;
-    return 0;
-}
 
 /// An engine whose worlds are notebooks that outlive them.
 Engine noting(std::vector<Notebook*>& made) {

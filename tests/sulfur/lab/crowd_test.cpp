@@ -9,6 +9,7 @@
 #include "bench/compare.hpp"
 #include "bench/crowd.hpp"
 #include "bench/engines/sulfur_blueprints.hpp"
+#include "figure_of.hpp"
 
 namespace {
 
@@ -48,13 +49,6 @@ public:
     std::vector<BodyPlan> plans;
     int pins = 0, removed = 0;
 };
-
-double figureOf(const Figures& figures, const std::string& name) {
-    for (const Figure& figure : figures)
-        if (figure.name == name) return figure.value;
-    ADD_FAILURE() << name;
-    return 0;
-}
 
 /// All settings in which the engines that were found play a scene.
 std::vector<Setting> settingsOf(const Scene& scene) {

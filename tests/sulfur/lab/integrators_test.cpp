@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entry_of.hpp"
 #include "integrators/integrator.hpp"
 #include "rope.hpp"
 #include "spring_system.hpp"
@@ -58,12 +59,6 @@ double coupledErrorAfterOneSecond(const IntegratorEntry& entry, int ticks) {
     integrator->begin(system, state, h);
     for (int i = 0; i < ticks; ++i) integrator->step(system, state, h);
     return std::abs(state.x[0].x() - std::cos(std::sqrt(3.0)));
-}
-
-const IntegratorEntry& entryOf(const std::string& key) {
-    for (const auto& entry : integrators())
-        if (entry.key == key) return entry;
-    throw std::out_of_range(key);
 }
 
 class EveryIntegrator : public testing::TestWithParam<std::string> {};
@@ -209,7 +204,7 @@ TEST(ImplicitEuler, SolvesItsEquationForAnyTopology) {
 }
 
 TEST(Rope, AccelerationsAgreeOneByOneAndTogether) {
-    for (const Damper damper : {Damper::full, Damper::axial}) {
+    for (const auto damper : {sulfur::lab::Damper::full, sulfur::lab::Damper::axial}) {
         const Rope rope({.particles = 6, .stiffness = 500, .damper = damper});
         State state = rope.start();
         for (std::size_t i = 0; i < state.x.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "entry_of.hpp"
 #include "integrators/linear_theory.hpp"
 #include "limit_search.hpp"
 #include "paper_tables.hpp"
@@ -11,12 +12,6 @@
 namespace {
 
 using namespace sulfur::lab;
-
-const IntegratorEntry& entryOf(const std::string& key) {
-    for (const auto& entry : integrators())
-        if (entry.key == key) return entry;
-    throw std::out_of_range(key);
-}
 
 TEST(Theory, MatchesTheClosedForms) {
     for (const double rate : {60.0, 500.0, 1000.0}) {

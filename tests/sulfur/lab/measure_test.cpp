@@ -53,7 +53,7 @@ TEST(Motion, OfASpinningBody) {
     World world(still({}, 0));
     const Body body = world.add(lattice({.columns = 2, .rows = 2, .cell = 2, .mass = 0.5}));
     spin(world, body, 3);
-    const Motion motion = motionOf(world, body.particles());
+    const auto motion = motionOf(world, body.particles());
     EXPECT_NEAR(motion.angularMomentum, 2 * 2 * 3, 1e-5);  // m r^2 omega with r^2 = 2
     EXPECT_NEAR(motion.spinKinetic, 2 * 2 * 9 / 2.0, 1e-5);
     EXPECT_NEAR(motion.momentum.norm(), 0, 1e-6);

@@ -1,17 +1,12 @@
 // The maps of stability, against the laws that they must follow.
 #include <gtest/gtest.h>
 
+#include "entry_of.hpp"
 #include "stability/stability_map.hpp"
 
 namespace {
 
 using namespace sulfur::lab;
-
-const IntegratorEntry& entryOf(const std::string& key) {
-    for (const auto& entry : integrators())
-        if (entry.key == key) return entry;
-    throw std::out_of_range(key);
-}
 
 TEST(HangingLimit, FollowsTheLaws) {
     for (const double rate : {60.0, 500.0, 10000.0}) {

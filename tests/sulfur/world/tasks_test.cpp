@@ -39,7 +39,7 @@ public:
 
 /// Enough of everything that all stages divide their work: two colours of contacts with 275 blocks
 /// each, of which two are pieces enough; and a pile, jellies and a rope for what is not divided.
-void build(World& world) {
+void buildMuch(World& world) {
     world.add(shapes::ground({.points = {{-2000, 0}, {2000, 0}}}));
     for (int i = 0; i < 2200; ++i) world.add(shapes::box(), {.position = {-1800 + 1.5 * i, 0.5}});
     constexpr int base = 12;
@@ -55,7 +55,7 @@ void build(World& world) {
 
 std::uint64_t play(Tasks* tasks, int ticks) {
     World world;
-    build(world);
+    buildMuch(world);
     world.setTasks(tasks);
     for (int i = 0; i < ticks; ++i) world.step();
     return world.hash();
@@ -76,7 +76,7 @@ TEST(Tasks, ThreadsDoNotMatter) {
 /// What is very large stands in a grid of its own, and touches colliders of all pieces.
 TEST(Tasks, StayLentWhenAWorldIsRestored) {
     World world;
-    build(world);
+    buildMuch(world);
     Backwards tasks(2);
     world.setTasks(&tasks);
     world.step();
@@ -149,7 +149,7 @@ TEST(Tasks, DoNotMatterForSoftBodiesAndStacks) {
 
 TEST(Tasks, CanBeTakenAway) {
     World world;
-    build(world);
+    buildMuch(world);
     {
         Backwards tasks(2);
         world.setTasks(&tasks);

@@ -53,7 +53,7 @@ double depth(const World& world, const Body& body) {
     return lowest;
 }
 
-Rows fall(const Fall& f, const Setup& setup) {
+Rows rowsOf(const Fall& f, const Setup& setup) {
     World world(still(setup, standardGravity));
     addCells(world, f.apart);
     const std::vector<Body> bodies{world.add(rod(), {.position = Point(f.x, 1), .angle = f.angle})};
@@ -85,7 +85,7 @@ Rows segments(const Setup& setup) {
             for (const Fall& f : {Fall{"end-on between seams", 0.2, 0, speed, apart},
                                   Fall{"end-on at a seam", 0, 0, speed, apart},
                                   Fall{"across a seam", 0, 1.2, speed, apart}})
-                for (Row& row : fall(f, setup)) rows.push_back(std::move(row));
+                for (Row& row : rowsOf(f, setup)) rows.push_back(std::move(row));
     return rows;
 }
 
