@@ -195,6 +195,9 @@ struct RowKernels {
     /// A bit for each lane that presses.
     std::uint32_t (*pressingManifolds)(const ManifoldBlock& block);
     std::uint32_t (*pressingTouches)(const TouchBlock& block);
+    /// A bit for each lane that has pressed or rubbed its bodies in this step, or moved them apart.
+    std::uint32_t (*actingManifolds)(const ManifoldBlock& block);
+    std::uint32_t (*actingTouches)(const TouchBlock& block);
 };
 
 extern const RowKernels baselineRows;

@@ -609,6 +609,14 @@ std::uint32_t pressingManifold(const ManifoldBlock& block) {
                 (load(block.points[1].pressing) > Vec{}));
 }
 
+/// Sweeps count an overlap as no gap: then nothing is left but how it closes.
+std::uint32_t actingManifold(const ManifoldBlock& block) {
+    Mask acts = (load(block.rubbing) > Vec{}) | (load(block.rubbing) < Vec{});
+    for (const ManifoldPoint& p : block.points)
+        acts |= (load(p.pressing) > Vec{}) | (load(p.room) <= load(p.closing));
+    return bits(acts);
+}
+
 // --- a corner and a side ------------------------------------------------------------------------
 
 /// What one direction of a touch has to do with the motions of its bodies.
@@ -916,6 +924,11 @@ std::uint32_t pressingTouch(const TouchBlock& block) {
     return bits(load(block.pressing) > Vec{});
 }
 
+std::uint32_t actingTouch(const TouchBlock& block) {
+    return bits((load(block.rubbing) > Vec{}) | (load(block.rubbing) < Vec{}) |
+                (load(block.pressing) > Vec{}) | (load(block.room) <= load(block.closing)));
+}
+
 /// The kernels, as compiled for the processors of the file that includes this.
 constexpr RowKernels rowKernelsHere = {sweepBlocks<ManifoldBlock>,
                                        sweepBlocks<TouchBlock>,
@@ -926,7 +939,9 @@ constexpr RowKernels rowKernelsHere = {sweepBlocks<ManifoldBlock>,
                                        meetingManifold,
                                        meetingTouch,
                                        pressingManifold,
-                                       pressingTouch};
+                                       pressingTouch,
+                                       actingManifold,
+                                       actingTouch};
 
 }  // namespace
 

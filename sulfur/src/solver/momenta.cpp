@@ -1,7 +1,9 @@
 #include "solver/momenta.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/disjoint_sets.hpp"
 #include "model/contact_core.hpp"
@@ -34,33 +36,6 @@ struct Part {
     double* newSpin = nullptr;
 };
 
-Motion3 placeOf(const ContactCore& core, std::uint32_t m) {
-    const SolverBody& b = core.movers.bodies[m];
-    return {b.x, b.y, b.turn};
-}
-
-/// Whether a row has pressed its bodies, or moved them apart.
-bool acts(const ContactCore& core, const ManifoldBlock& r, std::uint32_t l) {
-    if (r.rubbing[l] != 0) return true;
-    const Motion3 a = placeOf(core, r.a[l]), b = placeOf(core, r.b[l]);
-    return std::any_of(std::begin(r.points), std::end(r.points), [&](const ManifoldPoint& p) {
-        const Real way = p.normalX[l] * (b.x - a.x) + p.normalY[l] * (b.y - a.y) +
-                         p.normalArmB[l] * b.turn - p.normalArmA[l] * a.turn;
-        return p.pressing[l] > 0 || p.gap[l] + way < 0;
-    });
-}
-bool acts(const ContactCore& core, const TouchBlock& t, std::uint32_t l) {
-    if (t.pressing[l] > 0 || t.rubbing[l] != 0) return true;
-    const Motion3 p = placeOf(core, t.p[l]), a = placeOf(core, t.a[l]), b = placeOf(core, t.b[l]);
-    const Real nx = t.normalX[l], ny = t.normalY[l];
-    const Real leanX = t.lean[l] * t.sideX[l], leanY = t.lean[l] * t.sideY[l];
-    const Real way = nx * p.x + ny * p.y + (leanX - t.weightA[l] * nx) * a.x +
-                     (leanY - t.weightA[l] * ny) * a.y - (leanX + t.weightB[l] * nx) * b.x -
-                     (leanY + t.weightB[l] * ny) * b.y + t.normalArmP[l] * p.turn -
-                     t.normalArmA[l] * a.turn - t.normalArmB[l] * b.turn;
-    return t.gap[l] + way < 0;
-}
-
 class Momenta {
 public:
     explicit Momenta(State& state)
@@ -91,21 +66,24 @@ private:
     void open(std::uint32_t body) {
         if (body != none && index_[body] != none) open_[index_[body]] = 1;
     }
-    /// What is fixed, driven or asleep is in no group.
-    void unite(std::uint32_t a, std::uint32_t b) {
-        if (a != none && b != none && index_[a] != none && index_[b] != none) {
-            sets_.unite(index_[a], index_[b]);
-        } else {
-            open(a);
-            open(b);
+    /// What is fixed, driven or asleep has no place: it opens whoever pushes it, and he the others.
+    void uniteAt(std::uint32_t p, std::uint32_t q) {
+        const bool isOpen = p == none || q == none || open_[p] != 0 || open_[q] != 0;
+        if (!isOpen) {
+            sets_.unite(p, q);
+            return;
         }
+        if (p != none) open_[p] = 1;
+        if (q != none) open_[q] = 1;
+    }
+    void unite(std::uint32_t a, std::uint32_t b) {
+        uniteAt(a == none ? none : index_[a], b == none ? none : index_[b]);
     }
 
     void link() {
-        for (std::uint32_t k = 0; k < state_.work.bodies.size(); ++k) {
-            const auto body = state_.work.bodies[k];
-            if (state_.bodies[body].kind == BodyKind::dynamic) index_[body] = k;
-        }
+        for (std::uint32_t k = 0; k < state_.work.bodies.size(); ++k)
+            index_[state_.work.bodies[k]] = k;
+        for (const auto body : state_.work.kinematic) open_[std::exchange(index_[body], none)] = 1;
         linkRows();
         for (const auto* pairs : {&core_.struck, &core_.held})
             for (const auto pair : *pairs) linkPair(core_.pairs[pair]);
@@ -128,37 +106,44 @@ private:
         if (pair.a != none) unite(bodyOf(pair.a), bodyOf(pair.b));
     }
     void linkRows() {
-        const auto bodyOf = [&](std::uint32_t m) {
-            const auto slot = core_.movers.body[m];
-            return slot == none ? none : state_.bodySlots.denseOf(slot);
-        };
-        const auto forEachRow = [&](const auto& list, std::uint32_t colour, auto&& f) {
+        std::pmr::vector<std::uint32_t> places(core_.movers.size(), none, &state_.arena);
+        for (const auto m : core_.awakeMovers)
+            places[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
+        const auto forEachRow = [](const auto& list, std::uint32_t colour, auto kernel, auto&& f) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
-                const std::uint32_t rows = std::min<std::uint32_t>(
-                    RowGraph::rowsIn(list, colour, k), static_cast<std::uint32_t>(rowLanes));
-                for (std::uint32_t l = 0; l < rows; ++l)
-                    if (acts(core_, list.blocks[k], l)) f(list.blocks[k], l);
+                const auto rows =
+                    std::min<std::size_t>(RowGraph::rowsIn(list, colour, k), rowLanes);
+                auto lanes = kernel(list.blocks[k]) & ((1u << rows) - 1);
+                for (; lanes != 0; lanes &= lanes - 1)
+                    f(list.blocks[k], static_cast<std::uint32_t>(std::countr_zero(lanes)));
             }
         };
+        const RowKernels& kernels = rowKernels();
         for (const auto c : core_.rows.inUse()) {
-            forEachRow(core_.rows.manifolds[c], c, [&](const ManifoldBlock& r, std::uint32_t l) {
-                unite(bodyOf(r.a[l]), bodyOf(r.b[l]));
-            });
-            forEachRow(core_.rows.touches[c], c, [&](const TouchBlock& t, std::uint32_t l) {
-                unite(bodyOf(t.p[l]), bodyOf(t.a[l]));
-                if (t.b[l] != 0) unite(bodyOf(t.p[l]), bodyOf(t.b[l]));
-            });
+            forEachRow(core_.rows.manifolds[c], c, kernels.actingManifolds,
+                       [&](const ManifoldBlock& r, std::uint32_t l) {
+                           uniteAt(places[r.a[l]], places[r.b[l]]);
+                       });
+            forEachRow(core_.rows.touches[c], c, kernels.actingTouches,
+                       [&](const TouchBlock& t, std::uint32_t l) {
+                           uniteAt(places[t.p[l]], places[t.a[l]]);
+                           if (t.b[l] != 0) uniteAt(places[t.p[l]], places[t.b[l]]);
+                       });
         }
     }
 
     /// Those of several parts that push nothing else.
     void findGroups() {
+        for (std::uint32_t k = 0; k < open_.size(); ++k)
+            if (open_[k] != 0) open_[sets_.find(k)] = 1;
+        if (!anyMayBeGroup()) return;
         const Particles& p = state_.particles;
         std::pmr::vector<std::uint32_t> parts(group_.size(), 0, &state_.arena);
         const auto count = [&](std::uint32_t body, bool isFree) {
             if (index_[body] == none) return;
-            ++parts[sets_.find(index_[body])];
-            if (!isFree) open(body);
+            const auto root = sets_.find(index_[body]);
+            ++parts[root];
+            if (!isFree) open_[root] = 1;
         };
         for (const auto k : state_.work.awakeClusters) {
             const Cluster& c = state_.clusters.list[k];
@@ -166,17 +151,30 @@ private:
         }
         for (const Range range : state_.work.points)
             for (auto i = range.first; i < range.last; ++i) count(p.body[i], p.inverseMass[i] > 0);
-        for (std::uint32_t k = 0; k < open_.size(); ++k)
-            if (open_[k] != 0) parts[sets_.find(k)] = 0;
         for (std::uint32_t k = 0; k < group_.size(); ++k) {
             const auto root = sets_.find(k);
-            if (parts[root] < 2) continue;
+            if (parts[root] < 2 || open_[root] != 0) continue;
             if (group_[root] == none) {
                 group_[root] = static_cast<std::uint32_t>(groups_.size());
                 groups_.emplace_back();
             }
             group_[k] = group_[root];
         }
+    }
+    /// Whether anything that is not open is more than one body of one part.
+    bool anyMayBeGroup() {
+        for (std::uint32_t k = 0; k < open_.size(); ++k) {
+            const auto root = sets_.find(k);
+            if (open_[root] == 0 && (root != k || !isOnePart(state_.work.bodies[k]))) return true;
+        }
+        return false;
+    }
+    bool isOnePart(std::uint32_t body) const {
+        const BodyRecord& record = state_.bodies[body];
+        const auto cluster = state_.particles.cluster[record.firstParticle];
+        if (cluster == none) return record.particles.size() == 1;
+        const Cluster& c = state_.clusters.list[cluster];
+        return c.last - c.first == record.particles.size();
     }
     Group* groupOf(std::uint32_t body) {
         const auto place = index_[body];
