@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 10013563166254674302u);
 #else
-    EXPECT_EQ(world.hash(), 4447423138566912785u);
+    EXPECT_EQ(world.hash(), 8901071413062377573u);
 #endif
 }
 
