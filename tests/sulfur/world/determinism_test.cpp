@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 10013563166254674302u);
+    EXPECT_EQ(world.hash(), 1760924111571907875u);
 #else
     EXPECT_EQ(world.hash(), 8901071413062377573u);
 #endif
