@@ -97,6 +97,8 @@ private:
         for (const Grab& grab : state_.influences.grabs)
             open(body[state_.particleSlots.dense(grab.support[0])]);
         for (const auto i : state_.work.heldNodes) open(body[i]);
+        // What somebody has torn apart by hand loses what brings it together.
+        for (const auto b : state_.work.strained) open(b);
     }
     void linkPair(const Pair& pair) {
         const auto bodyOf = [&](std::uint32_t chunk) {
