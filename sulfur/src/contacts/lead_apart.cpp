@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory_resource>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -274,7 +275,7 @@ public:
         const WayOut way = shortestWayOut(a.outline, b.outline);
         const double closing = way.direction.dot(a.whole.way - b.whole.way);
         const double move = leadingShare * way.depth;
-        const auto [weightA, weightB] = weightsOf(a.whole, b.whole, way.direction);
+        const auto [weightA, weightB] = weightsOf(a, b, way.direction);
         for (const auto& [part, weight] : {std::pair(&a, weightA), std::pair(&b, -weightB)}) {
             const Point out = weight * way.direction;
             if (closing < 0) addVelocity(part->whole, -closing * out);
@@ -288,6 +289,7 @@ private:
     struct Part {
         Outline outline;
         Whole whole;
+        std::optional<Point> support;  // once it was asked for
     };
 
     Part& partOf(std::uint32_t slot) {
@@ -295,27 +297,25 @@ private:
         if (at != parts_.end()) return at->second;
         return parts_
             .emplace(slot, Part{surfacesOfBody(state_, slot),
-                                wholeOf(state_, state_.bodySlots.denseOf(slot))})
+                                wholeOf(state_, state_.bodySlots.denseOf(slot)),
+                                {}})
             .first->second;
     }
 
-    /// By which share of the way each of two goes: as their masses have it, but whoever stands
-    /// against something fixed in his way leaves it to the other.
-    std::pair<double, double> weightsOf(const Whole& a, const Whole& b, const Point& way) const {
-        double weightA = a.inverseMass, weightB = b.inverseMass;
-        const bool isBlockedA = isBlocked(a.body, way), isBlockedB = isBlocked(b.body, -way);
-        if (isBlockedA != isBlockedB) (isBlockedA ? weightA : weightB) = 0;
-        const double sum = weightA + weightB;
-        if (sum == 0) return weightsWithin(a.inverseMass, b.inverseMass);
-        return weightsWithin(weightA, weightB);
+    /// By which share of the way each of two goes: as their masses have it, but a lighter one that
+    /// stands against something fixed goes no farther than the other, who else would never go.
+    std::pair<double, double> weightsOf(Part& a, Part& b, const Point& way) {
+        double weightA = a.whole.inverseMass, weightB = b.whole.inverseMass;
+        if (weightA > weightB && weightB > 0 && supportOf(a).dot(way) < 0) weightA = weightB;
+        if (weightB > weightA && weightA > 0 && supportOf(b).dot(way) > 0) weightB = weightA;
+        return {weightA / (weightA + weightB), weightB / (weightA + weightB)};
     }
-    static std::pair<double, double> weightsWithin(double a, double b) {
-        return {a / (a + b), b / (a + b)};
-    }
-    /// Whether rows with something that nothing pushes press a body against its way.
-    bool isBlocked(std::uint32_t body, const Point& way) const {
-        double against = 0;
-        const auto look = [&](const auto& block, std::uint32_t lane) {
+    /// kg m, by which rows with something that nothing pushes press a body.
+    const Point& supportOf(Part& part) {
+        if (part.support) return *part.support;
+        Point& support = part.support.emplace(0, 0);
+        const auto slot = state_.bodies[part.whole.body].id.index - 1;
+        forEachRow(core_, slot, [&](const auto& block, std::uint32_t lane) {
             Vec2 onBody(0, 0);
             bool isFixed = false;
             forEachPush(block, lane, [&](std::uint32_t m, const Vec2& push, Real) {
@@ -325,10 +325,9 @@ private:
                 else
                     onBody += push;
             });
-            if (isFixed) against -= onBody.cast<double>().dot(way);
-        };
-        forEachRow(core_, state_.bodies[body].id.index - 1, look);
-        return against > 0;
+            if (isFixed) support += onBody.cast<double>();
+        });
+        return support;
     }
 
     void addVelocity(Whole& whole, const Point& by) {

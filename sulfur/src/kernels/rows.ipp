@@ -611,7 +611,7 @@ std::uint32_t pressingManifold(const ManifoldBlock& block) {
 
 /// Sweeps count an overlap as no gap: then nothing is left but how it closes.
 std::uint32_t actingManifold(const ManifoldBlock& block) {
-    Mask acts = (load(block.rubbing) > Vec{}) | (load(block.rubbing) < Vec{});
+    Mask acts = load(block.rubbing) != Vec{};
     for (const ManifoldPoint& p : block.points)
         acts |= (load(p.pressing) > Vec{}) | (load(p.room) <= load(p.closing));
     return bits(acts);
@@ -925,8 +925,8 @@ std::uint32_t pressingTouch(const TouchBlock& block) {
 }
 
 std::uint32_t actingTouch(const TouchBlock& block) {
-    return bits((load(block.rubbing) > Vec{}) | (load(block.rubbing) < Vec{}) |
-                (load(block.pressing) > Vec{}) | (load(block.room) <= load(block.closing)));
+    return bits((load(block.rubbing) != Vec{}) | (load(block.pressing) > Vec{}) |
+                (load(block.room) <= load(block.closing)));
 }
 
 /// The kernels, as compiled for the processors of the file that includes this.

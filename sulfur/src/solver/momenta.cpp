@@ -137,7 +137,6 @@ private:
     void findGroups() {
         for (std::uint32_t k = 0; k < open_.size(); ++k)
             if (open_[k] != 0) open_[sets_.find(k)] = 1;
-        if (!anyMayBeGroup()) return;
         const Particles& p = state_.particles;
         std::pmr::vector<std::uint32_t> parts(group_.size(), 0, &state_.arena);
         const auto count = [&](std::uint32_t body, bool isFree) {
@@ -161,21 +160,6 @@ private:
             }
             group_[k] = group_[root];
         }
-    }
-    /// Whether anything that is not open is more than one body of one part.
-    bool anyMayBeGroup() {
-        for (std::uint32_t k = 0; k < open_.size(); ++k) {
-            const auto root = sets_.find(k);
-            if (open_[root] == 0 && (root != k || !isOnePart(state_.work.bodies[k]))) return true;
-        }
-        return false;
-    }
-    bool isOnePart(std::uint32_t body) const {
-        const BodyRecord& record = state_.bodies[body];
-        const auto cluster = state_.particles.cluster[record.firstParticle];
-        if (cluster == none) return record.particles.size() == 1;
-        const Cluster& c = state_.clusters.list[cluster];
-        return c.last - c.first == record.particles.size();
     }
     Group* groupOf(std::uint32_t body) {
         const auto place = index_[body];
@@ -262,7 +246,7 @@ private:
         // A spin w adds w L to the energy within, and slower motion by a share s takes 2 s E away,
         // but also s L.
         const double gain = lost * within / inertia, takes = 2 * energy - within * within / inertia;
-        if (gain > 0 && takes > 0) g.slower = std::min(gain / takes, 0.5);
+        if (gain > 0 && takes > 0) g.slower = std::min(gain / takes, 1.0);
         g.spin = (lost + g.slower * within) / inertia;
     }
 
