@@ -56,7 +56,7 @@ public:
         measureHeights();
         findStands();
         if (!again && (bearing_ == 0 || tuned::newShare * new_ < bearing_)) return;
-        core_.loadsAgain = state_.young.empty() ? 0 : 1;
+        core_.loadsAgain = again || state_.young.empty() ? 0 : 1;
         handDown();
     }
 

@@ -83,9 +83,9 @@ void updateBroadPhase(State& state) {
 void updateNarrowPhase(State& state) {
     lookAtPairs(state);
     refreshRows(state);
-    if (state.core.loadsAgain != 0 ||
-        tuned::newShare * state.core.newRows >= state.core.rows.size())
-        loadStacks(state);
+    const ContactCore& core = state.core;
+    const bool manyNew = core.newRows > 0 && tuned::newShare * core.newRows >= core.rows.size();
+    if (core.loadsAgain != 0 || manyNew) loadStacks(state);
 }
 
 void runStages(State& state) {

@@ -203,6 +203,24 @@ TEST(Contacts, StackOfTenStands) {
     }
 }
 
+/// Loads of statics are for what begins to rest, not for every step in which somebody is new.
+TEST(Contacts, WhoComesElsewhereStirsNoPyramid) {
+    const auto topAfter = [](bool othersCome) {
+        World world({.sleeping = false});
+        world.add(shapes::floor({-20, 0}, {20, 0}, Real(0.05)));
+        Body top;
+        for (int row = 0; row < 8; ++row)
+            for (int k = 0; k < 8 - row; ++k)
+                top = world.add(shapes::box(), {.position = {1.05 * (k + 0.5 * row), 0.55 + row}});
+        for (int i = 0; i < 200; ++i) {
+            if (othersCome) world.add(shapes::ball(), {.position = {1000.0 + 5 * i, 50}});
+            world.step();
+        }
+        return world.centreOfMass(top);
+    };
+    EXPECT_EQ(topAfter(true), topAfter(false));
+}
+
 TEST(Contacts, KinematicBodyLiftsWhatLiesOnIt) {
     World world;
     Blueprint plan = shapes::floor({-2, 0}, {2, 0});
