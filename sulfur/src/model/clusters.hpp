@@ -29,9 +29,11 @@ struct alignas(64) Cluster {
     double spin = 0;                           // rad/s
     Vec2 shift{0, 0};                          // m, correction that becomes no velocity
     double twist = 0;                          // rad, the same
-    Real sine = 0, versine = 0;                // of angle; 1 - cos, which keeps small angles
     Real inverseMass = 0, inverseInertia = 0;  // 0 while asleep
     std::uint32_t first = 0, last = 0;         // its part of Clusters::members
+    std::uint32_t body = none;                 // dense index
+    std::uint8_t stirred = 1;                  // somebody changed the velocities of its particles
+    std::uint8_t watched = 0;                  // has joints that may break
 
     Point massCentre{0, 0};                         // m, from the centre, in its own frame
     double mass = 0;                                // kg
@@ -39,9 +41,7 @@ struct alignas(64) Cluster {
     double freeInverseMass = 0;                     // 1/kg while awake; 0 with a pinned particle
     double freeInverseInertia = 0;                  // 1/(kg m^2) while awake; 0 with two of them
     Point centreBefore{0, 0}, headingBefore{1, 0};  // when the last step began; never archived
-    std::uint32_t body = none;                      // dense index
-    std::uint8_t stirred = 1;            // somebody changed the velocities of its particles
-    std::uint8_t watched = 0;            // has joints that may break
+    Real sine = 0, versine = 0;                     // of angle; 1 - cos, which keeps small angles
     std::shared_ptr<const Truss> truss;  // of a watched one, once it was needed; never archived
 
     template <class Archive>

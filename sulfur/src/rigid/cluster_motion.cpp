@@ -60,7 +60,9 @@ struct AirFriction {
 
 /// All but its sine and versine.
 void predictCluster(State& state, Cluster& c, const AirFriction& air) {
-    const ClusterLoad load = loadOf(state, c);
+    const ClusterLoad load = c.inverseMass > 0 && !state.anyForced
+                                 ? ClusterLoad{state.settings.gravity.cast<double>(), 0}
+                                 : loadOf(state, c);
     c.velocity = limited(air.keep * c.velocity + air.push * load.acceleration);
     c.spin = limitedSpin(c, air.keep * c.spin + air.push * load.turning);
     c.displacement = c.predicted = (static_cast<double>(state.h) * c.velocity).cast<Real>();

@@ -35,19 +35,26 @@ struct Part {
     double* newSpin = nullptr;
 };
 
+using Link = std::pair<std::uint32_t, std::uint32_t>;  // bodies
+
 class Momenta {
 public:
     explicit Momenta(State& state)
         : state_(state),
           core_(state.core),
-          index_(state.bodies.size(), none, &state.arena),
-          sets_(state.work.bodies.size(), &state.arena),
-          open_(state.work.bodies.size(), 0, &state.arena),
-          group_(state.work.bodies.size(), none, &state.arena),
-          groups_(&state.arena) {
-        link();
+          open_(state.bodies.size(), 0, &state.arena),
+          parts_(state.bodies.size(), 0, &state.arena),
+          links_(&state.arena),
+          group_(state.bodies.size(), none, &state.arena),
+          groups_(&state.arena),
+          grouped_(&state.arena) {
+        linkRows();
+        linkOthers();
+        countParts();
+        spreadOpen();
         findGroups();
         if (groups_.empty()) return;
+        noteClusters();
         forEachPart([&](Group& g, const Part& p) { add(g, p); });
         for (Group& g : groups_) settle(g);
     }
@@ -62,54 +69,57 @@ public:
     }
 
 private:
-    void open(std::uint32_t body) {
-        if (body != none && index_[body] != none) open_[index_[body]] = 1;
+    /// Whether a body is dynamic and awake. Else nothing that pushes it moves it: it opens whoever
+    /// does, and he the others.
+    bool moves(std::uint32_t body) const {
+        return body != none && state_.bodies[body].kind == BodyKind::dynamic &&
+               !state_.bodies[body].asleep;
     }
-    /// What is fixed, driven or asleep has no place: it opens whoever pushes it, and he the others.
-    void uniteAt(std::uint32_t p, std::uint32_t q) {
-        const bool isOpen = p == none || q == none || open_[p] != 0 || open_[q] != 0;
-        if (!isOpen) {
-            sets_.unite(p, q);
-            return;
+    /// Bodies, or none for what does not move.
+    void link(std::uint32_t p, std::uint32_t q) {
+        if (p == none || q == none) {
+            if (p != q) open_[p == none ? q : p] = 1;
+        } else if ((open_[p] | open_[q]) != 0) {
+            open_[p] = open_[q] = 1;
+        } else {
+            links_.push_back({p, q});
         }
-        if (p != none) open_[p] = 1;
-        if (q != none) open_[q] = 1;
     }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        uniteAt(a == none ? none : index_[a], b == none ? none : index_[b]);
+    void linkBodies(std::uint32_t a, std::uint32_t b) {
+        link(moves(a) ? a : none, moves(b) ? b : none);
     }
-
-    void link() {
-        for (std::uint32_t k = 0; k < state_.work.bodies.size(); ++k)
-            index_[state_.work.bodies[k]] = k;
-        for (const auto body : state_.work.kinematic) open_[std::exchange(index_[body], none)] = 1;
-        linkRows();
+    void linkOthers() {
         for (const auto* pairs : {&core_.struck, &core_.held})
             for (const auto pair : *pairs) linkPair(core_.pairs[pair]);
         for (const auto e : core_.leading)
-            unite(state_.bodySlots.dense(core_.encounters[e].a),
-                  state_.bodySlots.dense(core_.encounters[e].b));
+            linkBodies(state_.bodySlots.dense(core_.encounters[e].a),
+                       state_.bodySlots.dense(core_.encounters[e].b));
         const auto& body = state_.particles.body;
         for (const auto j : state_.work.tiedJoints)
-            unite(body[state_.joints.a[j]], body[state_.joints.b[j]]);
+            linkBodies(body[state_.joints.a[j]], body[state_.joints.b[j]]);
         for (const Attachment& held : state_.attachments)
-            unite(body[held.particle], body[held.support[0]]);
+            linkBodies(body[held.particle], body[held.support[0]]);
         for (const Grab& grab : state_.influences.grabs)
-            open(body[state_.particleSlots.dense(grab.support[0])]);
-        for (const auto i : state_.work.heldNodes) open(body[i]);
+            linkBodies(body[state_.particleSlots.dense(grab.support[0])], none);
+        for (const auto i : state_.work.heldNodes) linkBodies(body[i], none);
         // What somebody has torn apart by hand loses what brings it together.
-        for (const auto b : state_.work.strained) open(b);
+        for (const auto b : state_.work.strained) linkBodies(b, none);
     }
     void linkPair(const Pair& pair) {
         const auto bodyOf = [&](std::uint32_t chunk) {
             return state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body);
         };
-        if (pair.a != none) unite(bodyOf(pair.a), bodyOf(pair.b));
+        if (pair.a != none) linkBodies(bodyOf(pair.a), bodyOf(pair.b));
     }
     void linkRows() {
-        std::pmr::vector<std::uint32_t> places(core_.movers.size(), none, &state_.arena);
-        for (const auto m : core_.awakeMovers)
-            places[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
+        std::pmr::vector<std::uint32_t> bodies(core_.movers.size(), none, &state_.arena);
+        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
+            const auto m = core_.awakeMovers[k];
+            const SolverBody& mover = core_.movers.bodies[m];
+            const bool isFree =
+                mover.inverseMass > 0 && (core_.awakeIsCluster[k] == 0 || mover.inverseInertia > 0);
+            if (isFree) bodies[m] = state_.bodySlots.denseOf(core_.movers.body[m]);
+        }
         const auto forEachRow = [](const auto& list, std::uint32_t colour, auto kernel, auto&& f) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
                 const auto rows =
@@ -123,37 +133,58 @@ private:
         for (const auto c : core_.rows.inUse()) {
             forEachRow(core_.rows.manifolds[c], c, kernels.actingManifolds,
                        [&](const ManifoldBlock& r, std::uint32_t l) {
-                           uniteAt(places[r.a[l]], places[r.b[l]]);
+                           link(bodies[r.a[l]], bodies[r.b[l]]);
                        });
             forEachRow(core_.rows.touches[c], c, kernels.actingTouches,
                        [&](const TouchBlock& t, std::uint32_t l) {
-                           uniteAt(places[t.p[l]], places[t.a[l]]);
-                           if (t.b[l] != 0) uniteAt(places[t.p[l]], places[t.b[l]]);
+                           link(bodies[t.p[l]], bodies[t.a[l]]);
+                           if (t.b[l] != 0) link(bodies[t.p[l]], bodies[t.b[l]]);
                        });
+        }
+    }
+
+    /// Counts what moves by itself, by bodies. What is pinned opens its body.
+    void countParts() {
+        const auto count = [&](std::uint32_t body, bool isFree) {
+            hasParts_ |= ++parts_[body] > 1;
+            if (!isFree) open_[body] = 1;
+        };
+        for (const auto k : state_.work.awakeClusters) {
+            const Cluster& c = state_.clusters.list[k];
+            count(c.body, c.inverseMass > 0 && c.inverseInertia > 0);
+        }
+        const Particles& p = state_.particles;
+        for (const Range range : state_.work.points)
+            for (auto i = range.first; i < range.last; ++i) count(p.body[i], p.inverseMass[i] > 0);
+    }
+
+    /// Whoever pushes somebody open is open. Only links of those that are not are left: mostly
+    /// nothing, because most of what touches stands on something.
+    void spreadOpen() {
+        for (auto before = links_.size() + 1; links_.size() < before;) {
+            before = links_.size();
+            std::size_t left = 0;
+            for (const Link& link : links_) {
+                const std::uint8_t open = open_[link.first] | open_[link.second];
+                open_[link.first] = open_[link.second] = open;
+                links_[left] = link;
+                left += 1u - open;
+            }
+            links_.resize(left);
+            std::reverse(links_.begin(), links_.end());
         }
     }
 
     /// Those of several parts that push nothing else.
     void findGroups() {
-        for (std::uint32_t k = 0; k < open_.size(); ++k)
-            if (open_[k] != 0) open_[sets_.find(k)] = 1;
-        const Particles& p = state_.particles;
-        std::pmr::vector<std::uint32_t> parts(group_.size(), 0, &state_.arena);
-        const auto count = [&](std::uint32_t body, bool isFree) {
-            if (index_[body] == none) return;
-            const auto root = sets_.find(index_[body]);
-            ++parts[root];
-            if (!isFree) open_[root] = 1;
-        };
-        for (const auto k : state_.work.awakeClusters) {
-            const Cluster& c = state_.clusters.list[k];
-            count(c.body, c.freeInverseMass > 0 && c.freeInverseInertia > 0);
-        }
-        for (const Range range : state_.work.points)
-            for (auto i = range.first; i < range.last; ++i) count(p.body[i], p.inverseMass[i] > 0);
-        for (std::uint32_t k = 0; k < group_.size(); ++k) {
-            const auto root = sets_.find(k);
-            if (parts[root] < 2 || open_[root] != 0) continue;
+        if (links_.empty() && !hasParts_) return;
+        DisjointSets sets(parts_.size(), &state_.arena);
+        for (const Link& link : links_) sets.unite(link.first, link.second);
+        for (std::uint32_t k = 0; k < parts_.size(); ++k)
+            if (const auto root = sets.find(k); root != k) parts_[root] += parts_[k];
+        for (std::uint32_t k = 0; k < parts_.size(); ++k) {
+            const auto root = sets.find(k);
+            if (parts_[root] < 2 || open_[root] != 0) continue;
             if (group_[root] == none) {
                 group_[root] = static_cast<std::uint32_t>(groups_.size());
                 groups_.emplace_back();
@@ -162,18 +193,19 @@ private:
         }
     }
     Group* groupOf(std::uint32_t body) {
-        const auto place = index_[body];
-        return place == none || group_[place] == none ? nullptr : &groups_[group_[place]];
+        return group_[body] == none ? nullptr : &groups_[group_[body]];
+    }
+    void noteClusters() {
+        for (const auto k : state_.work.awakeClusters)
+            if (group_[state_.clusters.list[k].body] != none) grouped_.push_back(k);
     }
 
     /// Calls f(group, part) for all that is in a group.
     template <class Function>
     void forEachPart(Function&& f) {
         const double h = static_cast<double>(state_.h);
-        for (const auto k : state_.work.awakeClusters) {
+        for (const auto k : grouped_) {
             Cluster& c = state_.clusters.list[k];
-            Group* const group = groupOf(c.body);
-            if (group == nullptr) continue;
             Part p;
             p.mass = c.mass;
             p.inertia = 1 / c.freeInverseInertia;
@@ -185,7 +217,7 @@ private:
             p.spinChange = (c.angle - c.predictedAngle) / h;
             p.newVelocity = &c.velocity;
             p.newSpin = &c.spin;
-            f(*group, p);
+            f(groups_[group_[c.body]], p);
         }
         const auto& velocity = state_.particles.velocity;
         for (const Range range : state_.work.free)
@@ -252,11 +284,13 @@ private:
 
     State& state_;
     ContactCore& core_;
-    std::pmr::vector<std::uint32_t> index_;  // by body: its place in work.bodies if it is dynamic
-    DisjointSets sets_;                      // of these places
-    std::pmr::vector<std::uint8_t> open_;    // by place: it pushes something that is in no group
-    std::pmr::vector<std::uint32_t> group_;  // by place, or none
+    std::pmr::vector<std::uint8_t> open_;    // by body: it pushes something that is in no group
+    std::pmr::vector<std::uint32_t> parts_;  // by body: what moves by itself
+    bool hasParts_ = false;                  // any body has several
+    std::pmr::vector<Link> links_;           // of those that push each other
+    std::pmr::vector<std::uint32_t> group_;  // by body, or none
     std::pmr::vector<Group> groups_;
+    std::pmr::vector<std::uint32_t> grouped_;  // clusters
 };
 
 }  // namespace
