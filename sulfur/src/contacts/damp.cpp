@@ -18,7 +18,7 @@ namespace {
 
 using tuned::decayRate;
 constexpr Real stickingSpeed = Real(tuned::stickingSpeed);
-constexpr std::uint64_t interval = tuned::dampingInterval;
+constexpr std::uint64_t interval = tuned::pileInterval;
 
 /// Bodies that move as one.
 struct Rigid {

@@ -40,7 +40,8 @@ bool measureRest(State& state) {
     const auto isMoved = [&](std::uint32_t body) { state.bodies[body].restingTime = -state.h; };
     for (const auto index : state.work.awakeClusters) {
         const Cluster& c = state.clusters.list[index];
-        if (c.velocity.norm() + std::abs(c.spin) * c.reach >= restingSpeed) isMoved(c.body);
+        const double rest = restingSpeed - std::abs(c.spin) * c.reach;
+        if (rest <= 0 || c.velocity.squaredNorm() >= rest * rest) isMoved(c.body);
     }
     for (const Range range : state.work.points)
         for (auto i = range.first; i < range.last; ++i)
@@ -94,8 +95,14 @@ void wake(State& state) {
         }
     };
     state.looked(Stage::sleep, state.core.watches.size());
-    for (const PairWatch& watch : state.core.watches)
-        linkIfNear(state, state.core.pairs[watch.pair], wakeEither);
+    // Movers of convex chunks tell who may sleep, without a look at the pair.
+    const ContactCore& core = state.core;
+    const auto maySleep = [&](std::uint32_t m) {
+        return core.denseOfMover[m] == none && core.movers.particle[m] != none;
+    };
+    for (const PairWatch& watch : core.watches)
+        if (watch.isManifold == 0 || maySleep(watch.a) || maySleep(watch.b))
+            linkIfNear(state, core.pairs[watch.pair], wakeEither);
     forEachTie(state, wakeEither);
 }
 
@@ -127,7 +134,7 @@ void wakeTouching(State& state, std::uint32_t index) {
 void updateSleep(State& state) {
     if (!state.settings.sleeping) return;
     wake(state);
-    if (!measureRest(state)) return;
+    if (!measureRest(state) || stepNumber(state) % tuned::pileInterval != 0) return;
     DisjointSets islands(state.bodies.size(), &state.arena);
     const auto unite = [&](std::uint32_t a, std::uint32_t b) {
         if (isDynamic(state, a) && isDynamic(state, b)) {

@@ -95,10 +95,11 @@ inline constexpr double farthestFromReference = 0.5, largestTurn = farthestFromR
 
 /// What comes nearer by about a third each time is a tenth of what it was after so many times.
 inline constexpr int rounds = 8;
-/// Steps between dampings of what sticks: piles change slowly.
-inline constexpr std::uint64_t dampingInterval = rounds;
+/// Steps between dampings of what sticks, and between searches for islands that may fall asleep:
+/// piles change slowly.
+inline constexpr std::uint64_t pileInterval = rounds;
 /// Steps between looks at what changes slowly.
-inline constexpr std::uint64_t seldom = 8 * dampingInterval;
+inline constexpr std::uint64_t seldom = 8 * pileInterval;
 /// Up to so many times the sweeps of the settings, beside joints, while one of them still stirs
 /// anybody.
 inline constexpr int mostTimes = 2;
@@ -111,8 +112,8 @@ inline constexpr double mended = 1.0 / 4;
 inline constexpr int impactRounds = 8 * rounds, plasticSweeps = impactRounds / 2;
 /// Rounds of the search for the moment at which two outlines touch.
 inline constexpr int momentRounds = 2 * rounds;
-/// Pairs that a chunk has with larger ones, so that what is put into one place has a price in memory
-/// and time. Where nothing overlaps, boxes meet far fewer.
+/// Pairs that a chunk has with larger ones, so that what is put into one place has a price in
+/// memory and time. Where nothing overlaps, boxes meet far fewer.
 inline constexpr std::uint32_t mostPairs = rounds * rounds;
 /// Rounds in which what is fast is held back from one another.
 inline constexpr int keepingRounds = rounds;
