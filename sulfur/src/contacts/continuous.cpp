@@ -8,6 +8,7 @@
 // this is repeated until nobody is.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "contacts/pair_table.hpp"
@@ -61,10 +62,10 @@ private:
     /// Whoever was struck goes as blown from that moment on.
     void takeBlowsOff() {
         for (const Blow& blow : core_.blows) {
-            Motion3& way = core_.ways[blow.mover];
+            BodyWay& way = core_.ways[blow.mover];
             way.x -= blow.late.x;
             way.y -= blow.late.y;
-            way.turn -= blow.late.turn;
+            turnTo(blow.mover, way.turn - blow.late.turn);
             core_.lengths[blow.mover] = lengthOf(blow.mover, {});
         }
     }
@@ -76,30 +77,49 @@ private:
         }
     }
 
-    Real lengthOf(std::uint32_t m, const Motion3& frame) const {
-        const Motion3& way = core_.ways[m];
-        return std::abs(way.x - frame.x) + std::abs(way.y - frame.y) +
-               movers_.reach[m] * std::abs(way.turn);
+    void turnTo(std::uint32_t m, Real turn) {
+        core_.ways[m].turn = turn;
+        core_.ways[m].around = movers_.reach[m] * std::abs(turn);
+    }
+    Real lengthOf(std::uint32_t m, const BodyWay& frame) const {
+        const BodyWay& way = core_.ways[m];
+        return std::abs(way.x - frame.x) + std::abs(way.y - frame.y) + way.around;
     }
 
     /// How far a chunk goes at most, seen from what goes along with `frame`.
-    Real lengthOf(const Chunk& chunk, const Motion3& frame) const {
+    Real lengthOf(const Chunk& chunk, const BodyWay& frame) const {
         Real most = 0;
         for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
             most = std::max(most, lengthOf(core_.shapes.uses[u].mover, frame));
         return most;
     }
 
-    /// Lists the pairs that may pass.
+    /// Lists the pairs that may pass: those with rows of convex chunks block by block.
     void collect() {
-        for (const PairWatch& w : core_.watches) collect(w);
+        const RowKernels& kernels = rowKernels();
+        for (const auto c : core_.rows.inUse()) {
+            const ManifoldList& list = core_.rows.manifolds[c];
+            for (std::size_t k = 0; k < list.blocks.size(); ++k)
+                for (auto lanes = passing(kernels, list, k); lanes != 0; lanes &= lanes - 1)
+                    add(list.shapes[k].pair[std::countr_zero(lanes)]);
+        }
+        for (const PairWatch& w : core_.watches)
+            if (w.limit != PairWatch::never) collect(w, core_.lengths.data());
+        std::sort(pairs_.begin(), pairs_.end());
     }
-    void collect(const PairWatch& w) {
+    /// By lanes; those without a row have the world on both sides.
+    std::uint32_t passing(const RowKernels& kernels, const ManifoldList& list,
+                          std::size_t block) const {
+        return kernels.passingManifolds(movers_.bodies.data(), core_.ways.data(),
+                                        list.blocks[block], list.shapes[block], fast);
+    }
+    void collect(const PairWatch& w, const Real* lengths) {
         // Asked in the order of what it costs: most pairs are answered by these lengths.
         const Real least = fast * static_cast<Real>(w.fineness);
-        if (core_.lengths[w.a] + core_.lengths[w.b] > least &&
-            mayPass(w, core_.pairs[w.pair], least))
-            pairs_.push_back(w.pair);
+        if (lengths[w.a] + lengths[w.b] > least && mayPass(w, least)) add(w.pair);
+    }
+    void add(std::uint32_t pair) {
+        if (core_.encounters[core_.pairs[pair].encounter].overlapping == 0) pairs_.push_back(pair);
     }
 
     /// Lists those of whoever was moved in this round, who may be in the way of others, and be fast
@@ -118,62 +138,40 @@ private:
         forEachChunk([&](const Chunk& chunk) {
             for (auto at = chunk.firstPair; at != none; at = core_.pairs[at / 2].next[at % 2])
                 if (const auto watch = core_.pairs[at / 2].watch; watch != none)
-                    collect(core_.watches[watch]);
+                    collect(core_.watches[watch], core_.lengths.data());
         });
         std::sort(pairs_.begin(), pairs_.end());
         pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
     }
 
-    /// Whether the surfaces of a pair come nearer than `least`, m, and no row has stopped them.
-    bool mayPass(const PairWatch& w, const Pair& pair, Real least) const {
+    /// Whether the surfaces of a pair come nearer than `least`, m, and no row is known to have
+    /// stopped them.
+    bool mayPass(const PairWatch& w, Real least) const {
+        if (w.limit == PairWatch::never) {
+            const RowPlace row = core_.pairs[w.pair].row;
+            const auto lanes =
+                passing(rowKernels(), core_.rows.manifolds[row.colour], RowGraph::blockOf(row));
+            return (lanes >> RowGraph::laneOf(row) & 1) != 0;
+        }
         const Real ways = waysOf(w);
         if (!(ways > least)) return false;
+        // What has no touches is far from each other until its limit.
         const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
-        if (!hasRows(w) && odometers + static_cast<double>(ways) < w.limit) return false;
-        if (pair.row && rowHolds(pair)) return false;
-        return !staysApart(core_, w, core_.ways[w.a], core_.ways[w.b]) &&
-               core_.encounters[pair.encounter].overlapping == 0;
-    }
-
-    /// What has none is far from each other until its limit.
-    bool hasRows(const PairWatch& w) const {
-        return w.isManifold != 0 ? w.limit == PairWatch::never
-                                 : core_.pairs[w.pair].firstTouch != none;
+        const bool isApart = odometers + static_cast<double>(ways) < w.limit;
+        if (isApart && (w.isManifold != 0 || core_.pairs[w.pair].firstTouch == none)) return false;
+        return !staysApart(core_, w, motionOf(core_.ways[w.a]), motionOf(core_.ways[w.b]));
     }
 
     /// How far the surfaces of a pair go at most, seen from each other.
     Real waysOf(const PairWatch& w) const {
         if (w.isManifold != 0) {
-            const Motion3& frame = core_.ways[w.a];
-            return lengthOf(w.a, {frame.x, frame.y, 0}) + lengthOf(w.b, frame);
+            const BodyWay& frame = core_.ways[w.a];
+            return frame.around + lengthOf(w.b, frame);
         }
         const Pair& pair = core_.pairs[w.pair];
         const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
-        const Motion3& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
+        const BodyWay& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];
         return lengthOf(a, frame) + lengthOf(b, frame);
-    }
-
-    /// Whether the row of two convex chunks, whose points are known to be the right ones until the
-    /// step ends, has stopped them.
-    bool rowHolds(const Pair& pair) const {
-        const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
-        const ManifoldBlock& r = core_.rows.manifold(pair.row);
-        const ManifoldShape& shape = core_.rows.manifoldShape(pair.row);
-        const auto l = RowGraph::laneOf(pair.row);
-        const Motion3 &wayA = core_.ways[a.frame], &wayB = core_.ways[b.frame];
-        const Real turn = std::max(std::abs(wayA.turn), std::abs(wayB.turn));
-        const Real most = fast / 2 * shape.thickness[l];
-        if (movers_.reach[a.frame] * turn * turn > most) return false;
-        if (movedSinceLook(movers_, a, b, wayA, wayB, shape, l) > shape.margin[l]) return false;
-        const SolverBody &p = movers_.bodies[a.frame], &q = movers_.bodies[b.frame];
-        const Vec2 way(q.x - p.x + wayB.x - wayA.x, q.y - p.y + wayB.y - wayA.y);
-        const Real turnA = p.turn + wayA.turn, turnB = q.turn + wayB.turn;
-        for (const ManifoldPoint& point : r.points)
-            if (point.gap[l] + point.normalX[l] * way[0] + point.normalY[l] * way[1] +
-                    point.normalArmB[l] * turnB - point.normalArmA[l] * turnA <
-                -most)
-                return false;
-        return true;
     }
 
     void hold(const Pair& pair) {
@@ -202,7 +200,7 @@ private:
     bool stop(std::uint32_t m, Real moment) {
         const SolverBody& body = movers_.bodies[m];
         if (body.inverseMass > 0 || body.inverseInertia == 0 || !canBeHeld(m)) return false;
-        core_.ways[m].turn *= moment;
+        turnTo(m, core_.ways[m].turn * moment);
         note(m);
         return true;
     }
@@ -248,7 +246,7 @@ private:
     void giveBack() {
         for (const auto m : everHeld_) {
             ++state_.statistics.heldBack;
-            const Motion3 &way = core_.ways[m], &unheld = unheld_[m];
+            const BodyWay &way = core_.ways[m], &unheld = unheld_[m];
             const Motion3 shift{way.x - unheld.x, way.y - unheld.y, way.turn - unheld.turn};
             noteWay(
                 m, std::abs(shift.x) + std::abs(shift.y) + movers_.reach[m] * std::abs(shift.turn));
@@ -274,7 +272,7 @@ private:
     ContactCore& core_;
     Movers& movers_;
     std::pmr::vector<std::uint32_t> pairs_;
-    std::pmr::vector<Motion3> unheld_;  // ways of movers before anybody was held
+    std::pmr::vector<BodyWay> unheld_;  // ways of movers before anybody was held
     std::pmr::vector<int> held_;        // by mover, the last round in which it was moved
     std::pmr::vector<std::uint32_t> everHeld_, moved_;  // movers; those of this round
     int round_ = 0;

@@ -50,7 +50,7 @@ public:
         std::uint32_t done = none;  // movers of one body stand together
         for (const auto m : core_.awakeMovers) {
             if (core_.lengths[m] <= most || movers_.body[m] == done) continue;
-            const Motion3& way = core_.ways[m];
+            const BodyWay& way = core_.ways[m];
             if (std::abs(way.x) <= most && std::abs(way.y) <= most &&
                 movers_.reach[m] * std::abs(way.turn) <= most)
                 continue;

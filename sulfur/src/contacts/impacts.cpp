@@ -89,7 +89,7 @@ private:
         const RowKernels& kernels = rowKernels();
         const bool anyBounces = core_.bouncingPairs > 0;
         const Real slow = slowestRebound * h_ + h_ * h_ * state_.settings.gravity.norm();
-        if (!anyBounces && 2 * farthest() < slow) return;
+        if (!anyBounces && 2 * core_.farthest < slow) return;
         const auto look = [&](auto& list, std::uint32_t c, auto&& kernel, auto&& pairOf,
                               auto&& add) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
@@ -121,17 +121,6 @@ private:
                 },
                 [&](RowPlace place, std::uint32_t pair) { addTouch(place, pair); });
         }
-    }
-
-    /// m, that any surface goes in this step at most without rows.
-    Real farthest() const {
-        Real most = 0;
-        for (const auto m : core_.awakeMovers) {
-            const Prediction& p = movers_.predictions[m];
-            most = std::max(most,
-                            std::abs(p.vx) + std::abs(p.vy) + movers_.reach[m] * std::abs(p.spin));
-        }
-        return most;
     }
 
     void addManifold(RowPlace place, std::uint32_t pair) {

@@ -148,6 +148,7 @@ private:
         ManifoldShape& shape = core_.rows.manifoldShape(pair_.row);
         const auto lane = RowGraph::laneOf(pair_.row);
         shape.thickness[lane] = a_.radius + b_.radius;
+        shape.fineness[lane] = a_.fineness + b_.fineness;
         shape.lookX[lane] = m.x;
         shape.lookY[lane] = m.y;
         shape.lookCosine[lane] = m.cosine;

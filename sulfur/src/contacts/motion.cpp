@@ -54,29 +54,21 @@ void takePose(Movers& movers, std::uint32_t m, const Point& at, const Point& hea
     body.turn = static_cast<Real>(turn);
 }
 
-/// m, that any of its surface goes in this step at most.
-Real stepOf(const Movers& movers, std::uint32_t m) {
-    const SolverBody& v = movers.bodies[m];
-    const Prediction& p = movers.predictions[m];
-    return std::abs(p.vx + v.vx) + std::abs(p.vy + v.vy) +
-           movers.reach[m] * std::abs(p.spin + v.spin);
+/// m, that any of a mover's surface goes at most.
+Real lengthOf(const Movers& movers, std::uint32_t m, Real x, Real y, Real turn) {
+    return std::abs(x) + std::abs(y) + movers.reach[m] * std::abs(turn);
 }
 
-/// Of a chunk whose corners move by themselves, that of the farthest.
-Real stepOf(const ContactCore& core, const Chunk& chunk) {
-    Real most = 0;
-    for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
-        most = std::max(most, stepOf(core.movers, core.shapes.uses[u].mover));
-    return most;
-}
-
-/// Whether a mover may have rows. Those of the last colour are not noted with what they push, nor
-/// any with what nothing pushes.
-bool mayHaveRows(const ContactCore& core, std::uint32_t m) {
-    const SolverBody& body = core.movers.bodies[m];
-    return core.movers.colours[m] != 0 || (body.inverseMass == 0 && body.inverseInertia == 0) ||
-           core.rows.manifolds[RowGraph::overflow].rows > 0 ||
-           core.rows.touches[RowGraph::overflow].rows > 0;
+/// Odometers of chunks whose corners move by themselves go as far as the farthest of these.
+template <class Length>
+void noteStrips(const ContactCore& core, std::vector<double>& odometers, Length&& lengthOfMover) {
+    for (const auto c : core.awakeStrips) {
+        const Chunk& chunk = core.shapes.chunks[c];
+        Real most = 0;
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+            most = std::max(most, lengthOfMover(core.shapes.uses[u].mover));
+        odometers[chunk.frame] = core.movers.odometer[chunk.frame] + static_cast<double>(most);
+    }
 }
 
 /// Blocks with a row of somebody who has moved are to be refreshed.
@@ -161,29 +153,32 @@ void takeMotion(State& state) {
     core.ahead = movers.odometer;
     core.moved.assign(movers.size(), 0);
     core.placed.resize(movers.size());
+    core.farthest = 0;
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
         takePose(movers, m, seen.at, seen.heading);
-        core.placed[m] = {movers.bodies[m].x, movers.bodies[m].y, movers.bodies[m].turn};
+        SolverBody& body = movers.bodies[m];
+        body.inverseMass = seen.inverseMass;
+        body.inverseInertia = seen.inverseInertia;
+        core.placed[m] = {body.x, body.y, body.turn};
         // What rows gave in the last step is with what they begin in this one.
-        const SolverBody& body = movers.bodies[m];
-        movers.predictions[m] = {
-            seen.way[0],           seen.way[1],           seen.turn, seen.way[0] + body.vx,
-            seen.way[1] + body.vy, seen.turn + body.spin, {}};
-        movers.bodies[m].inverseMass = seen.inverseMass;
-        movers.bodies[m].inverseInertia = seen.inverseInertia;
-        core.ahead[m] = movers.odometer[m] + static_cast<double>(stepOf(movers, m));
-        if (core.ahead[m] < movers.refreshAt[m]) continue;
-        movers.refreshAt[m] =
-            core.ahead[m] + static_cast<double>(refreshWithin * movers.fineness[m]);
+        const Motion3 goes{seen.way[0] + body.vx, seen.way[1] + body.vy, seen.turn + body.spin};
+        movers.predictions[m] = {seen.way[0], seen.way[1], seen.turn, 0,
+                                 goes.x,      goes.y,      goes.turn, 0};
+        core.farthest =
+            std::max(core.farthest, lengthOf(movers, m, seen.way[0], seen.way[1], seen.turn));
+        const double ahead = movers.odometer[m] +
+                             static_cast<double>(lengthOf(movers, m, goes.x, goes.y, goes.turn));
+        core.ahead[m] = ahead;
+        if (ahead < movers.refreshAt[m]) continue;
+        movers.refreshAt[m] = ahead + static_cast<double>(refreshWithin * movers.fineness[m]);
         core.moved[m] = 1;
     }
-    for (const auto c : core.awakeStrips) {
-        const Chunk& chunk = core.shapes.chunks[c];
-        core.ahead[chunk.frame] =
-            movers.odometer[chunk.frame] + static_cast<double>(stepOf(core, chunk));
-    }
+    noteStrips(core, core.ahead, [&](std::uint32_t m) {
+        const Prediction& p = movers.predictions[m];
+        return lengthOf(movers, m, p.goesX, p.goesY, p.turn);
+    });
 }
 
 void updateBoxes(State& state) {
@@ -379,6 +374,35 @@ void takeMotionAgain(State& state) {
     }
 }
 
+namespace {
+
+/// What the first sweep has moved apart goes to the state, no faster than a limit.
+void pushOut(State& state, std::size_t k, Vec2 pushed, Real turned) {
+    ContactCore& core = state.core;
+    const auto m = core.awakeMovers[k];
+    const auto i = core.awakeDense[k];
+    const Real most = pushSpeed * state.h, around = core.movers.reach[m] * std::abs(turned);
+    if (std::abs(pushed[0]) + std::abs(pushed[1]) + around > most) {
+        const Real within = std::min<Real>(most / (pushed.norm() + around), 1);
+        pushed *= within;
+        turned *= within;
+    }
+    core.movers.odometer[m] +=
+        static_cast<double>(lengthOf(core.movers, m, pushed[0], pushed[1], turned));
+    if (core.awakeIsCluster[k] != 0) {
+        state.clusters.list[i].shift += pushed;
+        state.clusters.list[i].twist += static_cast<double>(turned);
+    } else if (core.movers.bodies[m].inverseMass > 0) {
+        state.particles.position[i] += pushed.cast<double>();
+    }
+    // What is pushed apart does not rest.
+    const Real rests = restingPush * state.h;
+    if (state.settings.sleeping && pushed.squaredNorm() > rests * rests)
+        state.bodies[state.bodySlots.denseOf(core.movers.body[m])].restingTime = -state.h;
+}
+
+}  // namespace
+
 void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
@@ -388,44 +412,20 @@ void endMotion(State& state) {
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         give(state, k, asked);
         const auto m = core.awakeMovers[k];
-        const auto i = core.awakeDense[k];
-        const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, i);
-        const Motion3& way = core.ways[m] = {seen.way[0], seen.way[1], seen.turn};
-        core.lengths[m] = std::abs(way.x) + std::abs(way.y) + movers.reach[m] * std::abs(way.turn);
-        const SolverBody& body = movers.bodies[m];
+        const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
+        core.ways[m] = {seen.way[0], seen.way[1], seen.turn, movers.reach[m] * std::abs(seen.turn)};
+        core.lengths[m] = lengthOf(movers, m, seen.way[0], seen.way[1], seen.turn);
+        movers.odometer[m] += static_cast<double>(core.lengths[m]);
         // What the next step begins with is given anew, with what has been kept back.
+        const SolverBody& body = movers.bodies[m];
         Motion3& given = movers.given[m];
         given = {given.x - body.vx, given.y - body.vy, given.turn - body.spin};
-        movers.odometer[m] += static_cast<double>(stepOf(movers, m));
-        const bool isCluster = core.awakeIsCluster[k] != 0;
-        if (!mayHaveRows(core, m) || (!isCluster && body.inverseMass == 0)) continue;
         const Motion3& placed = core.placed[m];
-        Vec2 pushed(body.x - placed.x, body.y - placed.y);
-        Real turned = body.turn - placed.turn;
-        if (pushed[0] == 0 && pushed[1] == 0 && turned == 0) continue;
-        const Real most = pushSpeed * state.h, turns = movers.reach[m] * std::abs(turned);
-        if (std::abs(pushed[0]) + std::abs(pushed[1]) + turns > most) {
-            const Real within = std::min<Real>(most / (pushed.norm() + turns), 1);
-            pushed *= within;
-            turned *= within;
-        }
-        movers.odometer[m] += static_cast<double>(std::abs(pushed[0]) + std::abs(pushed[1]) +
-                                                  movers.reach[m] * std::abs(turned));
-        if (isCluster) {
-            state.clusters.list[i].shift += pushed;
-            state.clusters.list[i].twist += static_cast<double>(turned);
-        } else {
-            state.particles.position[i] += pushed.cast<double>();
-        }
-        // What is pushed apart does not rest.
-        const Real rests = restingPush * state.h;
-        if (state.settings.sleeping && pushed.squaredNorm() > rests * rests)
-            state.bodies[state.bodySlots.denseOf(movers.body[m])].restingTime = -state.h;
+        const Vec2 pushed(body.x - placed.x, body.y - placed.y);
+        const Real turned = body.turn - placed.turn;
+        if (pushed[0] != 0 || pushed[1] != 0 || turned != 0) pushOut(state, k, pushed, turned);
     }
-    for (const auto c : core.awakeStrips) {
-        const Chunk& chunk = core.shapes.chunks[c];
-        movers.odometer[chunk.frame] += static_cast<double>(stepOf(core, chunk));
-    }
+    noteStrips(core, movers.odometer, [&](std::uint32_t m) { return core.lengths[m]; });
 }
 
 }  // namespace sulfur::detail

@@ -123,9 +123,10 @@ void watchPair(State& state, std::uint32_t pair, double limit) {
         const Chunk &a = core.shapes.chunks[p.a], &b = core.shapes.chunks[p.b];
         const auto fineness = static_cast<float>(a.fineness + b.fineness);
         core.watches.push_back({pair, a.frame, b.frame, fineness, limit, p.isManifold});
+        core.rooms.emplace_back();
     }
     core.watches[p.watch].limit = limit;
-    p.room = 0;
+    core.rooms[p.watch].room = 0;
 }
 
 namespace {
@@ -143,12 +144,14 @@ Real turnedSince(const Movers& movers, std::uint32_t m, const Heading& then, con
 }
 
 /// m, by how much the surfaces of two that were found apart have moved against each other.
-Real usedRoom(const ContactCore& core, const PairWatch& watch) {
-    const Pair& p = core.pairs[watch.pair];
-    const Movers& movers = core.movers;
-    const Vec2 moved = wayBetween(movers, watch.a, watch.b) - Vec2(p.apartX, p.apartY);
-    return moved.norm() + turnedSince(movers, watch.a, p.headA, headingNow(movers, watch.a)) +
-           turnedSince(movers, watch.b, p.headB, headingNow(movers, watch.b));
+Real usedRoom(const Movers& movers, const PairWatch& watch, const PairRoom& then) {
+    const Vec2 moved = wayBetween(movers, watch.a, watch.b) - Vec2(then.apartX, then.apartY);
+    return moved.norm() + turnedSince(movers, watch.a, then.headA, headingNow(movers, watch.a)) +
+           turnedSince(movers, watch.b, then.headB, headingNow(movers, watch.b));
+}
+
+const PairRoom& roomOf(const ContactCore& core, const PairWatch& watch) {
+    return core.rooms[static_cast<std::size_t>(&watch - core.watches.data())];
 }
 
 }  // namespace
@@ -156,35 +159,31 @@ Real usedRoom(const ContactCore& core, const PairWatch& watch) {
 void watchApart(State& state, std::uint32_t pair, Real room) {
     ContactCore& core = state.core;
     const Movers& movers = core.movers;
-    Pair& p = core.pairs[pair];
+    const Pair& p = core.pairs[pair];
     const auto a = core.shapes.chunks[p.a].frame, b = core.shapes.chunks[p.b].frame;
     watchPair(state, pair, movers.odometer[a] + movers.odometer[b] + static_cast<double>(room));
     const Vec2 apart = wayBetween(movers, a, b);
-    p.apartX = apart[0];
-    p.apartY = apart[1];
-    p.headA = headingNow(movers, a);
-    p.headB = headingNow(movers, b);
-    p.room = room;
+    core.rooms[p.watch] = {apart[0], apart[1], headingNow(movers, a), headingNow(movers, b), room};
 }
 
 bool staysApart(const ContactCore& core, const PairWatch& watch, const Motion3& wayA,
                 const Motion3& wayB) {
-    const Pair& p = core.pairs[watch.pair];
+    const PairRoom& then = roomOf(core, watch);
     const Movers& movers = core.movers;
     const Real step = Vec2(wayB.x - wayA.x, wayB.y - wayA.y).norm() +
                       movers.reach[watch.a] * std::abs(wayA.turn) +
                       movers.reach[watch.b] * std::abs(wayB.turn);
-    return step < p.room && usedRoom(core, watch) + step < p.room;
+    return step < then.room && usedRoom(movers, watch, then) + step < then.room;
 }
 
 bool isDue(ContactCore& core, PairWatch& watch) {
     if (core.ahead[watch.a] + core.ahead[watch.b] < watch.limit) return false;
-    const Real room = core.pairs[watch.pair].room;
     const Movers& movers = core.movers;
     if (!staysApart(core, watch, motionNow(movers, watch.a), motionNow(movers, watch.b)))
         return true;
+    const PairRoom& then = roomOf(core, watch);
     watch.limit = movers.odometer[watch.a] + movers.odometer[watch.b] +
-                  static_cast<double>(room - usedRoom(core, watch));
+                  static_cast<double>(then.room - usedRoom(movers, watch, then));
     return false;
 }
 
@@ -194,6 +193,8 @@ void unwatchPair(State& state, std::uint32_t pair) {
     if (place == none) return;
     core.watches[place] = core.watches.back();
     core.watches.pop_back();
+    core.rooms[place] = core.rooms.back();
+    core.rooms.pop_back();
     if (place < core.watches.size()) core.pairs[core.watches[place].pair].watch = place;
 }
 

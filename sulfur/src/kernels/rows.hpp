@@ -23,19 +23,25 @@ inline constexpr SweepReal unnoticed = SweepReal(tuned::unnoticed), slop = Sweep
 /// What rows push: a rigid component, or a particle that moves by itself (then it never turns).
 /// Its pose is counted from a reference that is renewed when it has gone far or turned by much.
 /// Its velocity is what rows have given it; that which it has without them is kept apart, so that
-/// small impulses on fast bodies are not lost to rounding.
+/// small impulses on fast bodies are not lost to rounding. Kernels take it by halves.
 struct alignas(8 * sizeof(SweepReal)) SolverBody {
-    SweepReal vx = 0, vy = 0, spin = 0;             // m and rad, in this step, by rows
-    SweepReal x = 0, y = 0, turn = 0;               // m and rad, since the reference
-    SweepReal inverseMass = 0, inverseInertia = 0;  // 1/kg and 1/(kg m^2)
+    SweepReal vx = 0, vy = 0, spin = 0;  // m and rad, in this step, by rows
+    SweepReal inverseMass = 0;           // 1/kg
+    SweepReal x = 0, y = 0, turn = 0;    // m and rad, since the reference
+    SweepReal inverseInertia = 0;        // 1/(kg m^2)
 };
 
 /// The velocity that a body has without rows, and how it goes if they give what they did in the
 /// last step.
 struct alignas(8 * sizeof(SweepReal)) Prediction {
-    SweepReal vx = 0, vy = 0, spin = 0;        // m and rad, in this step
-    SweepReal goesX = 0, goesY = 0, turn = 0;  // m and rad
-    SweepReal unused[2] = {};
+    SweepReal vx = 0, vy = 0, spin = 0, unused = 0;       // m and rad, in this step
+    SweepReal goesX = 0, goesY = 0, turn = 0, spare = 0;  // m and rad
+};
+
+/// How a body goes in a step, when its rows have been swept.
+struct alignas(4 * sizeof(SweepReal)) BodyWay {
+    SweepReal x = 0, y = 0, turn = 0;  // m and rad
+    SweepReal around = 0;              // m, that its turn moves any of its surface at most
 };
 
 /// Heading of a body at its reference.
@@ -69,7 +75,8 @@ struct ManifoldPoint {
 /// Coulomb's limit of their sum. The tangent is the normal turned counter-clockwise by a right
 /// angle.
 struct alignas(sizeof(Lane)) ManifoldBlock {
-    Places a, b;  // bodies
+    Places a, b;              // bodies
+    Lane inertiaA, inertiaB;  // 1/(kg m^2), inverse, of the bodies
     Lane staticFriction, kineticFriction;
     Lane tangentX, tangentY;
     Lane tangentArmA, tangentArmB;  // m, lever of the tangent
@@ -77,9 +84,12 @@ struct alignas(sizeof(Lane)) ManifoldBlock {
     /// Where both points press, friction turns nobody: the normals answer it with these shares of
     /// it, and it meets this mass (the Schur complement of the normals).
     Lane answer1, answer2, heldMass;
+    /// Elsewhere it changes by these how the points close (1/kg).
+    Lane turns1, turns2;
     /// The mobility matrix of the two normals: off its diagonal (1/kg), and one over its
     /// determinant (kg^2), which is zero where the points are one.
     Lane coupling, inverse;
+    Lane used;     // m, by which surfaces have moved against each other since the pair's last look
     Lane slop;     // m, an overlap that stays
     Lane slip;     // m, by which the surfaces run along the tangent in this step
     Lane sliding;  // m, by which b slides along the tangent without rows
@@ -104,6 +114,7 @@ struct alignas(sizeof(Lane)) ManifoldShape {
     Places pair;  // whose row it is, or none
     Places unused;
     Lane thickness;             // m, radii of both sides together
+    Lane fineness;              // m, the least radii of both outlines together
     Lane lookX, lookY;          // m, where b was in the frame of a when the pair was looked at
     Lane lookCosine, lookSine;  // and how it was turned
     Lane reach;                 // m, of b from its centre
@@ -192,6 +203,11 @@ struct RowKernels {
                                       const ManifoldBlock& block, SweepReal slow);
     std::uint32_t (*meetingTouches)(const SolverBody* bodies, const Prediction* predictions,
                                     const TouchBlock& block, SweepReal slow);
+    /// A bit for each lane whose bodies come nearer by more than `fast`, a share of the fineness,
+    /// and are not known to be stopped by the row.
+    std::uint32_t (*passingManifolds)(const SolverBody* bodies, const BodyWay* ways,
+                                      const ManifoldBlock& block, const ManifoldShape& shape,
+                                      SweepReal fast);
     /// A bit for each lane that presses.
     std::uint32_t (*pressingManifolds)(const ManifoldBlock& block);
     std::uint32_t (*pressingTouches)(const TouchBlock& block);

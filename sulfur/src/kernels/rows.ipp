@@ -63,48 +63,73 @@ inline void interleave4(Vec& a, Vec& b, Vec& c, Vec& d) {
     c = __builtin_shufflevector(q, s, 0, 1, 8, 9, 4, 5, 12, 13);
     d = __builtin_shufflevector(q, s, 2, 3, 10, 11, 6, 7, 14, 15);
 }
-inline void exchangeHalves(Vec& a, Vec& b) {
-    const Vec low = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
-    b = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
-    a = low;
-}
-/// Rows to columns, and back.
-inline void transpose(Vec (&rows)[8]) {
-    interleave4(rows[0], rows[1], rows[2], rows[3]);
-    interleave4(rows[4], rows[5], rows[6], rows[7]);
-    for (int i = 0; i < 4; ++i) exchangeHalves(rows[i], rows[i + 4]);
+
+using Quad [[gnu::vector_size(4 * sizeof(SweepReal))]] = SweepReal;
+inline Vec joined(Quad low, Quad high) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Eight bodies, lane by lane.
-struct Bodies {
-    Vec of[8];
+inline Vec joined(const SweepReal* low, const SweepReal* high) {
+    return joined(*reinterpret_cast<const Quad*>(low), *reinterpret_cast<const Quad*>(high));
+}
+inline void split(SweepReal* low, SweepReal* high, Vec v) {
+    *reinterpret_cast<Quad*>(low) = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+    *reinterpret_cast<Quad*>(high) = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+}
 
-    Vec& vx() { return of[0]; }
-    Vec& vy() { return of[1]; }
-    Vec& spin() { return of[2]; }
-    Vec& x() { return of[3]; }
-    Vec& y() { return of[4]; }
-    Vec& turn() { return of[5]; }
-    Vec mass() const { return of[6]; }
-    Vec inertia() const { return of[7]; }
+/// Four numbers of each of eight bodies, lane by lane. `from`: the first of them, by lane.
+template <class From>
+inline void gatherFour(From from, Vec& p, Vec& q, Vec& r, Vec& s) {
+    p = joined(from(0), from(4));
+    q = joined(from(1), from(5));
+    r = joined(from(2), from(6));
+    s = joined(from(3), from(7));
+    interleave4(p, q, r, s);
+}
+template <class To>
+inline void scatterFour(To to, Vec p, Vec q, Vec r, Vec s) {
+    interleave4(p, q, r, s);
+    split(to(0), to(4), p);
+    split(to(1), to(5), q);
+    split(to(2), to(6), r);
+    split(to(3), to(7), s);
+}
+
+/// How eight bodies move by rows, and their inverse masses.
+struct Moving {
+    Vec x, y, spin, mass;
 };
-
-inline Bodies gather(const SolverBody* bodies, const std::uint32_t* at) {
-    Bodies g;
-    for (int i = 0; i < 8; ++i) g.of[i] = load(&bodies[at[i]].vx);
-    transpose(g.of);
-    return g;
+/// Where they are, and their inverse moments of inertia.
+struct Placed {
+    Vec x, y, turn, inertia;
+};
+inline Moving gatherMoving(const SolverBody* bodies, const std::uint32_t* at) {
+    Moving m;
+    gatherFour([&](int i) { return &bodies[at[i]].vx; }, m.x, m.y, m.spin, m.mass);
+    return m;
 }
-inline Bodies gather(const Prediction* predictions, const std::uint32_t* at) {
-    Bodies g;
-    for (int i = 0; i < 8; ++i) g.of[i] = load(&predictions[at[i]].vx);
-    transpose(g.of);
-    return g;
+inline Placed gatherPlaced(const SolverBody* bodies, const std::uint32_t* at) {
+    Placed p;
+    gatherFour([&](int i) { return &bodies[at[i]].x; }, p.x, p.y, p.turn, p.inertia);
+    return p;
 }
 /// What cannot be pushed may be in several lanes: all write what they read.
-inline void scatter(SolverBody* bodies, const std::uint32_t* at, Bodies& g) {
-    transpose(g.of);
-    for (int i = 0; i < 8; ++i) store(&bodies[at[i]].vx, g.of[i]);
+inline void scatter(SolverBody* bodies, const std::uint32_t* at, const Moving& m) {
+    scatterFour([&](int i) { return &bodies[at[i]].vx; }, m.x, m.y, m.spin, m.mass);
+}
+inline void scatter(SolverBody* bodies, const std::uint32_t* at, const Placed& p) {
+    scatterFour([&](int i) { return &bodies[at[i]].x; }, p.x, p.y, p.turn, p.inertia);
+}
+/// How they move without rows, and how they go with those of the step before.
+inline Moving gatherFree(const Prediction* predictions, const std::uint32_t* at) {
+    Moving m;
+    gatherFour([&](int i) { return &predictions[at[i]].vx; }, m.x, m.y, m.spin, m.mass);
+    return m;
+}
+inline Placed gatherGoing(const Prediction* predictions, const std::uint32_t* at) {
+    Placed p;
+    gatherFour([&](int i) { return &predictions[at[i]].goesX; }, p.x, p.y, p.turn, p.inertia);
+    return p;
 }
 
 /// Coulomb's law: what static friction brings to rest in this step, or to a creep, it holds with
@@ -132,93 +157,102 @@ inline Vec shareBefore(Vec pressing, Vec gap, Vec closing) {
 
 // --- two bodies -------------------------------------------------------------------------------
 
-/// The relative motion of the bodies of a block while its points are solved one after the other.
+/// How b moves against a, with the spins of both.
 struct Relative {
-    Vec x, y, spinA, spinB;  // of b against a
-    Vec sumX{}, sumY{};      // impulses on b
+    Vec x, y, spinA, spinB;
 };
-
+inline Relative between(const Moving& a, const Moving& b) {
+    return {b.x - a.x, b.y - a.y, a.spin, b.spin};
+}
+inline Relative between(const Placed& a, const Placed& b) {
+    return {b.x - a.x, b.y - a.y, a.turn, b.turn};
+}
 inline Vec along(const Relative& r, Vec nx, Vec ny, Vec armA, Vec armB) {
     return nx * r.x + ny * r.y + armB * r.spinB - armA * r.spinA;
 }
-inline void push(Relative& r, Vec impulse, Vec nx, Vec ny, Vec armA, Vec armB, Vec mass,
-                 const Bodies& a, const Bodies& b) {
-    const Vec px = nx * impulse, py = ny * impulse;
-    r.sumX += px;
-    r.sumY += py;
-    r.x += px * mass;
-    r.y += py * mass;
-    r.spinA -= a.inertia() * armA * impulse;
-    r.spinB += b.inertia() * armB * impulse;
+inline Vec along(const Relative& r, const ManifoldPoint& p) {
+    return along(r, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB));
+}
+inline Vec along(const Relative& r, const ManifoldBlock& b) {
+    return along(r, load(b.tangentX), load(b.tangentY), load(b.tangentArmA), load(b.tangentArmB));
+}
+
+/// Impulses of a block, summed up: on b, and the other way on a.
+struct Impulse {
+    Vec x{}, y{}, twistA{}, twistB{};
+
+    void add(Vec impulse, const Lane& nx, const Lane& ny, const Lane& armA, const Lane& armB) {
+        x += load(nx) * impulse;
+        y += load(ny) * impulse;
+        twistA += load(armA) * impulse;
+        twistB += load(armB) * impulse;
+    }
+    void add(Vec impulse, const ManifoldPoint& p) {
+        add(impulse, p.normalX, p.normalY, p.normalArmA, p.normalArmB);
+    }
+    void add(Vec impulse, const ManifoldBlock& b) {
+        add(impulse, b.tangentX, b.tangentY, b.tangentArmA, b.tangentArmB);
+    }
+};
+inline void push(const Impulse& i, Vec inertiaA, Vec inertiaB, Moving& a, Moving& b) {
+    a.x -= i.x * a.mass;
+    a.y -= i.y * a.mass;
+    a.spin -= i.twistA * inertiaA;
+    b.x += i.x * b.mass;
+    b.y += i.y * b.mass;
+    b.spin += i.twistB * inertiaB;
 }
 
 /// What the points of a block do in this step without rows.
 template <bool begins>
 inline void predict(const Prediction* predictions, const Relative& x, ManifoldBlock& block) {
-    Bodies a = gather(predictions, block.a), b = gather(predictions, block.b);
-    const Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
+    const Relative v = between(gatherFree(predictions, block.a), gatherFree(predictions, block.b));
     Vec before = Vec{} + 1;
     for (ManifoldPoint& p : block.points) {
-        const Vec nx = load(p.normalX), ny = load(p.normalY), armA = load(p.normalArmA),
-                  armB = load(p.normalArmB);
-        const Vec closing = along(v, nx, ny, armA, armB);
-        const Vec gap = larger(load(p.gap) + along(x, nx, ny, armA, armB), Vec{});
+        const Vec closing = along(v, p);
+        const Vec gap = larger(load(p.gap) + along(x, p), Vec{});
         store(p.closing, closing);
         store(p.room, closing + gap);
         before = smaller(before, shareBefore(load(p.pressing), gap, closing));
     }
-    const Vec sliding = along(v, load(block.tangentX), load(block.tangentY),
-                              load(block.tangentArmA), load(block.tangentArmB)) -
-                        load(block.slip);
+    const Vec sliding = along(v, block) - load(block.slip);
     store(block.sliding, sliding);
     if constexpr (begins) store(block.early, sliding * before);
 }
 
-inline void pushPoint(Relative& r, const ManifoldPoint& p, Vec impulse, Vec mass, const Bodies& a,
-                      const Bodies& b) {
-    push(r, impulse, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB), mass,
-         a, b);
-}
-inline Vec alongPoint(const Relative& r, const ManifoldPoint& p) {
-    return along(r, load(p.normalX), load(p.normalY), load(p.normalArmA), load(p.normalArmB));
-}
+/// How both points of a block close, and what they press, while it is solved.
+struct Normals {
+    Vec closing1, closing2, pressing1, pressing2;
+};
 
-/// Both points rub as one. Where both press, their normals answer.
-inline void solveFriction(Relative& v, ManifoldBlock& block, Vec mass, const Bodies& a,
-                          const Bodies& b) {
+/// Both points rub as one. Where both press, their normals answer, so that neither closes faster.
+/// Returns the impulse that comes to the others.
+inline Vec solveFriction(const Relative& v, ManifoldBlock& block, Normals& n) {
     const Vec zero{};
-    const Vec tx = load(block.tangentX), ty = load(block.tangentY);
-    const Vec armA = load(block.tangentArmA), armB = load(block.tangentArmB);
-    ManifoldPoint &p = block.points[0], &q = block.points[1];
-    const Vec pressing1 = load(p.pressing), pressing2 = load(q.pressing);
-    const auto held = (pressing1 > zero) & (pressing2 > zero);
+    const auto held = (n.pressing1 > zero) & (n.pressing2 > zero);
     const Vec effective = held ? load(block.heldMass) : load(block.tangentMass);
     const Vec before = load(block.rubbing);
-    const Vec speed = along(v, tx, ty, armA, armB) + load(block.sliding);
-    const Vec after =
-        friction(before - effective * speed, load(block.early), block.grip, effective,
-                 pressing1 + pressing2, load(block.staticFriction), load(block.kineticFriction));
-    const Vec more = after - before;
+    const Vec speed = along(v, block) + load(block.sliding);
+    const Vec after = friction(before - effective * speed, load(block.early), block.grip, effective,
+                               n.pressing1 + n.pressing2, load(block.staticFriction),
+                               load(block.kineticFriction));
+    const Vec more = after - before, answered = held ? more : zero, alone = held ? zero : more;
     store(block.rubbing, after);
-    push(v, more, tx, ty, armA, armB, mass, a, b);
-    const Vec answer1 = held ? load(block.answer1) * more : zero;
-    const Vec answer2 = held ? load(block.answer2) * more : zero;
-    store(p.pressing, pressing1 + answer1);
-    store(q.pressing, pressing2 + answer2);
-    pushPoint(v, p, answer1, mass, a, b);
-    pushPoint(v, q, answer2, mass, a, b);
+    n.pressing1 += load(block.answer1) * answered;
+    n.pressing2 += load(block.answer2) * answered;
+    n.closing1 += load(block.turns1) * alone;
+    n.closing2 += load(block.turns2) * alone;
+    return more;
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
-/// consistent (Catto 2006). Where the points are one, each by itself. Returns by how much either
-/// point parts faster or slower.
-inline Vec solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodies& a,
-                        const Bodies& b) {
-    ManifoldPoint &p = block.points[0], &q = block.points[1];
+/// consistent (Catto 2006). Where the points are one, each by itself. Returns what each presses
+/// then.
+inline Normals solveNormals(const ManifoldBlock& block, const Normals& n) {
+    const ManifoldPoint &p = block.points[0], &q = block.points[1];
     const Vec zero{};
-    const Vec before1 = load(p.pressing), before2 = load(q.pressing);
-    const Vec closing1 = alongPoint(v, p) + load(p.room),
-              closing2 = alongPoint(v, q) + load(q.room);
+    const Vec before1 = n.pressing1, before2 = n.pressing2;
+    const Vec closing1 = n.closing1, closing2 = n.closing2;
     const Vec k11 = load(p.mobility), k22 = load(q.mobility), k12 = load(block.coupling);
     const Vec inverse = load(block.inverse);
     const auto apart = inverse > zero;
@@ -239,67 +273,79 @@ inline Vec solveNormals(Relative& v, ManifoldBlock& block, Vec mass, const Bodie
         larger(before2 - load(q.normalMass) * (closing2 + k12 * (single1 - before1)), zero);
     const Vec after1 = bothPress ? both1 : onlyFirst ? alone1 : onlySecond ? zero : single1;
     const Vec after2 = bothPress ? both2 : onlyFirst ? zero : onlySecond ? alone2 : single2;
-    store(p.pressing, after1);
-    store(q.pressing, after2);
-    pushPoint(v, p, after1 - before1, mass, a, b);
-    pushPoint(v, q, after2 - before2, mass, a, b);
-    return larger(magnitude(after1 - before1) * k11, magnitude(after2 - before2) * k22);
+    return {closing1, closing2, after1, after2};
 }
 
 /// Whether the sweep before, or this one, has stirred any of the bodies.
 inline bool isStirred(const std::uint32_t* at, const SweepSettings& settings) {
-    bool any = false;
     for (std::size_t l = 0; l < rowLanes; ++l)
-        any |= settings.stirred[at[l]] + 1 >= settings.number;
-    return any;
+        if (settings.stirred[at[l]] + 1 >= settings.number) return true;
+    return false;
 }
 /// Notes which bodies rows have stirred, by lanes; what nothing pushes stays as it was.
-inline void stir(const std::uint32_t* at, const Bodies& bodies, Mask changed,
+inline void stir(const std::uint32_t* at, Vec mass, Vec inertia, Mask changed,
                  const SweepSettings& settings) {
-    const Mask pushed = bodies.mass() + bodies.inertia() > Vec{};
+    const Mask pushed = mass + inertia > Vec{};
+    std::uint8_t* const stirred = settings.stirred;  // bytes alias the settings
+    const std::uint8_t number = settings.number;
     for (auto lanes = bits(changed & pushed); lanes != 0; lanes &= lanes - 1)
-        settings.stirred[at[__builtin_ctz(lanes)]] = settings.number;
+        stirred[at[__builtin_ctz(lanes)]] = number;
+}
+
+/// Moves the bodies of a block out of each other, by a share of what is beyond the slop.
+inline void moveApart(SolverBody* bodies, const ManifoldBlock& block, Vec massA, Vec massB,
+                      SweepReal share) {
+    Placed a = gatherPlaced(bodies, block.a), b = gatherPlaced(bodies, block.b);
+    for (const ManifoldPoint& p : block.points) {
+        const Vec gap = load(p.gap) + along(between(a, b), p);
+        Impulse sum;
+        sum.add(load(p.normalMass) * larger((-gap - load(block.slop)) * share, Vec{}), p);
+        a.x -= sum.x * massA;
+        a.y -= sum.y * massA;
+        a.turn -= sum.twistA * a.inertia;
+        b.x += sum.x * massB;
+        b.y += sum.y * massB;
+        b.turn += sum.twistB * b.inertia;
+    }
+    scatter(bodies, block.a, a);
+    scatter(bodies, block.b, b);
 }
 
 template <bool anew, bool begins>
 inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
                        const SweepSettings& settings) {
-    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    const Vec mass = a.mass() + b.mass();
-    Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
-    if constexpr (anew) predict<begins>(predictions, x, block);
+    if constexpr (anew) {
+        Placed a = gatherPlaced(bodies, block.a), b = gatherPlaced(bodies, block.b);
+        predict<begins>(predictions, between(a, b), block);
+    }
     if constexpr (begins) store(block.grip, Vec{} + settings.creep);
-    Relative v{b.vx() - a.vx(), b.vy() - a.vy(), a.spin(), b.spin()};
-    solveFriction(v, block, mass, a, b);
-    const Mask changed = solveNormals(v, block, mass, a, b) > settings.settled;
+    Moving a = gatherMoving(bodies, block.a), b = gatherMoving(bodies, block.b);
+    const Relative v = between(a, b);
+    ManifoldPoint &p = block.points[0], &q = block.points[1];
+    Normals before{along(v, p) + load(p.room), along(v, q) + load(q.room), load(p.pressing),
+                   load(q.pressing)};
+    const Vec pressing1 = before.pressing1, pressing2 = before.pressing2;
+    Impulse sum;
+    sum.add(solveFriction(v, block, before), block);
+    const Normals after = solveNormals(block, before);
+    store(p.pressing, after.pressing1);
+    store(q.pressing, after.pressing2);
+    sum.add(after.pressing1 - pressing1, p);
+    sum.add(after.pressing2 - pressing2, q);
+    // By how much either point parts faster or slower.
+    const Vec change1 = magnitude(after.pressing1 - before.pressing1) * load(p.mobility);
+    const Vec change2 = magnitude(after.pressing2 - before.pressing2) * load(q.mobility);
+    const Mask changed = larger(change1, change2) > settings.settled;
     const bool any = bits(changed) != 0;
-    if (any) {
-        stir(block.a, a, changed, settings);
-        stir(block.b, b, changed, settings);
-    }
-    a.vx() -= v.sumX * a.mass();
-    a.vy() -= v.sumY * a.mass();
-    a.spin() = v.spinA;
-    b.vx() += v.sumX * b.mass();
-    b.vy() += v.sumY * b.mass();
-    b.spin() = v.spinB;
-    if constexpr (begins) {
-        for (ManifoldPoint& p : block.points) {
-            const Vec gap = load(p.gap) + alongPoint(x, p);
-            pushPoint(
-                x, p,
-                load(p.normalMass) * larger((-gap - load(block.slop)) * settings.share, Vec{}),
-                mass, a, b);
-        }
-        a.x() -= x.sumX * a.mass();
-        a.y() -= x.sumY * a.mass();
-        a.turn() = x.spinA;
-        b.x() += x.sumX * b.mass();
-        b.y() += x.sumY * b.mass();
-        b.turn() = x.spinB;
-    }
+    const Vec inertiaA = load(block.inertiaA), inertiaB = load(block.inertiaB);
+    push(sum, inertiaA, inertiaB, a, b);
     scatter(bodies, block.a, a);
     scatter(bodies, block.b, b);
+    if constexpr (begins) moveApart(bodies, block, a.mass, b.mass, settings.share);
+    if (any) {
+        stir(block.a, a.mass, inertiaA, changed, settings);
+        stir(block.b, b.mass, inertiaB, changed, settings);
+    }
     return any;
 }
 inline bool isPassedOver(const ManifoldBlock& block, const SweepSettings& settings) {
@@ -357,7 +403,6 @@ inline Vec momentOfPoints(const Unit& start, const Unit& way, Vec limit) {
     return square > reachedRound * reachedRound * limit * limit ? coming : zero;
 }
 using Wide [[gnu::vector_size(4 * sizeof(double))]] = double;
-using Narrow [[gnu::vector_size(4 * sizeof(SweepReal))]] = SweepReal;
 
 /// How the references of two bodies lie to each other.
 struct Apart {
@@ -367,18 +412,22 @@ struct Apart {
 /// Ways are in double until both places are subtracted.
 inline Apart between(const Reference* references, const std::uint32_t* from,
                      const std::uint32_t* to) {
-    Vec rows[8];
-    for (int i = 0; i < 8; ++i) {
-        const Wide a = *reinterpret_cast<const Wide*>(&references[from[i]]);
-        const Wide b = *reinterpret_cast<const Wide*>(&references[to[i]]);
-        const Narrow way = __builtin_convertvector(b - a, Narrow);
-        const Narrow own = __builtin_convertvector(a, Narrow);
-        const Narrow other = __builtin_convertvector(b, Narrow);
-        const Narrow first = __builtin_shufflevector(way, own, 0, 1, 6, 7);
-        rows[i] = __builtin_shufflevector(first, other, 0, 1, 2, 3, 4, 5, 6, 7);
+    const auto narrow = [](Wide v) { return __builtin_convertvector(v, Quad); };
+    Vec first[4], second[4];
+    for (int i = 0; i < 4; ++i) {
+        Quad ways[2], others[2];
+        for (int k = 0; k < 2; ++k) {
+            const Wide a = *reinterpret_cast<const Wide*>(&references[from[i + 4 * k]]);
+            const Wide b = *reinterpret_cast<const Wide*>(&references[to[i + 4 * k]]);
+            ways[k] = __builtin_shufflevector(narrow(b - a), narrow(a), 0, 1, 6, 7);
+            others[k] = narrow(b);
+        }
+        first[i] = joined(ways[0], ways[1]);
+        second[i] = joined(others[0], others[1]);
     }
-    transpose(rows);
-    return {{rows[0], rows[1]}, {rows[2], rows[3]}, {rows[6], rows[7]}};
+    interleave4(first[0], first[1], first[2], first[3]);
+    interleave4(second[0], second[1], second[2], second[3]);
+    return {{first[0], first[1]}, {first[2], first[3]}, {second[2], second[3]}};
 }
 
 /// Two bodies when a step begins and when it is predicted to end.
@@ -415,38 +464,31 @@ inline Vec changeOf(const Lane& before, Vec now) {
     if constexpr (anew) return now;
     return now - load(before);
 }
-/// Pushes b, and a the other way.
-inline void give(Vec pushX, Vec pushY, Vec twistA, Vec twistB, Bodies& a, Bodies& b) {
-    a.vx() -= pushX * a.mass();
-    a.vy() -= pushY * a.mass();
-    a.spin() -= twistA * a.inertia();
-    b.vx() += pushX * b.mass();
-    b.vy() += pushY * b.mass();
-    b.spin() += twistB * b.inertia();
-}
-
 template <bool anew>
 std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, ManifoldBlock& block,
                               const ManifoldShape& shape) {
-    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    Bodies goesA = gather(poses.predictions, block.a), goesB = gather(poses.predictions, block.b);
+    const Placed a = gatherPlaced(bodies, block.a), b = gatherPlaced(bodies, block.b);
+    Moving movingA = gatherMoving(bodies, block.a), movingB = gatherMoving(bodies, block.b);
+    const Placed goesA = gatherGoing(poses.predictions, block.a),
+                 goesB = gatherGoing(poses.predictions, block.b);
     const Vec zero{}, one = zero + SweepReal(1);
-    const Vec spinA = goesA.turn(), spinB = goesB.turn();
-    const Unit way{goesB.x() - goesA.x(), goesB.y() - goesA.y()};
+    const Vec spinA = goesA.turn, spinB = goesB.turn;
+    const Unit way{goesB.x - goesA.x, goesB.y - goesA.y};
     const Apart rest = between(poses.references, block.a, block.b);
     const Unit restA = rest.headingA, restB = rest.headingB;
-    const Vec x = b.x() - a.x(), y = b.y() - a.y();
-    Pose start{rest.way, turnedOn(restA, a.turn()), turnedOn(restB, b.turn())};
+    const Vec x = b.x - a.x, y = b.y - a.y;
+    Pose start{rest.way, turnedOn(restA, a.turn), turnedOn(restB, b.turn)};
     start.apart.x += x;
     start.apart.y += y;
     const Pose end{{start.apart.x + way.x, start.apart.y + way.y},
-                   turnedOn(restA, a.turn() + spinA),
-                   turnedOn(restB, b.turn() + spinB)};
+                   turnedOn(restA, a.turn + spinA),
+                   turnedOn(restB, b.turn + spinB)};
     const Vec moved = movedSinceLook(start, shape), ends = movedSinceLook(end, shape);
-    const Vec thickness = load(shape.thickness), mass = a.mass() + b.mass();
+    const Vec thickness = load(shape.thickness), mass = movingA.mass + movingB.mass;
     store(block.slop, slop * thickness);
-    const auto bothGo = (a.mass() > zero) & (b.mass() > zero);
-    Vec pushX{}, pushY{}, twistA{}, twistB{};  // what turned impulses change
+    store(block.used, moved);
+    const auto bothGo = (movingA.mass > zero) & (movingB.mass > zero);
+    Impulse sum;  // what turned impulses change
     // The place where both rub: the mean of the points that exist, and their normal.
     Vec midAX{}, midAY{}, midBX{}, midBY{}, sumX{}, sumY{}, count{};
     for (int k = 0; k < 2; ++k) {
@@ -460,19 +502,27 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Before last = seenFromSide(end, f, owner, ofB);
         const Vec height = first.height, rise = last.height - first.height;
         const Vec place = first.place, run = last.place - first.place;
-        const Vec flat = momentOfHeight(height, last.height, thickness);
-        const Vec there = place + flat * run, nearest = clamped(there, -half, half);
-        const auto round = ((there != nearest) & (height + flat * rise > zero)) | (half == zero);
-        const Vec curved = momentOfPoints({place - nearest, height}, {run, rise}, thickness);
-        const Vec moment = round ? curved : flat;
-        const Vec up1 = height + moment * rise, aside1 = place + moment * run - nearest;
-        const Vec far = root(aside1 * aside1 + up1 * up1);
-        const Vec safe = larger(far, zero + SweepReal(1e-30));
-        const Vec distance = round ? far : up1;
-        const auto apart = round & (far > zero);
-        const Vec up = apart ? up1 / safe : one, aside = apart ? aside1 / safe : zero;
-        const Unit headA = turnedOn(restA, a.turn() + moment * spinA);
-        const Unit headB = turnedOn(restB, b.turn() + moment * spinB);
+        Vec moment = momentOfHeight(height, last.height, thickness);
+        const Vec there = place + moment * run, nearest = clamped(there, -half, half);
+        const auto beyond = (there != nearest) & (height + moment * rise > zero);
+        const auto round = (beyond | (half == zero)) & (exists > zero);
+        const bool anyRound = bits(round) != 0;  // mostly none is
+        if (anyRound) {
+            const Vec curved = momentOfPoints({place - nearest, height}, {run, rise}, thickness);
+            moment = round ? curved : moment;
+        }
+        Vec distance = height + moment * rise, up = one, aside = zero;
+        if (anyRound) {
+            const Vec beside = place + moment * run - nearest;
+            const Vec far = root(beside * beside + distance * distance);
+            const Vec safe = larger(far, zero + SweepReal(1e-30));
+            const auto apart = round & (far > zero);
+            up = apart ? distance / safe : one;
+            aside = apart ? beside / safe : zero;
+            distance = round ? far : distance;
+        }
+        const Unit headA = turnedOn(restA, a.turn + moment * spinA);
+        const Unit headB = turnedOn(restB, b.turn + moment * spinB);
         const Unit own = choose(ofB, headB, headA), other = choose(ofB, headA, headB);
         const Vec ox = load(f.outX), oy = load(f.outY);
         // The corner from its own body's centre, and from that of the side.
@@ -493,19 +543,19 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec late = bothGo ? moment * cross(way.x, way.y, nx, ny) : zero;
         const Vec armA = exists * (cross(ax, ay, nx, ny) - (ofB ? late : zero));
         const Vec armB = exists * (cross(bx, by, nx, ny) + (ofB ? zero : late));
-        const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
+        const Vec mobility = mass + armA * armA * a.inertia + armB * armB * b.inertia;
         store(p.normalMass, mobility > zero ? exists / mobility : zero);
         store(p.mobility, exists * mobility);
         const Vec since = nx * (x + moment * way.x) + ny * (y + moment * way.y) +
-                          armB * (b.turn() + moment * spinB) - armA * (a.turn() + moment * spinA);
+                          armB * (b.turn + moment * spinB) - armA * (a.turn + moment * spinA);
         const Vec farAway = zero + SweepReal(1e18);
         store(p.gap, exists > zero ? distance - thickness - since : farAway);
         // Impulses stay what they are and act along the new directions.
         const Vec n = load(p.pressing);
-        pushX += changeOf<anew>(p.normalX, nx) * n;
-        pushY += changeOf<anew>(p.normalY, ny) * n;
-        twistA += changeOf<anew>(p.normalArmA, armA) * n;
-        twistB += changeOf<anew>(p.normalArmB, armB) * n;
+        sum.x += changeOf<anew>(p.normalX, nx) * n;
+        sum.y += changeOf<anew>(p.normalY, ny) * n;
+        sum.twistA += changeOf<anew>(p.normalArmA, armA) * n;
+        sum.twistB += changeOf<anew>(p.normalArmB, armB) * n;
         store(p.normalX, nx);
         store(p.normalY, ny);
         store(p.normalArmA, armA);
@@ -525,12 +575,12 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     const Vec tx = -sumY * perLength, ty = sumX * perLength;
     const Vec armA = share * cross(midAX, midAY, tx, ty),
               armB = share * cross(midBX, midBY, tx, ty);
-    const Vec mobility = mass + armA * armA * a.inertia() + armB * armB * b.inertia();
+    const Vec mobility = mass + armA * armA * a.inertia + armB * armB * b.inertia;
     store(block.tangentMass, (mobility > zero) & (count > zero) ? one / mobility : zero);
     {
         const ManifoldPoint &p = block.points[0], &q = block.points[1];
         const auto mixed = [&](Vec ux, Vec uy, Vec ua, Vec ub, Vec wx, Vec wy, Vec wa, Vec wb) {
-            return mass * (ux * wx + uy * wy) + a.inertia() * ua * wa + b.inertia() * ub * wb;
+            return mass * (ux * wx + uy * wy) + a.inertia * ua * wa + b.inertia * ub * wb;
         };
         const Vec px = load(p.normalX), py = load(p.normalY), pa = load(p.normalArmA),
                   pb = load(p.normalArmB);
@@ -547,61 +597,77 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec answer2 = (k12 * t1 - k11 * t2) * inverse;
         const Vec held = mobility + answer1 * t1 + answer2 * t2;
         store(block.coupling, k12);
+        store(block.turns1, t1);
+        store(block.turns2, t2);
         store(block.inverse, inverse);
         store(block.answer1, answer1);
         store(block.answer2, answer2);
         store(block.heldMass, (held > zero) & (count > zero) ? one / held : zero);
     }
     const Vec t = load(block.rubbing);
-    pushX += changeOf<anew>(block.tangentX, tx) * t;
-    pushY += changeOf<anew>(block.tangentY, ty) * t;
-    twistA += changeOf<anew>(block.tangentArmA, armA) * t;
-    twistB += changeOf<anew>(block.tangentArmB, armB) * t;
+    sum.x += changeOf<anew>(block.tangentX, tx) * t;
+    sum.y += changeOf<anew>(block.tangentY, ty) * t;
+    sum.twistA += changeOf<anew>(block.tangentArmA, armA) * t;
+    sum.twistB += changeOf<anew>(block.tangentArmB, armB) * t;
     store(block.tangentX, tx);
     store(block.tangentY, ty);
     store(block.tangentArmA, armA);
     store(block.tangentArmB, armB);
-    give(pushX, pushY, twistA, twistB, a, b);
-    scatter(bodies, block.a, a);
-    scatter(bodies, block.b, b);
+    store(block.inertiaA, a.inertia);
+    store(block.inertiaB, b.inertia);
+    push(sum, a.inertia, b.inertia, movingA, movingB);
+    scatter(bodies, block.a, movingA);
+    scatter(bodies, block.b, movingB);
     return bits(larger(moved, ends - unnoticed * thickness) > load(shape.margin));
 }
 
 void giveManifold(SolverBody* bodies, const ManifoldBlock& block) {
-    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    const Vec rubbing = load(block.rubbing);
-    Vec pushX = load(block.tangentX) * rubbing, pushY = load(block.tangentY) * rubbing;
-    Vec twistA = load(block.tangentArmA) * rubbing, twistB = load(block.tangentArmB) * rubbing;
-    for (const ManifoldPoint& p : block.points) {
-        const Vec pressing = load(p.pressing);
-        pushX += load(p.normalX) * pressing;
-        pushY += load(p.normalY) * pressing;
-        twistA += load(p.normalArmA) * pressing;
-        twistB += load(p.normalArmB) * pressing;
-    }
-    give(pushX, pushY, twistA, twistB, a, b);
+    Moving a = gatherMoving(bodies, block.a), b = gatherMoving(bodies, block.b);
+    Impulse sum;
+    sum.add(load(block.rubbing), block);
+    for (const ManifoldPoint& p : block.points) sum.add(load(p.pressing), p);
+    push(sum, load(block.inertiaA), load(block.inertiaB), a, b);
     scatter(bodies, block.a, a);
     scatter(bodies, block.b, b);
 }
 
 std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predictions,
                               const ManifoldBlock& block, SweepReal slow) {
-    Bodies a = gather(bodies, block.a), b = gather(bodies, block.b);
-    Bodies goesA = gather(predictions, block.a), goesB = gather(predictions, block.b);
-    const Relative v{goesB.vx() - goesA.vx(), goesB.vy() - goesA.vy(), goesA.spin(), goesB.spin()};
-    const Relative x{b.x() - a.x(), b.y() - a.y(), a.turn(), b.turn()};
+    const Relative v = between(gatherFree(predictions, block.a), gatherFree(predictions, block.b));
+    const Relative x = between(gatherPlaced(bodies, block.a), gatherPlaced(bodies, block.b));
     const Vec zero{};
     Mask meets{};
     for (const ManifoldPoint& p : block.points) {
-        const Vec nx = load(p.normalX), ny = load(p.normalY), armA = load(p.normalArmA),
-                  armB = load(p.normalArmB);
-        const Vec closing = along(v, nx, ny, armA, armB);
-        const Vec gap = load(p.gap) + along(x, nx, ny, armA, armB);
+        const Vec closing = along(v, p), gap = load(p.gap) + along(x, p);
         meets |= (load(p.normalMass) > zero) & (closing < zero - slow) & (gap + closing < zero);
     }
     const auto presses =
         (load(block.points[0].pressing) > zero) | (load(block.points[1].pressing) > zero);
     return bits(meets & ~presses);
+}
+
+/// Points are known to be the right ones as long as their bodies do not move against each other by
+/// more than the margin, and a row is exact to first order in what they turn by.
+std::uint32_t passingManifold(const SolverBody* bodies, const BodyWay* ways,
+                              const ManifoldBlock& block, const ManifoldShape& shape,
+                              SweepReal fast) {
+    const auto gather = [&](const std::uint32_t* at) {
+        Placed w;  // with what the turn moves in place of the inertia
+        gatherFour([&](int i) { return &ways[at[i]].x; }, w.x, w.y, w.turn, w.inertia);
+        return w;
+    };
+    const Placed a = gather(block.a), b = gather(block.b);
+    const Relative way = between(a, b);
+    const Vec goes = magnitude(way.x) + magnitude(way.y) + a.inertia + b.inertia;
+    const Mask isFast = goes > load(shape.fineness) * fast;
+    if (bits(isFast) == 0) return 0;
+    const Vec most = load(shape.thickness) * (fast / 2);
+    const Vec turning = a.inertia * magnitude(a.turn) + b.inertia * magnitude(b.turn);
+    Mask stops = (turning <= most) & (load(block.used) + goes <= load(shape.margin));
+    const Relative x = between(gatherPlaced(bodies, block.a), gatherPlaced(bodies, block.b));
+    for (const ManifoldPoint& p : block.points)
+        stops &= load(p.gap) + along(x, p) + along(way, p) >= -most;
+    return bits(isFast & ~stops);
 }
 
 std::uint32_t pressingManifold(const ManifoldBlock& block) {
@@ -619,6 +685,28 @@ std::uint32_t actingManifold(const ManifoldBlock& block) {
 
 // --- a corner and a side ------------------------------------------------------------------------
 
+/// Eight bodies, lane by lane.
+struct Bodies {
+    Moving moving;
+    Placed placed;
+
+    Vec& vx() { return moving.x; }
+    Vec& vy() { return moving.y; }
+    Vec& spin() { return moving.spin; }
+    Vec& x() { return placed.x; }
+    Vec& y() { return placed.y; }
+    Vec& turn() { return placed.turn; }
+    Vec mass() const { return moving.mass; }
+    Vec inertia() const { return placed.inertia; }
+};
+
+inline Bodies gather(const SolverBody* bodies, const std::uint32_t* at) {
+    return {gatherMoving(bodies, at), gatherPlaced(bodies, at)};
+}
+inline Bodies gather(const Prediction* predictions, const std::uint32_t* at) {
+    return {gatherFree(predictions, at), gatherGoing(predictions, at)};
+}
+
 /// What one direction of a touch has to do with the motions of its bodies.
 struct Jacobian {
     Vec px, py, pTurn, ax, ay, aTurn, bx, by, bTurn;
@@ -634,26 +722,28 @@ inline Vec placeAlong(const Jacobian& j, Bodies& p, Bodies& a, Bodies& b) {
            (j.bx * b.x() + j.by * b.y() + j.bTurn * b.turn());
 }
 inline void push(const Jacobian& j, Vec impulse, Bodies& p, Bodies& a, Bodies& b) {
-    p.vx() += j.px * impulse * p.mass();
-    p.vy() += j.py * impulse * p.mass();
-    p.spin() += j.pTurn * impulse * p.inertia();
-    a.vx() -= j.ax * impulse * a.mass();
-    a.vy() -= j.ay * impulse * a.mass();
-    a.spin() -= j.aTurn * impulse * a.inertia();
-    b.vx() -= j.bx * impulse * b.mass();
-    b.vy() -= j.by * impulse * b.mass();
-    b.spin() -= j.bTurn * impulse * b.inertia();
+    const Vec ofP = impulse * p.mass(), ofA = impulse * a.mass(), ofB = impulse * b.mass();
+    p.vx() += j.px * ofP;
+    p.vy() += j.py * ofP;
+    p.spin() += j.pTurn * (impulse * p.inertia());
+    a.vx() -= j.ax * ofA;
+    a.vy() -= j.ay * ofA;
+    a.spin() -= j.aTurn * (impulse * a.inertia());
+    b.vx() -= j.bx * ofB;
+    b.vy() -= j.by * ofB;
+    b.spin() -= j.bTurn * (impulse * b.inertia());
 }
 inline void pushPlace(const Jacobian& j, Vec impulse, Bodies& p, Bodies& a, Bodies& b) {
-    p.x() += j.px * impulse * p.mass();
-    p.y() += j.py * impulse * p.mass();
-    p.turn() += j.pTurn * impulse * p.inertia();
-    a.x() -= j.ax * impulse * a.mass();
-    a.y() -= j.ay * impulse * a.mass();
-    a.turn() -= j.aTurn * impulse * a.inertia();
-    b.x() -= j.bx * impulse * b.mass();
-    b.y() -= j.by * impulse * b.mass();
-    b.turn() -= j.bTurn * impulse * b.inertia();
+    const Vec ofP = impulse * p.mass(), ofA = impulse * a.mass(), ofB = impulse * b.mass();
+    p.x() += j.px * ofP;
+    p.y() += j.py * ofP;
+    p.turn() += j.pTurn * (impulse * p.inertia());
+    a.x() -= j.ax * ofA;
+    a.y() -= j.ay * ofA;
+    a.turn() -= j.aTurn * (impulse * a.inertia());
+    b.x() -= j.bx * ofB;
+    b.y() -= j.by * ofB;
+    b.turn() -= j.bTurn * (impulse * b.inertia());
 }
 inline Vec mobility(const Jacobian& j, const Bodies& p, const Bodies& a, const Bodies& b) {
     return (j.px * j.px + j.py * j.py) * p.mass() + j.pTurn * j.pTurn * p.inertia() +
@@ -710,18 +800,21 @@ inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, TouchB
     const Mask changed = magnitude(pressing - pressed) * load(t.mobility) > settings.settled;
     const bool any = bits(changed) != 0;
     if (any) {
-        stir(t.p, p, changed, settings);
-        stir(t.a, a, changed, settings);
-        stir(t.b, b, changed, settings);
+        stir(t.p, p.mass(), p.inertia(), changed, settings);
+        stir(t.a, a.mass(), a.inertia(), changed, settings);
+        stir(t.b, b.mass(), b.inertia(), changed, settings);
     }
     if constexpr (begins) {
         const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
         pushPlace(normal, load(t.normalMass) * larger((-gap - load(t.slop)) * settings.share, zero),
                   p, a, b);
+        scatter(bodies, t.p, p.placed);
+        scatter(bodies, t.a, a.placed);
+        scatter(bodies, t.b, b.placed);
     }
-    scatter(bodies, t.p, p);
-    scatter(bodies, t.a, a);
-    scatter(bodies, t.b, b);
+    scatter(bodies, t.p, p.moving);
+    scatter(bodies, t.a, a.moving);
+    scatter(bodies, t.b, b.moving);
     return any;
 }
 inline bool isPassedOver(const TouchBlock& t, const SweepSettings& settings) {
@@ -892,9 +985,9 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     store(t.mobility, normalK);
     store(t.tangentMass, tangentK > zero ? one / tangentK : zero);
     store(t.gap, distance - thickness - placeAlong(normal, p, a, b) - ahead);
-    scatter(bodies, t.p, p);
-    scatter(bodies, t.a, a);
-    scatter(bodies, t.b, b);
+    scatter(bodies, t.p, p.moving);
+    scatter(bodies, t.a, a.moving);
+    scatter(bodies, t.b, b.moving);
     return bits((place < load(shape.low)) | (place > load(shape.high)));
 }
 
@@ -902,9 +995,9 @@ void giveTouch(SolverBody* bodies, const TouchBlock& t) {
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
     push(normalOf(t), load(t.pressing), p, a, b);
     push(tangentOf(t), load(t.rubbing), p, a, b);
-    scatter(bodies, t.p, p);
-    scatter(bodies, t.a, a);
-    scatter(bodies, t.b, b);
+    scatter(bodies, t.p, p.moving);
+    scatter(bodies, t.a, a.moving);
+    scatter(bodies, t.b, b.moving);
 }
 
 std::uint32_t meetingTouch(const SolverBody* bodies, const Prediction* predictions,
@@ -938,6 +1031,7 @@ constexpr RowKernels rowKernelsHere = {sweepBlocks<ManifoldBlock>,
                                        giveTouch,
                                        meetingManifold,
                                        meetingTouch,
+                                       passingManifold,
                                        pressingManifold,
                                        pressingTouch,
                                        actingManifold,

@@ -28,11 +28,6 @@ struct Pair {
     std::uint32_t encounter = none;
     /// Of its points: the particles (slots) of corner and side, or none.
     std::array<std::array<std::uint32_t, 3>, 2> features{{{none, none, none}, {none, none, none}}};
-    /// Where b was from a when they were last found apart, how both were turned, and the room that
-    /// they had until then; 0: nobody knows.
-    Real apartX = 0, apartY = 0;  // m
-    Heading headA, headB;
-    Real room = 0;  // m
     // While its row sleeps: kg m, impulses of its points and its friction, and its normals.
     std::array<Real, 3> kept{};
     std::array<Real, 4> keptNormal{};  // x and y of each
@@ -121,6 +116,15 @@ struct PairWatch {
     std::uint32_t unused = 0;              // no padding, because its bytes are hashed
 };
 
+/// Where b was from a when a pair was last found apart, how both were turned, and how far they
+/// could move against each other from there.
+struct PairRoom {
+    Real apartX = 0, apartY = 0;  // m
+    Heading headA, headB;
+    Real room = 0;    // m; 0: nobody knows
+    Real unused = 0;  // no padding, because its bytes are hashed
+};
+
 /// Impulses of a row that went, for whoever comes to stand for the same particles.
 struct Heir {
     std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
@@ -139,6 +143,7 @@ struct ContactCore {
     std::vector<Encounter> encounters;
     std::vector<std::uint32_t> freeEncounters, buckets, changedEncounters;
     std::vector<PairWatch> watches;      // of pairs of which something is awake
+    std::vector<PairRoom> rooms;         // of these, in the same order
     std::vector<std::uint32_t> leading;  // encounters of bodies that are led apart
     double lastStep = 0;                 // s, of the step for which the rows have impulses
     std::uint32_t loadsAgain = 0;        // 1: stacks are loaded in the next step, too
@@ -167,15 +172,16 @@ struct ContactCore {
     LooseLook looseLook;
     std::vector<KnownSide> knownSides;
     std::vector<Passing> passings;
-    std::vector<Motion3> ways;  // by mover: how it goes in this step
+    std::vector<BodyWay> ways;  // by mover: how it goes in this step
     std::vector<Real> lengths;  // m, by mover: how far any of its surface goes at most
+    Real farthest = 0;          // m, of all movers, as far as they go without rows
     std::uint32_t newRows = 0;  // manifolds, in this step
     std::vector<Blow> blows;
     std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told
     std::vector<std::uint32_t> struck;  // pairs with impacts in this step
     std::vector<std::uint32_t> held;    // pairs that continuous collision has moved apart in it
-    std::vector<Point> places;  // m, by particle that moves by itself: before constraints
+    std::vector<Point> places;          // m, by particle that moves by itself: before constraints
     std::vector<std::uint32_t> struckEncounters;
     std::vector<std::uint32_t> toWake;  // bodies by slot
     bool listsStale = true;
@@ -193,6 +199,7 @@ struct ContactCore {
         a(touches);
         a(freeTouches);
         a(watches);
+        a(rooms);
         a(encounters);
         a(freeEncounters);
         a(buckets);

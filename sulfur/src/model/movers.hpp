@@ -16,6 +16,10 @@ struct Motion3 {
     Real x = 0, y = 0, turn = 0;
 };
 
+inline Motion3 motionOf(const BodyWay& way) {
+    return {way.x, way.y, way.turn};
+}
+
 /// Solver bodies and what belongs to them, by slot. Slot 0 is the world, which never moves.
 ///
 /// An odometer adds up how far any point of its body can have gone; at its deadline the body is

@@ -24,7 +24,7 @@ constexpr int mostRounds = tuned::momentRounds;
 constexpr Real largeTurn = Real(0.3);
 
 struct Xy {
-    Real x = 0, y = 0;
+    Real x, y;  // (arrays of them are not filled with zeros)
 };
 Xy operator-(Xy a, Xy b) {
     return {a.x - b.x, a.y - b.y};
@@ -41,6 +41,18 @@ struct Outline {
     std::uint32_t corners = 0, sides = 0;
     std::array<Xy, most> at, out;
 
+    /// In its own frame.
+    Outline(const Shapes& shapes, const Chunk& chunk)
+        : corners(chunk.corners), sides(chunk.corners > 1 ? chunk.sides : 0) {
+        for (std::uint32_t k = 0; k < corners; ++k) {
+            const Corner& c = shapes.corners[chunk.firstCorner + k];
+            at[k] = {c.x, c.y};
+        }
+        for (std::uint32_t k = 0; k < sides; ++k) {
+            const Side& s = shapes.sides[chunk.firstSide + k];
+            out[k] = {s.outX, s.outY};
+        }
+    }
     Outline(const Shapes& shapes, const Chunk& chunk, const Heading& heading, Xy centre)
         : corners(chunk.corners), sides(chunk.corners > 1 ? chunk.sides : 0) {
         for (std::uint32_t k = 0; k < corners; ++k) {
@@ -263,6 +275,7 @@ namespace {
 struct Pose {
     Xy at;
     Heading heading;
+    Heading ofA;  // its own
 };
 /// Two bodies and how they go in this step.
 struct Ways {
@@ -279,7 +292,8 @@ Pose poseAt(const Movers& movers, const Ways& w, Real moment) {
     const Real dy =
         static_cast<Real>(apart[1]) + (bodyB.y - bodyA.y) + moment * (w.ofB.y - w.ofA.y);
     return {{ha.cosine * dx + ha.sine * dy, ha.cosine * dy - ha.sine * dx},
-            {ha.cosine * hb.cosine + ha.sine * hb.sine, ha.cosine * hb.sine - ha.sine * hb.cosine}};
+            {ha.cosine * hb.cosine + ha.sine * hb.sine, ha.cosine * hb.sine - ha.sine * hb.cosine},
+            ha};
 }
 
 /// m, by how much surfaces have moved against each other: b turns where it is, reaching so far.
@@ -297,13 +311,13 @@ Real advance(const Movers& movers, const Shapes& shapes, const Chunk& a, const C
              const Ways& ways, Limit&& limitFrom) {
     const Real turning = movers.reach[ways.a] * std::abs(ways.ofA.turn) +
                          movers.reach[ways.b] * std::abs(ways.ofB.turn);
+    const Outline outA(shapes, a);
+    const Real wx = ways.ofB.x - ways.ofA.x, wy = ways.ofB.y - ways.ofA.y;
     Real moment = 0, limit = 0;
     for (int round = 0; round < mostRounds && moment < 1; ++round) {
         const Pose pose = poseAt(movers, ways, moment);
-        const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, pose.heading, pose.at);
-        const Heading h = turnedBy(movers, ways.a, moment * ways.ofA.turn);
-        const Real wx = ways.ofB.x - ways.ofA.x, wy = ways.ofB.y - ways.ofA.y;
-        const Separation s = separationOf(outA, outB);
+        const Separation s = separationOf(outA, Outline(shapes, b, pose.heading, pose.at));
+        const Heading h = pose.ofA;
         if (round == 0) limit = limitFrom(s.gap);
         const Real closing =
             turning - dot(s.axis, {h.cosine * wx + h.sine * wy, h.cosine * wy - h.sine * wx});
@@ -320,7 +334,7 @@ Real advance(const Movers& movers, const Shapes& shapes, const Chunk& a, const C
 void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real left,
                  std::vector<Passing>& passings) {
     passings.clear();
-    const Ways ways{a.frame, b.frame, core.ways[a.frame], core.ways[b.frame]};
+    const Ways ways{a.frame, b.frame, motionOf(core.ways[a.frame]), motionOf(core.ways[b.frame])};
     const Real thickness = a.radius + b.radius;
     Real limit = 0;
     const Real moment = advance(core.movers, core.shapes, a, b, ways, [&](Real gap) {
@@ -329,12 +343,11 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     if (moment >= 1) return;
     // The axis that separates them then, from a to b, and how near they end along it.
     const Pose then = poseAt(core.movers, ways, moment), end = poseAt(core.movers, ways, 1);
-    const Outline outA(core.shapes, a, {1, 0}, {0, 0});
+    const Outline outA(core.shapes, a);
     const Xy axis = separationOf(outA, Outline(core.shapes, b, then.heading, then.at)).axis;
     const Outline outB(core.shapes, b, end.heading, end.at);
-    const Heading h = turnedBy(core.movers, a.frame, moment * ways.ofA.turn),
-                  g = turnedBy(core.movers, a.frame, ways.ofA.turn);
-    const Xy world = turned(h, axis), atEnd = turned({g.cosine, -g.sine}, world);
+    const Heading g = end.ofA;
+    const Xy world = turned(then.ofA, axis), atEnd = turned({g.cosine, -g.sine}, world);
     Real highA = Real(-1e30), lowB = Real(1e30);
     for (std::uint32_t k = 0; k < outA.corners; ++k)
         highA = std::max(highA, dot(atEnd, outA.at[k]));
@@ -355,7 +368,7 @@ Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a
     m.y = start.at.y;
     m.cosine = start.heading.cosine;
     m.sine = start.heading.sine;
-    const Outline outA(shapes, a, {1, 0}, {0, 0}), outB(shapes, b, start.heading, start.at);
+    const Outline outA(shapes, a), outB(shapes, b, start.heading, start.at);
     Finder(a, b, outA, outB, near, reach, m).run();
     // What is near stays what it is until the step ends, or hardly changes.
     if (m.count == 0 || closing <= fast * thickness ||
@@ -372,13 +385,6 @@ Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a
     // Nobody knows whether they go as is predicted.
     m.margin = 0;
     return m;
-}
-
-Real movedSinceLook(const Movers& movers, const Chunk& a, const Chunk& b, const Motion3& wayA,
-                    const Motion3& wayB, const ManifoldShape& shape, std::uint32_t lane) {
-    const Pose seen{{shape.lookX[lane], shape.lookY[lane]},
-                    {shape.lookCosine[lane], shape.lookSine[lane]}};
-    return movedBetween(seen, poseAt(movers, {a.frame, b.frame, wayA, wayB}, 1), shape.reach[lane]);
 }
 
 }  // namespace sulfur::detail

@@ -30,11 +30,6 @@ struct Manifold {
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
                       Real closing);
 
-/// m, by how much surfaces have moved against each other since a row was looked at, when both have
-/// gone these ways.
-Real movedSinceLook(const Movers& movers, const Chunk& a, const Chunk& b, const Motion3& wayA,
-                    const Motion3& wayB, const ManifoldShape& shape, std::uint32_t lane);
-
 /// How a body is turned, and how when it has turned on.
 Heading headingNow(const Movers& movers, std::uint32_t mover);
 Heading turnedBy(const Movers& movers, std::uint32_t mover, Real angle);

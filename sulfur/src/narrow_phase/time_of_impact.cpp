@@ -90,7 +90,7 @@ private:
     Way wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
-        const Motion3& way = state_.core.ways[c.mover];
+        const BodyWay& way = state_.core.ways[c.mover];
         const Point from = movers_.placeAtReference(c.mover) - origin_;
         const Xy centre{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y};
         if (c.x == 0 && c.y == 0) return {centre, {centre.x + way.x, centre.y + way.y}};

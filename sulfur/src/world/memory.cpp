@@ -127,7 +127,7 @@ MemoryUse ofShapes(const State& state) {
 MemoryUse ofPairs(const State& state) {
     const auto& c = state.core;
     return Sum()
-        .add(c.pairs, c.watches, c.encounters, c.buckets)
+        .add(c.pairs, c.watches, c.rooms, c.encounters, c.buckets)
         .as("pairs that are near", c.pairs.size(), true);
 }
 
