@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 1760924111571907875u);
 #else
-    EXPECT_EQ(world.hash(), 8901071413062377573u);
+    EXPECT_EQ(world.hash(), 16374110645465516722u);
 #endif
 }
 
