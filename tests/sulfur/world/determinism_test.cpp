@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 1760924111571907875u);
+    EXPECT_EQ(world.hash(), 2231891737142263377u);
 #else
     EXPECT_EQ(world.hash(), 16374110645465516722u);
 #endif
