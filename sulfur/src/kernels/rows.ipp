@@ -246,9 +246,9 @@ inline Vec solveFriction(const Relative& v, ManifoldBlock& block, Normals& n) {
 }
 
 /// Both normals at once: of the four ways in which two points press or part, the one that is
-/// consistent (Catto 2006). Where the points are one, each by itself. Returns what each presses
-/// then.
-inline Normals solveNormals(const ManifoldBlock& block, const Normals& n) {
+/// consistent (Catto 2006). Where the points are one, each by itself. Returns by how much either
+/// point parts faster or slower.
+inline Vec solveNormals(const ManifoldBlock& block, Normals& n) {
     const ManifoldPoint &p = block.points[0], &q = block.points[1];
     const Vec zero{};
     const Vec before1 = n.pressing1, before2 = n.pressing2;
@@ -271,9 +271,9 @@ inline Normals solveNormals(const ManifoldBlock& block, const Normals& n) {
     const Vec single1 = larger(before1 - load(p.normalMass) * closing1, zero);
     const Vec single2 =
         larger(before2 - load(q.normalMass) * (closing2 + k12 * (single1 - before1)), zero);
-    const Vec after1 = bothPress ? both1 : onlyFirst ? alone1 : onlySecond ? zero : single1;
-    const Vec after2 = bothPress ? both2 : onlyFirst ? zero : onlySecond ? alone2 : single2;
-    return {closing1, closing2, after1, after2};
+    n.pressing1 = bothPress ? both1 : onlyFirst ? alone1 : onlySecond ? zero : single1;
+    n.pressing2 = bothPress ? both2 : onlyFirst ? zero : onlySecond ? alone2 : single2;
+    return larger(magnitude(n.pressing1 - before1) * k11, magnitude(n.pressing2 - before2) * k22);
 }
 
 /// Whether the sweep before, or this one, has stirred any of the bodies.
@@ -294,8 +294,7 @@ inline void stir(const std::uint32_t* at, Vec mass, Vec inertia, Mask changed,
 
 /// Moves the bodies of a block out of each other, by a share of what is beyond the slop.
 inline void moveApart(SolverBody* bodies, const ManifoldBlock& block, Vec massA, Vec massB,
-                      SweepReal share) {
-    Placed a = gatherPlaced(bodies, block.a), b = gatherPlaced(bodies, block.b);
+                      SweepReal share, Placed& a, Placed& b) {
     for (const ManifoldPoint& p : block.points) {
         const Vec gap = load(p.gap) + along(between(a, b), p);
         Impulse sum;
@@ -314,34 +313,31 @@ inline void moveApart(SolverBody* bodies, const ManifoldBlock& block, Vec massA,
 template <bool anew, bool begins>
 inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
                        const SweepSettings& settings) {
+    Placed placeA, placeB;  // of the first sweep since motion was predicted
     if constexpr (anew) {
-        Placed a = gatherPlaced(bodies, block.a), b = gatherPlaced(bodies, block.b);
-        predict<begins>(predictions, between(a, b), block);
+        placeA = gatherPlaced(bodies, block.a);
+        placeB = gatherPlaced(bodies, block.b);
+        predict<begins>(predictions, between(placeA, placeB), block);
     }
     if constexpr (begins) store(block.grip, Vec{} + settings.creep);
     Moving a = gatherMoving(bodies, block.a), b = gatherMoving(bodies, block.b);
     const Relative v = between(a, b);
     ManifoldPoint &p = block.points[0], &q = block.points[1];
-    Normals before{along(v, p) + load(p.room), along(v, q) + load(q.room), load(p.pressing),
-                   load(q.pressing)};
-    const Vec pressing1 = before.pressing1, pressing2 = before.pressing2;
+    const Vec pressing1 = load(p.pressing), pressing2 = load(q.pressing);
+    Normals n{along(v, p) + load(p.room), along(v, q) + load(q.room), pressing1, pressing2};
     Impulse sum;
-    sum.add(solveFriction(v, block, before), block);
-    const Normals after = solveNormals(block, before);
-    store(p.pressing, after.pressing1);
-    store(q.pressing, after.pressing2);
-    sum.add(after.pressing1 - pressing1, p);
-    sum.add(after.pressing2 - pressing2, q);
-    // By how much either point parts faster or slower.
-    const Vec change1 = magnitude(after.pressing1 - before.pressing1) * load(p.mobility);
-    const Vec change2 = magnitude(after.pressing2 - before.pressing2) * load(q.mobility);
-    const Mask changed = larger(change1, change2) > settings.settled;
+    sum.add(solveFriction(v, block, n), block);
+    const Mask changed = solveNormals(block, n) > settings.settled;
     const bool any = bits(changed) != 0;
+    store(p.pressing, n.pressing1);
+    store(q.pressing, n.pressing2);
+    sum.add(n.pressing1 - pressing1, p);
+    sum.add(n.pressing2 - pressing2, q);
     const Vec inertiaA = load(block.inertiaA), inertiaB = load(block.inertiaB);
     push(sum, inertiaA, inertiaB, a, b);
     scatter(bodies, block.a, a);
     scatter(bodies, block.b, b);
-    if constexpr (begins) moveApart(bodies, block, a.mass, b.mass, settings.share);
+    if constexpr (begins) moveApart(bodies, block, a.mass, b.mass, settings.share, placeA, placeB);
     if (any) {
         stir(block.a, a.mass, inertiaA, changed, settings);
         stir(block.b, b.mass, inertiaB, changed, settings);
@@ -646,23 +642,28 @@ std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predic
     return bits(meets & ~presses);
 }
 
+/// How eight bodies go in a step, and what their turns move of their surfaces.
+struct Going {
+    Vec x, y, turn, around;
+};
+inline Going gatherWays(const BodyWay* ways, const std::uint32_t* at) {
+    Going g;
+    gatherFour([&](int i) { return &ways[at[i]].x; }, g.x, g.y, g.turn, g.around);
+    return g;
+}
+
 /// Points are known to be the right ones as long as their bodies do not move against each other by
 /// more than the margin, and a row is exact to first order in what they turn by.
 std::uint32_t passingManifold(const SolverBody* bodies, const BodyWay* ways,
                               const ManifoldBlock& block, const ManifoldShape& shape,
                               SweepReal fast) {
-    const auto gather = [&](const std::uint32_t* at) {
-        Placed w;  // with what the turn moves in place of the inertia
-        gatherFour([&](int i) { return &ways[at[i]].x; }, w.x, w.y, w.turn, w.inertia);
-        return w;
-    };
-    const Placed a = gather(block.a), b = gather(block.b);
-    const Relative way = between(a, b);
-    const Vec goes = magnitude(way.x) + magnitude(way.y) + a.inertia + b.inertia;
+    const Going a = gatherWays(ways, block.a), b = gatherWays(ways, block.b);
+    const Relative way{b.x - a.x, b.y - a.y, a.turn, b.turn};
+    const Vec goes = magnitude(way.x) + magnitude(way.y) + a.around + b.around;
     const Mask isFast = goes > load(shape.fineness) * fast;
     if (bits(isFast) == 0) return 0;
     const Vec most = load(shape.thickness) * (fast / 2);
-    const Vec turning = a.inertia * magnitude(a.turn) + b.inertia * magnitude(b.turn);
+    const Vec turning = a.around * magnitude(a.turn) + b.around * magnitude(b.turn);
     Mask stops = (turning <= most) & (load(block.used) + goes <= load(shape.margin));
     const Relative x = between(gatherPlaced(bodies, block.a), gatherPlaced(bodies, block.b));
     for (const ManifoldPoint& p : block.points)

@@ -35,21 +35,25 @@ struct Part {
     double* newSpin = nullptr;
 };
 
-using Link = std::pair<std::uint32_t, std::uint32_t>;  // bodies
+using Link = std::pair<std::uint32_t, std::uint32_t>;  // places
 
 class Momenta {
 public:
     explicit Momenta(State& state)
         : state_(state),
           core_(state.core),
-          open_(state.bodies.size(), 0, &state.arena),
-          parts_(state.bodies.size(), 0, &state.arena),
+          index_(state.bodies.size(), none, &state.arena),
+          open_(state.work.bodies.size(), 0, &state.arena),
+          parts_(state.work.bodies.size(), 0, &state.arena),
           links_(&state.arena),
-          group_(state.bodies.size(), none, &state.arena),
+          group_(state.work.bodies.size(), none, &state.arena),
           groups_(&state.arena),
           grouped_(&state.arena) {
+        for (std::uint32_t k = 0; k < state_.work.bodies.size(); ++k)
+            index_[state_.work.bodies[k]] = k;
+        for (const auto body : state_.work.kinematic) index_[body] = none;
         linkRows();
-        linkOthers();
+        linkBodies();
         countParts();
         spreadOpen();
         findGroups();
@@ -69,14 +73,8 @@ public:
     }
 
 private:
-    /// Whether a body is dynamic and awake. Else nothing that pushes it moves it: it opens whoever
-    /// does, and he the others.
-    bool moves(std::uint32_t body) const {
-        return body != none && state_.bodies[body].kind == BodyKind::dynamic &&
-               !state_.bodies[body].asleep;
-    }
-    /// Bodies, or none for what does not move.
-    void link(std::uint32_t p, std::uint32_t q) {
+    /// What is fixed, driven or asleep has no place: it opens whoever pushes it, and he the others.
+    void linkAt(std::uint32_t p, std::uint32_t q) {
         if (p == none || q == none) {
             if (p != q) open_[p == none ? q : p] = 1;
         } else if ((open_[p] | open_[q]) != 0) {
@@ -85,41 +83,36 @@ private:
             links_.push_back({p, q});
         }
     }
-    void linkBodies(std::uint32_t a, std::uint32_t b) {
-        link(moves(a) ? a : none, moves(b) ? b : none);
+    void link(std::uint32_t a, std::uint32_t b) {
+        linkAt(a == none ? none : index_[a], b == none ? none : index_[b]);
     }
-    void linkOthers() {
+    void linkBodies() {
         for (const auto* pairs : {&core_.struck, &core_.held})
             for (const auto pair : *pairs) linkPair(core_.pairs[pair]);
         for (const auto e : core_.leading)
-            linkBodies(state_.bodySlots.dense(core_.encounters[e].a),
-                       state_.bodySlots.dense(core_.encounters[e].b));
+            link(state_.bodySlots.dense(core_.encounters[e].a),
+                 state_.bodySlots.dense(core_.encounters[e].b));
         const auto& body = state_.particles.body;
         for (const auto j : state_.work.tiedJoints)
-            linkBodies(body[state_.joints.a[j]], body[state_.joints.b[j]]);
+            link(body[state_.joints.a[j]], body[state_.joints.b[j]]);
         for (const Attachment& held : state_.attachments)
-            linkBodies(body[held.particle], body[held.support[0]]);
+            link(body[held.particle], body[held.support[0]]);
         for (const Grab& grab : state_.influences.grabs)
-            linkBodies(body[state_.particleSlots.dense(grab.support[0])], none);
-        for (const auto i : state_.work.heldNodes) linkBodies(body[i], none);
+            link(body[state_.particleSlots.dense(grab.support[0])], none);
+        for (const auto i : state_.work.heldNodes) link(body[i], none);
         // What somebody has torn apart by hand loses what brings it together.
-        for (const auto b : state_.work.strained) linkBodies(b, none);
+        for (const auto b : state_.work.strained) link(b, none);
     }
     void linkPair(const Pair& pair) {
         const auto bodyOf = [&](std::uint32_t chunk) {
             return state_.bodySlots.denseOf(core_.shapes.chunks[chunk].body);
         };
-        if (pair.a != none) linkBodies(bodyOf(pair.a), bodyOf(pair.b));
+        if (pair.a != none) link(bodyOf(pair.a), bodyOf(pair.b));
     }
     void linkRows() {
-        std::pmr::vector<std::uint32_t> bodies(core_.movers.size(), none, &state_.arena);
-        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
-            const auto m = core_.awakeMovers[k];
-            const SolverBody& mover = core_.movers.bodies[m];
-            const bool isFree =
-                mover.inverseMass > 0 && (core_.awakeIsCluster[k] == 0 || mover.inverseInertia > 0);
-            if (isFree) bodies[m] = state_.bodySlots.denseOf(core_.movers.body[m]);
-        }
+        std::pmr::vector<std::uint32_t> places(core_.movers.size(), none, &state_.arena);
+        for (const auto m : core_.awakeMovers)
+            places[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
         const auto forEachRow = [](const auto& list, std::uint32_t colour, auto kernel, auto&& f) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
                 const auto rows =
@@ -133,21 +126,23 @@ private:
         for (const auto c : core_.rows.inUse()) {
             forEachRow(core_.rows.manifolds[c], c, kernels.actingManifolds,
                        [&](const ManifoldBlock& r, std::uint32_t l) {
-                           link(bodies[r.a[l]], bodies[r.b[l]]);
+                           linkAt(places[r.a[l]], places[r.b[l]]);
                        });
             forEachRow(core_.rows.touches[c], c, kernels.actingTouches,
                        [&](const TouchBlock& t, std::uint32_t l) {
-                           link(bodies[t.p[l]], bodies[t.a[l]]);
-                           if (t.b[l] != 0) link(bodies[t.p[l]], bodies[t.b[l]]);
+                           linkAt(places[t.p[l]], places[t.a[l]]);
+                           if (t.b[l] != 0) linkAt(places[t.p[l]], places[t.b[l]]);
                        });
         }
     }
 
-    /// Counts what moves by itself, by bodies. What is pinned opens its body.
+    /// Counts what moves by itself, by places. What is pinned opens its body.
     void countParts() {
         const auto count = [&](std::uint32_t body, bool isFree) {
-            hasParts_ |= ++parts_[body] > 1;
-            if (!isFree) open_[body] = 1;
+            const auto place = index_[body];
+            if (place == none) return;
+            hasParts_ |= ++parts_[place] > 1;
+            if (!isFree) open_[place] = 1;
         };
         for (const auto k : state_.work.awakeClusters) {
             const Cluster& c = state_.clusters.list[k];
@@ -193,11 +188,12 @@ private:
         }
     }
     Group* groupOf(std::uint32_t body) {
-        return group_[body] == none ? nullptr : &groups_[group_[body]];
+        const auto place = index_[body];
+        return place == none || group_[place] == none ? nullptr : &groups_[group_[place]];
     }
     void noteClusters() {
         for (const auto k : state_.work.awakeClusters)
-            if (group_[state_.clusters.list[k].body] != none) grouped_.push_back(k);
+            if (groupOf(state_.clusters.list[k].body) != nullptr) grouped_.push_back(k);
     }
 
     /// Calls f(group, part) for all that is in a group.
@@ -217,7 +213,7 @@ private:
             p.spinChange = (c.angle - c.predictedAngle) / h;
             p.newVelocity = &c.velocity;
             p.newSpin = &c.spin;
-            f(groups_[group_[c.body]], p);
+            f(groups_[group_[index_[c.body]]], p);
         }
         const auto& velocity = state_.particles.velocity;
         for (const Range range : state_.work.free)
@@ -284,11 +280,12 @@ private:
 
     State& state_;
     ContactCore& core_;
-    std::pmr::vector<std::uint8_t> open_;    // by body: it pushes something that is in no group
-    std::pmr::vector<std::uint32_t> parts_;  // by body: what moves by itself
+    std::pmr::vector<std::uint32_t> index_;  // by body: its place in work.bodies if it is dynamic
+    std::pmr::vector<std::uint8_t> open_;    // by place: it pushes something that is in no group
+    std::pmr::vector<std::uint32_t> parts_;  // by place: what moves by itself
     bool hasParts_ = false;                  // any body has several
     std::pmr::vector<Link> links_;           // of those that push each other
-    std::pmr::vector<std::uint32_t> group_;  // by body, or none
+    std::pmr::vector<std::uint32_t> group_;  // by place, or none
     std::pmr::vector<Group> groups_;
     std::pmr::vector<std::uint32_t> grouped_;  // clusters
 };
