@@ -110,9 +110,10 @@ private:
         if (pair.a != none) link(bodyOf(pair.a), bodyOf(pair.b));
     }
     void linkRows() {
-        std::pmr::vector<std::uint32_t> places(core_.movers.size(), none, &state_.arena);
-        for (const auto m : core_.awakeMovers)
-            places[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
+        const auto placeOf = [&](std::uint32_t m) {
+            const bool isAwake = core_.denseOfMover[m] != none;
+            return isAwake ? index_[state_.bodySlots.denseOf(core_.movers.body[m])] : none;
+        };
         const auto forEachRow = [](const auto& list, std::uint32_t colour, auto kernel, auto&& f) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
                 const auto rows =
@@ -126,12 +127,12 @@ private:
         for (const auto c : core_.rows.inUse()) {
             forEachRow(core_.rows.manifolds[c], c, kernels.actingManifolds,
                        [&](const ManifoldBlock& r, std::uint32_t l) {
-                           linkAt(places[r.a[l]], places[r.b[l]]);
+                           linkAt(placeOf(r.a[l]), placeOf(r.b[l]));
                        });
             forEachRow(core_.rows.touches[c], c, kernels.actingTouches,
                        [&](const TouchBlock& t, std::uint32_t l) {
-                           linkAt(places[t.p[l]], places[t.a[l]]);
-                           if (t.b[l] != 0) linkAt(places[t.p[l]], places[t.b[l]]);
+                           linkAt(placeOf(t.p[l]), placeOf(t.a[l]));
+                           if (t.b[l] != 0) linkAt(placeOf(t.p[l]), placeOf(t.b[l]));
                        });
         }
     }
