@@ -54,6 +54,7 @@ struct Meeting {
     std::array<Knock, 2> knock;             // what it is about, without impulses
     std::array<std::size_t, 2> side{1, 1};  // of each point: whose surface it is, of its bodies
     int points = 0;
+    std::uint32_t asked = 0;  // how many blows there had been when it was last asked
     Real restitution = 0, staticFriction = 0, kineticFriction = 0;
     std::uint32_t pair = none;
 };
@@ -66,23 +67,61 @@ public:
           movers_(core_.movers),
           h_(state.h),
           meetings_(&state.arena),
+          due_(&state.arena),
           moments_(&state.arena),
-          late_(&state.arena) {}
+          blow_(&state.arena),
+          struck_(&state.arena),
+          alone_(&state.arena) {}
 
     void run() {
         collect();
         if (meetings_.empty()) return;
         moments_.assign(movers_.size(), 0);
-        late_.assign(movers_.size(), {});
+        blow_.assign(movers_.size(), none);
+        struck_.assign(movers_.size(), 1);
+        alone_.assign(movers_.size(), Alone::unknown);
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
-            for (const Meeting& m : meetings_) any |= strike(m);
+            orderByMoment();
+            for (const Due& due : due_) any |= strike(meetings_[due.meeting]);
         }
-        merge();
+        std::sort(core_.blows.begin(), core_.blows.end(),
+                  [](const Blow& a, const Blow& b) { return a.mover < b.mover; });
     }
 
 private:
+    /// Whether one of its bodies was struck since it was last asked.
+    bool isToAsk(Meeting& m) const {
+        const auto asked = std::exchange(m.asked, blows_);
+        return std::any_of(m.normal[0].body.begin(), m.normal[0].body.end(),
+                           [&](std::uint32_t body) { return struck_[body] > asked; });
+    }
+
+    /// Lists who is to be asked, and first who comes to touch first.
+    void orderByMoment() {
+        due_.clear();
+        for (std::uint32_t i = 0; i < meetings_.size(); ++i)
+            if (isToAsk(meetings_[i])) due_.push_back({momentOf(meetings_[i]), i});
+        std::sort(due_.begin(), due_.end(), [](const Due& a, const Due& b) {
+            return std::pair(a.moment, a.meeting) < std::pair(b.moment, b.meeting);
+        });
+    }
+    /// Share of the step after which the first point of a meeting touches; 1 if none does.
+    Real momentOf(const Meeting& m) const {
+        Real first = 1;
+        for (int k = 0; k < m.points; ++k) {
+            const Strike& normal = m.normal[static_cast<std::size_t>(k)];
+            if (const Real closing = motion(normal); closing < 0)
+                first = std::min(first, momentOf(normal, closing));
+        }
+        return first;
+    }
+    /// The velocity of a step stands in its middle; the blow comes when the gap is closed.
+    static Real momentOf(const Strike& normal, Real closing) {
+        return std::clamp<Real>(std::max<Real>(normal.gap, 0) / -closing, 0, 1);
+    }
+
     /// All rows that rebound, because a blow may go through them, and those of others that come to
     /// touch in this step.
     void collect() {
@@ -215,15 +254,22 @@ private:
         return sum;
     }
 
+    bool isAlone(std::uint32_t m) {
+        if (alone_[m] == Alone::unknown)
+            alone_[m] = movesAlone(state_, m) ? Alone::yes : Alone::no;
+        return alone_[m] == Alone::yes;
+    }
+
     /// Rows turn as from the start of the step. Who goes on freely until the blow is struck where
     /// he is then.
-    Strike atMoment(Strike s, std::size_t side, Real when) const {
+    Strike atMoment(Strike s, std::size_t side, Real when) {
         for (std::size_t k = 0; k < 2; ++k)
             if (movers_.bodies[s.body[k]].inverseMass == 0) return s;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto m = s.body[k];
-            if (movers_.bodies[m].inverseMass == 0 || !movesAlone(state_, m)) continue;
-            const Motion3 way = motionNow(movers_, m), &late = late_[m];
+            if (movers_.bodies[m].inverseMass == 0 || !isAlone(m)) continue;
+            const Motion3 way = motionNow(movers_, m);
+            const Motion3 late = blow_[m] != none ? core_.blows[blow_[m]].late : Motion3{};
             const Vec2 gone(when * way.x - late.x, when * way.y - late.y);
             s.angular[side] -= cross(gone, s.linear[k]);
         }
@@ -242,36 +288,26 @@ private:
             p.vy += v[1];
             p.spin += w;
             const Motion3 late{before * v[0], before * v[1], before * w};
-            core_.blows.push_back({m, v, w, late, {}});
-            late_[m] = sumOf(late_[m], late);
+            Blow& blow = blowOf(m);
+            blow.velocity += v;
+            blow.spin += w;
+            blow.late = sumOf(blow.late, late);
             moments_[m] = std::max(moments_[m], before);
+            struck_[m] = blows_;
         }
+    }
+
+    /// What strikes one mover in a step is one blow.
+    Blow& blowOf(std::uint32_t m) {
+        if (blow_[m] == none) {
+            blow_[m] = static_cast<std::uint32_t>(core_.blows.size());
+            core_.blows.emplace_back().mover = m;
+        }
+        return core_.blows[blow_[m]];
     }
 
     static Motion3 sumOf(const Motion3& a, const Motion3& b) {
         return {a.x + b.x, a.y + b.y, a.turn + b.turn};
-    }
-
-    /// What struck one mover is one blow.
-    void merge() {
-        auto& blows = core_.blows;
-        std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> order(&state_.arena);
-        for (std::uint32_t i = 0; i < blows.size(); ++i) order.emplace_back(blows[i].mover, i);
-        std::sort(order.begin(), order.end());
-        const std::pmr::vector<Blow> all(blows.begin(), blows.end(), &state_.arena);
-        std::size_t kept = 0;
-        for (const auto& [mover, i] : order) {
-            const Blow& blow = all[i];
-            if (kept == 0 || blows[kept - 1].mover != mover) {
-                blows[kept++] = blow;
-                continue;
-            }
-            Blow& sum = blows[kept - 1];
-            sum.velocity += blow.velocity;
-            sum.spin += blow.spin;
-            sum.late = sumOf(sum.late, blow.late);
-        }
-        blows.resize(kept);
     }
 
     /// Strikes if it closes. Returns whether it did.
@@ -283,16 +319,19 @@ private:
             const auto i = static_cast<std::size_t>(k);
             closing[i] = motion(m.normal[i]);
             any |= closing[i] < -slowestRebound * h_ && m.normal[i].gap + closing[i] < 0;
-            // The velocity of a step stands in its middle; the blow comes when the gap is closed.
+        }
+        if (!any) return false;
+        ++blows_;
+        for (int k = 0; k < m.points; ++k) {
+            const auto i = static_cast<std::size_t>(k);
             if (!(closing[i] < 0)) continue;
-            when[i] = std::clamp<Real>(std::max<Real>(m.normal[i].gap, 0) / -closing[i], 0, 1);
+            when[i] = momentOf(m.normal[i], closing[i]);
             // A blow that goes on through somebody does so when it has come to him.
             for (const auto body : m.normal[i].body) when[i] = std::max(when[i], moments_[body]);
             normal[i] = atMoment(normal[i], m.side[i], when[i]);
             tangent[i] = atMoment(tangent[i], m.side[i], when[i]);
             closing[i] = motion(normal[i]) + normal[i].falls * (when[i] - Real(0.5));
         }
-        if (!any) return false;
         // Both points rub as one, from when the last of them strikes.
         const auto closes = [&](std::size_t i) { return normal[i].gap + closing[i] < 0; };
         const std::size_t last =
@@ -384,8 +423,17 @@ private:
     Movers& movers_;
     Real h_;
     std::pmr::vector<Meeting> meetings_;
+    struct Due {
+        Real moment = 0;
+        std::uint32_t meeting = 0;
+    };
+    std::pmr::vector<Due> due_;  // in this round
     std::pmr::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
-    std::pmr::vector<Motion3> late_;  // by mover, of all its blows
+    std::pmr::vector<std::uint32_t> blow_;  // by mover, its blow, or none
+    std::uint32_t blows_ = 1;
+    std::pmr::vector<std::uint32_t> struck_;  // by mover, the last of them, or 1
+    enum class Alone : std::uint8_t { unknown, no, yes };
+    std::pmr::vector<Alone> alone_;  // by mover, whether it moves alone
 };
 
 }  // namespace
