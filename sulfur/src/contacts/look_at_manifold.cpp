@@ -109,9 +109,9 @@ private:
         f.outY[lane] = side.outY;
         f.offset[lane] = side.offset;
         f.middle[lane] = side.middle;
-        f.half[lane] = side.half;
         f.owner[lane] = feature.cornerIsB ? Real(1) : Real(-1);
         const Chunk &own = feature.cornerIsB ? b_ : a_, &other = feature.cornerIsB ? a_ : b_;
+        f.half[lane] = other.corners == 2 ? -side.half : side.half;
         f.share[lane] = own.radius / (own.radius + other.radius);
         const Surfaces surface =
             surfacesOf(state_, feature.corner, own.body, feature.side, other.body);

@@ -104,7 +104,7 @@ struct ManifoldFeature {
     Lane cornerX, cornerY;  // m
     Lane outX, outY;        // unit, outward from the side
     Lane offset;            // m, of the side from its body's centre along that
-    Lane middle, half;      // m, of the side along its tangent
+    Lane middle, half;      // m, of the side along its tangent; half < 0: it has no inside
     Lane owner;             // +1: the corner is b's, -1: it is a's, 0: no point
     Lane share;             // of the thickness that the corner has
 };

@@ -490,7 +490,8 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     for (int k = 0; k < 2; ++k) {
         ManifoldPoint& p = block.points[k];
         const ManifoldFeature& f = shape.features[k];
-        const Vec owner = load(f.owner), exists = magnitude(owner), half = load(f.half);
+        const Vec owner = load(f.owner), exists = magnitude(owner);
+        const Vec signedHalf = load(f.half), half = magnitude(signedHalf);
         const auto ofB = owner > 0;
         // Geometry is that of the moment at which the two come to touch, as far as is predicted:
         // before a side, or, beyond its ends, round an end. A disc is an end on all sides.
@@ -500,7 +501,8 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         const Vec place = first.place, run = last.place - first.place;
         Vec moment = momentOfHeight(height, last.height, thickness);
         const Vec there = place + moment * run, nearest = clamped(there, -half, half);
-        const auto beyond = (there != nearest) & (height + moment * rise > zero);
+        const auto beyond =
+            (there != nearest) & ((height + moment * rise > zero) | (signedHalf < zero));
         const auto round = (beyond | (half == zero)) & (exists > zero);
         const bool anyRound = bits(round) != 0;  // mostly none is
         if (anyRound) {

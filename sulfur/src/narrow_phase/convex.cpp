@@ -35,6 +35,9 @@ Real dot(Xy a, Xy b) {
 Xy turned(const Heading& h, Xy v) {
     return {h.cosine * v.x - h.sine * v.y, h.sine * v.x + h.cosine * v.y};
 }
+Xy turnedBack(const Heading& h, Xy v) {
+    return {h.cosine * v.x + h.sine * v.y, h.cosine * v.y - h.sine * v.x};
+}
 
 /// Corners and sides of an outline in the frame of the reference.
 struct Outline {
@@ -91,7 +94,33 @@ struct Gaps {
     }
 };
 
-/// The axis along which two outlines are farthest apart, from the first to the second.
+/// From a segment, or a point, to the nearest point of another.
+Xy wayBetween(Xy from, Xy to, Xy p) {
+    const Xy along = to - from, v = p - from;
+    const Real length2 = dot(along, along);
+    const Real share = length2 > 0 ? std::clamp<Real>(dot(along, v) / length2, 0, 1) : 0;
+    return {v.x - share * along.x, v.y - share * along.y};
+}
+/// The shortest way from a side of an outline to another one that is in front of it.
+Xy shortestWay(const Outline& own, std::uint32_t side, const Outline& other) {
+    const std::uint32_t next = own.after(side);
+    Xy shortest{Real(1e18), 0};
+    const auto take = [&](Xy way) {
+        if (dot(way, way) < dot(shortest, shortest)) shortest = way;
+    };
+    for (std::uint32_t k = 0; k < other.corners; ++k)
+        take(wayBetween(own.at[side], own.at[next], other.at[k]));
+    for (std::uint32_t k = 0; k < other.sides; ++k)
+        for (const auto end : {side, next}) {
+            const Xy way = wayBetween(other.at[k], other.at[other.after(k)], own.at[end]);
+            take({-way.x, -way.y});
+        }
+    return shortest;
+}
+
+/// The axis along which two outlines are farthest apart, from the first to the second: the normal
+/// of the side with the largest gap, or, where corners are nearest, the way between them, which
+/// are an end of that side and a corner of the other.
 struct Separation {
     Xy axis;
     Real gap = 0;  // m
@@ -103,19 +132,25 @@ Separation separationOf(const Outline& a, const Outline& b) {
         return far > 0 ? Separation{{d.x / far, d.y / far}, far} : Separation{{0, 1}, 0};
     }
     Separation best{{0, 1}, Real(-1e30)};
-    if (a.sides > 0) {
-        const Gaps gaps(a, b);
-        best = {a.out[gaps.widest], gaps.largest()};
-    }
-    if (b.sides > 0) {
-        const Gaps gaps(b, a);
-        const Xy out = b.out[gaps.widest];
-        if (gaps.largest() > best.gap) best = {{-out.x, -out.y}, gaps.largest()};
-    }
-    return best;
+    Xy way{0, 0};
+    const auto take = [&](const Outline& own, const Outline& other, Real sign) {
+        const Gaps gaps(own, other);
+        if (!(gaps.largest() > best.gap)) return;
+        const Xy out = own.out[gaps.widest];
+        best = {{sign * out.x, sign * out.y}, gaps.largest()};
+        if (best.gap < 0) return;
+        way = shortestWay(own, gaps.widest, other);
+        way = {sign * way.x, sign * way.y};
+    };
+    if (a.sides > 0) take(a, b, 1);
+    if (b.sides > 0) take(b, a, -1);
+    const Real far = std::sqrt(dot(way, way));
+    if (best.gap < 0 || !(far > best.gap)) return best;
+    return {{way.x / far, way.y / far}, far};
 }
 
-/// Distance from a point to a side's segment: negative behind a side whose ends are beside it.
+/// Distance from a point to a side's segment: negative behind a side, also beside its ends, where
+/// an outline has an inside.
 Real distanceTo(const Outline& o, std::uint32_t side, Xy p) {
     const Xy from = o.at[side], to = o.at[o.after(side)], way = to - from, v = p - from;
     const Real height = dot(o.out[side], v);
@@ -123,7 +158,7 @@ Real distanceTo(const Outline& o, std::uint32_t side, Xy p) {
     if (along >= 0 && along <= length2) return height;
     const Xy d = p - (along < 0 ? from : to);
     const Real far = std::sqrt(dot(d, d));
-    return height < 0 ? height : far;
+    return height < 0 && o.corners > 2 ? height : far;
 }
 
 class Finder {
@@ -213,12 +248,20 @@ private:
             std::max(gaps.largestBut(side, own.sides), otherGaps.largestBut(facing, other.sides));
         slack_ = std::min((gaps.largest() - second) / 2, (next - deepest) / 2 * reach_);
         least_ = Real(1e30);
+        // Beside each other, an end of the reference is nearest to the other side or its ends.
+        const auto beside = [&](std::uint32_t c) {
+            const Xy way = other.at[f1] - other.at[f0], v = own.at[c] - other.at[f0];
+            const Real along = dot(way, v);
+            if (along > 0 && along < dot(way, way))
+                ownEnd(c);
+            else
+                corner(along > 0 ? f1 : f0);
+            slack_ = 0;
+        };
         if (lowAt > high) {
-            corner(lowCorner);
-            slack_ = 0;
+            beside(highEnd);
         } else if (highAt < low) {
-            corner(highCorner);
-            slack_ = 0;
+            beside(lowEnd);
         } else {
             lowAt >= low ? corner(lowCorner) : ownEnd(lowEnd);
             highAt <= high ? corner(highCorner) : ownEnd(highEnd);
@@ -341,20 +384,29 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
         return limit = gap > 0 ? std::min(left * thickness, gap) : Real(-1e30);
     });
     if (moment >= 1) return;
-    // The axis that separates them then, from a to b, and how near they end along it.
+    // The axis that separates them then, from a to b. It stays, or turns with one of them, on whose
+    // side it stands; they end as near as they do along the best one.
     const Pose then = poseAt(core.movers, ways, moment), end = poseAt(core.movers, ways, 1);
     const Outline outA(core.shapes, a);
     const Xy axis = separationOf(outA, Outline(core.shapes, b, then.heading, then.at)).axis;
     const Outline outB(core.shapes, b, end.heading, end.at);
-    const Heading g = end.ofA;
-    const Xy world = turned(then.ofA, axis), atEnd = turned({g.cosine, -g.sine}, world);
-    Real highA = Real(-1e30), lowB = Real(1e30);
-    for (std::uint32_t k = 0; k < outA.corners; ++k)
-        highA = std::max(highA, dot(atEnd, outA.at[k]));
-    for (std::uint32_t k = 0; k < outB.corners; ++k) lowB = std::min(lowB, dot(atEnd, outB.at[k]));
-    const Real depth = limit - (lowB - highA);
-    if (depth > 0)
-        passings.push_back({b.frame, {a.frame, a.frame}, 0, moment, {world.x, world.y}, depth});
+    const Xy still = turnedBack(end.ofA, turned(then.ofA, axis));
+    const Xy withA = outA.sides > 0 ? axis : still;
+    const Xy withB =
+        outB.sides > 0 ? turned(end.heading, turnedBack(then.heading, axis)) : still;
+    Separation best{still, Real(-1e30)};
+    for (const Xy along : {still, withA, withB}) {
+        Real highA = Real(-1e30), lowB = Real(1e30);
+        for (std::uint32_t k = 0; k < outA.corners; ++k)
+            highA = std::max(highA, dot(along, outA.at[k]));
+        for (std::uint32_t k = 0; k < outB.corners; ++k)
+            lowB = std::min(lowB, dot(along, outB.at[k]));
+        if (lowB - highA > best.gap) best = {along, lowB - highA};
+    }
+    const Real depth = limit - best.gap;
+    if (!(depth > 0)) return;
+    const Xy normal = turned(end.ofA, best.axis);
+    passings.push_back({b.frame, {a.frame, a.frame}, 0, moment, {normal.x, normal.y}, depth});
 }
 
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,

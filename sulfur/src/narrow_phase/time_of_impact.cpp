@@ -58,33 +58,35 @@ public:
     void run() {
         passings_.clear();
         const Course ofA = courseOf(a_), ofB = courseOf(b_);
-        if (ofA.isBeside(ofB)) return;
+        if (ofA.box.isBeside(ofB.box)) return;
         against(a_, ofA, b_, ofB);
         if (&a_ != &b_) against(b_, ofB, a_, ofA);
     }
 
 private:
-    /// How all corners of a chunk go, and the box in which they do, with their thickness.
-    struct Course {
-        std::array<Way, mostCorners> ways;
+    struct Box {
         Xy low{Real(1e30), Real(1e30)}, high{Real(-1e30), Real(-1e30)};
 
-        bool isBeside(const Course& other) const {
+        void add(const Way& way, Real around) {
+            for (const Xy p : {way.start, way.end}) {
+                low = {std::min(low.x, p.x - around), std::min(low.y, p.y - around)};
+                high = {std::max(high.x, p.x + around), std::max(high.y, p.y + around)};
+            }
+        }
+        bool isBeside(const Box& other) const {
             return low.x > other.high.x || other.low.x > high.x || low.y > other.high.y ||
                    other.low.y > high.y;
         }
     };
+    /// How all corners of a chunk go, and the box in which they do, with their thickness.
+    struct Course {
+        std::array<Way, mostCorners> ways;
+        Box box;
+    };
     Course courseOf(const Chunk& chunk) const {
         Course course;
-        for (std::uint32_t k = 0; k < chunk.corners; ++k) {
-            const Way way = course.ways[k] = wayOf(chunk.firstCorner + k);
-            for (const Xy p : {way.start, way.end}) {
-                course.low = {std::min(course.low.x, p.x - chunk.radius),
-                              std::min(course.low.y, p.y - chunk.radius)};
-                course.high = {std::max(course.high.x, p.x + chunk.radius),
-                               std::max(course.high.y, p.y + chunk.radius)};
-            }
-        }
+        for (std::uint32_t k = 0; k < chunk.corners; ++k)
+            course.box.add(course.ways[k] = wayOf(chunk.firstCorner + k), chunk.radius);
         return course;
     }
     Way wayOf(std::uint32_t corner) const {
@@ -105,11 +107,17 @@ private:
         for (auto c = own.firstCorner; c < own.firstCorner + own.corners; ++c) {
             if (!shapes_.corners[c].owned) continue;
             const Way& p = corners.ways[c - own.firstCorner];
+            Box box;
+            box.add(p, shapes_.corners[c].radius);
+            if (box.isBeside(ends.box)) continue;
             for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
                 const Side& side = shapes_.sides[s];
-                if (neverTouches(state_, c, side, other.body)) continue;
                 const Way& a = ends.ways[side.a - other.firstCorner];
                 const Way& b = ends.ways[side.b - other.firstCorner];
+                Box sides;
+                sides.add(a, side.radius);
+                sides.add(b, side.radius);
+                if (box.isBeside(sides) || neverTouches(state_, c, side, other.body)) continue;
                 const Real thickness = shapes_.corners[c].radius + side.radius;
                 meet(c, p, side.a, a, thickness);
                 if (side.a == side.b) continue;
@@ -162,11 +170,20 @@ private:
         const Xy along = b.at(high) - a.at(high);
         const Real foot = dot(p.at(high) - a.at(high), along), length2 = dot(along, along);
         if (foot < 0 || foot > length2 || !(length2 > 0)) return;
+        // The side may turn on until the step ends, and its normal with it: they end as near as
+        // they do along the better one.
         const Real length = std::sqrt(length2), share = foot / length2;
-        const Xy normal{outward * along.y / length, -outward * along.x / length};
+        Xy normal{outward * along.y / length, -outward * along.x / length};
         const Xy onSide{a.end.x + share * (b.end.x - a.end.x),
                         a.end.y + share * (b.end.y - a.end.y)};
-        note(corner, side.a, side.b, share, low, normal, limit - dot(normal, p.end - onSide));
+        Real last = dot(normal, p.end - onSide);
+        const Xy turned = b.end - a.end;
+        const Real lengthNow = std::sqrt(dot(turned, turned));
+        if (end > last && lengthNow > 0) {
+            last = end;
+            normal = {outward * turned.y / lengthNow, -outward * turned.x / lengthNow};
+        }
+        note(corner, side.a, side.b, share, low, normal, limit - last);
     }
 
     void note(std::uint32_t corner, std::uint32_t a, std::uint32_t b, Real share, Real moment,

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "helpers.hpp"
 
@@ -84,6 +85,57 @@ TEST(Continuous, CornersOfAJellyDoNotEndInABallThatTheyHitAt150MetresASecond) {
                 const double away = (world.position(joint.a) - world.position(ball.front())).norm();
                 ASSERT_GT(away, 0.4) << "shot " << shot << ", tick " << tick;
             }
+        }
+    }
+}
+
+/// A disc and a rectangle. How deep they are in each other, m.
+double overlap(const World& world, const Body& disc, double radius, const Body& box,
+               const Point& half) {
+    const Point u = (world.position(box[1]) - world.position(box[0])).normalized();
+    const Point from = world.position(disc.front()) - world.centreOfMass(box);
+    const Point beside = Point(std::abs(from.dot(u)), std::abs(cross(u, from))) - half;
+    const double outside = beside.cwiseMax(0.0).norm();
+    return radius - (outside > 0 ? outside : beside.maxCoeff());
+}
+
+/// Long things that turn were held back as if the axis between them did not turn with them: into
+/// others, by up to their whole thickness.
+TEST(Continuous, WhatTurnsIsNotHeldBackIntoOthers) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        World world;
+        test::Random random(seed);
+        world.add(shapes::floor(Vec2(-9, 0), Vec2(9, 0), Real(0.5)));
+        world.add(shapes::floor(Vec2(-8, 0), Vec2(-8, 60), Real(0.2)));
+        world.add(shapes::floor(Vec2(8, 60), Vec2(8, 0), Real(0.2)));
+        struct Member {
+            Body body;
+            Point half;  // m
+        };
+        std::vector<Member> boxes, discs;
+        for (int column = 0; column < 10; ++column)
+            for (int row = 0; row < 14; ++row) {
+                const Point place(1.5 * (column - 4.5) + (row % 2 == 0 ? -0.1 : 0.1),
+                                  1.65 * row + 6);
+                const Point half(random.uniform(0.1, 0.45), random.uniform(0.5, 0.75));
+                const double radius = random.uniform(0.25, 0.7);
+                if ((column + row) % 3 == 0)
+                    discs.push_back({world.add(shapes::ball({.radius = static_cast<Real>(radius)}),
+                                               {.position = place}),
+                                     Point(radius, radius)});
+                else
+                    boxes.push_back({world.add(shapes::box({.size = (2 * half).cast<Real>(),
+                                                            .radius = Real(0.01)}),
+                                               {.position = place}),
+                                     half});
+            }
+        for (int tick = 0; tick < 1400; ++tick) {
+            world.step();
+            if (tick % 10 != 0) continue;
+            for (const Member& disc : discs)
+                for (const Member& box : boxes)
+                    ASSERT_LT(overlap(world, disc.body, disc.half.x(), box.body, box.half), 0.04)
+                        << "seed " << seed << ", tick " << tick;
         }
     }
 }
