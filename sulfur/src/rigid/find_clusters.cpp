@@ -52,6 +52,12 @@ std::uint32_t pinnedAmong(const State& state, const std::vector<std::uint32_t>& 
                       [&](std::uint32_t i) { return state.particles.pinned[i] != 0; }));
 }
 
+/// One rigid joint between two particles that nobody pins, and nothing else of the body.
+bool isLoneRod(const State& state, const BodyRecord& body, const Framework& frame) {
+    return body.joints.size() == 1 && frame.bars.size() == 1 && frame.positions.size() == 2 &&
+           !state.particles.pinned[frame.first] && !state.particles.pinned[frame.first + 1];
+}
+
 /// A particle with a radius, which is a component by itself where it is in no other: it turns. The
 /// particles of the paper do not.
 bool isDisc(const State& state, std::uint32_t particle) {
@@ -148,11 +154,15 @@ private:
         if (body.kind != BodyKind::dynamic) return;
         const Framework frame(state_, index);
         std::vector<std::uint8_t> taken(frame.positions.size(), 0);
-        if (frame.bars.size() >= 3) {
+        const bool isRod = isLoneRod(state_, body, frame);
+        if (isRod || frame.bars.size() >= 3) {
             body.strained = std::any_of(frame.joints.begin(), frame.joints.end(),
                                         [&](std::uint32_t j) { return isStrained(state_, j); });
             if (!body.strained)
-                addSets(index, frame, findRigidSets(frame.positions, frame.bars), taken);
+                addSets(index, frame,
+                        isRod ? std::vector<std::uint32_t>{0}
+                              : findRigidSets(frame.positions, frame.bars),
+                        taken);
         }
         for (std::uint32_t k = 0; k < taken.size(); ++k)
             if (!taken[k] && isDisc(state_, frame.first + k)) addDisc(index, frame.first + k);

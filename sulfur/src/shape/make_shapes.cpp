@@ -323,9 +323,10 @@ private:
         });
     }
 
+    /// A capsule of one mover that shares no end with another.
     bool isLone(std::uint32_t j) {
-        if (record().kind != BodyKind::fixed) return false;
         const auto a = state_.joints.a[j], b = state_.joints.b[j];
+        if (moverOf(a) != moverOf(b)) return false;
         return std::none_of(capsules_.begin(), capsules_.end(), [&](std::uint32_t k) {
             return k != j && (state_.joints.a[k] == a || state_.joints.b[k] == a ||
                               state_.joints.a[k] == b || state_.joints.b[k] == b);
