@@ -156,9 +156,9 @@ private:
         const Real ways = waysOf(w);
         if (!(ways > least)) return false;
         // What has no touches is far from each other until its limit.
+        if (w.isManifold == 0 && core_.pairs[w.pair].firstTouch != none) return true;
         const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
-        const bool isApart = odometers + static_cast<double>(ways) < w.limit;
-        if (isApart && (w.isManifold != 0 || core_.pairs[w.pair].firstTouch == none)) return false;
+        if (odometers + static_cast<double>(ways) < w.limit) return false;
         return !staysApart(core_, w, motionOf(core_.ways[w.a]), motionOf(core_.ways[w.b]));
     }
 

@@ -36,6 +36,7 @@ public:
         fresh_.clear();
         for (const Nearness& n : look.near) see(n);
         dropUnseen();
+        if (a_.uses == 1 && b_.uses == 1) return watchApart(state_, index_, look.slack);
         watchPair(state_, index_,
                   core_.movers.odometer[a_.frame] + core_.movers.odometer[b_.frame] +
                       static_cast<double>(look.slack));

@@ -121,8 +121,10 @@ public:
         spare_ = entrance_ = result_.gap = Real(1e30);
         place(a_, result_.cornersA);
         place(b_, result_.cornersB);
-        againstSides(a_, result_.cornersA, b_, result_.cornersB);
-        if (&a_ != &b_) againstSides(b_, result_.cornersB, a_, result_.cornersA);
+        extentA_ = extentOf(a_, result_.cornersA);
+        extentB_ = extentOf(b_, result_.cornersB);
+        againstSides(a_, result_.cornersA, b_, result_.cornersB, extentB_);
+        if (&a_ != &b_) againstSides(b_, result_.cornersB, a_, result_.cornersA, extentA_);
         againstCorners();
         result_.slack =
             std::min(entrance_, std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_));
@@ -133,6 +135,37 @@ private:
         corners.resize(chunk.corners);
         for (std::uint32_t k = 0; k < chunk.corners; ++k) corners[k] = wayOf(chunk.firstCorner + k);
     }
+    /// Where the corners of a chunk are, and how they go.
+    struct Extent {
+        Xy low{Real(1e30), Real(1e30)}, high{Real(-1e30), Real(-1e30)};
+        Xy least{Real(1e30), Real(1e30)}, most{Real(-1e30), Real(-1e30)};
+        Real radius = 0;
+    };
+    static Extent extentOf(const Chunk& chunk, const std::vector<CornerWay>& corners) {
+        Extent e;
+        e.radius = chunk.radius;
+        for (const CornerWay& c : corners) {
+            e.low = {std::min(e.low.x, c.x), std::min(e.low.y, c.y)};
+            e.high = {std::max(e.high.x, c.x), std::max(e.high.y, c.y)};
+            e.least = {std::min(e.least.x, c.wayX), std::min(e.least.y, c.wayY)};
+            e.most = {std::max(e.most.x, c.wayX), std::max(e.most.y, c.wayY)};
+        }
+        return e;
+    }
+    /// Whether a corner is so far from all of a chunk that it changes nothing of the result.
+    bool isBeyond(const CornerWay& p, Real radius, const Extent& other) const {
+        const Real far = std::max({other.low.x - p.x, p.x - other.high.x, other.low.y - p.y,
+                                   p.y - other.high.y});
+        const Real closing = std::max(p.wayX - other.least.x, other.most.x - p.wayX) +
+                             std::max(p.wayY - other.least.y, other.most.y - p.wayY);
+        const Real thickness = radius + other.radius;
+        return far - thickness > std::max({nearFrom(thickness, closing), spare_, result_.gap});
+    }
+    /// m: what comes nearer than that in a step may count.
+    static Real nearFrom(Real thickness, Real closing) {
+        return Real(0.5) * thickness + 2 * closing;
+    }
+
     CornerWay wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
@@ -156,10 +189,12 @@ private:
     // --- corners before sides ----------------------------------------------------------------
 
     void againstSides(const Chunk& own, const std::vector<CornerWay>& corners, const Chunk& other,
-                      const std::vector<CornerWay>& ends) {
-        for (std::uint32_t k = 0; k < own.corners; ++k)
-            if (shapes_.corners[own.firstCorner + k].owned)
+                      const std::vector<CornerWay>& ends, const Extent& extent) {
+        for (std::uint32_t k = 0; k < own.corners; ++k) {
+            const Corner& corner = shapes_.corners[own.firstCorner + k];
+            if (corner.owned && !isBeyond(corners[k], corner.radius, extent))
                 againstSides(own.firstCorner + k, corners[k], other, ends);
+        }
     }
 
     void againstSides(std::uint32_t corner, const CornerWay& p, const Chunk& other,
@@ -191,8 +226,7 @@ private:
                 depth = side.outward != 0 ? -height : 0;
             }
             result_.gap = std::min(result_.gap, far - thickness);
-            const Real reach = Real(0.5) * thickness + 2 * norm(closing);
-            if (far - thickness > reach) {
+            if (far - thickness > nearFrom(thickness, norm(closing))) {
                 spare_ = std::min(spare_, far - thickness);
                 continue;
             }
@@ -280,7 +314,9 @@ private:
                 nearestSide = s;
             }
         });
-        entrance_ = std::min(entrance_, Real(0.25) * finest_);
+        // Who is outside comes in through a side, of this chunk or of another.
+        const Real within = turns <= 0 ? nearest : 0;
+        entrance_ = std::min(entrance_, std::max(within, Real(0.25) * finest_));
         if (turns <= 0 || nearestSide == none) return;
         if (nearestSide < other.firstSide || nearestSide >= other.firstSide + other.sides) return;
         result_.near.push_back({corner, nearestSide, 0, shapes_.sides[nearestSide].outward});
@@ -330,16 +366,17 @@ private:
 
     void againstCorner(std::uint32_t corner, std::uint32_t side, std::uint32_t end) {
         const CornerWay& q = result_.cornersB[corner - b_.firstCorner];
+        if (isBeyond(q, shapes_.corners[corner].radius, extentA_)) return;
         for (auto c = a_.firstCorner; c < a_.firstCorner + a_.corners; ++c) {
             if (!shapes_.corners[c].owned || (&a_ == &b_ && c >= corner)) continue;
-            if (bars(c, corner, corner, shapes_.corners[corner].radius, b_)) continue;
             const CornerWay& p = result_.cornersA[c - a_.firstCorner];
+            if (isBeyond(p, shapes_.corners[c].radius, extentB_)) continue;
+            if (bars(c, corner, corner, shapes_.corners[corner].radius, b_)) continue;
             const Real thickness = shapes_.corners[c].radius + shapes_.corners[corner].radius;
             const Xy from = at(p) - at(q), closing = way(p) - way(q);
             const Real far = norm(from);
             result_.gap = std::min(result_.gap, far - thickness);
-            const Real near = Real(0.5) * thickness + 2 * norm(closing);
-            if (far - thickness > near) {
+            if (far - thickness > nearFrom(thickness, norm(closing))) {
                 spare_ = std::min(spare_, far - thickness);
                 continue;
             }
@@ -366,6 +403,7 @@ private:
     Point origin_{0, 0};
     Real finest_ = 0;
     bool mayBar_ = true;
+    Extent extentA_, extentB_;
     Real spare_ = 0;     // m, to what is farther than what counts
     Real entrance_ = 0;  // m, until something that is as near comes before a side or a corner
 };
