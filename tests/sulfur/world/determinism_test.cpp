@@ -41,7 +41,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 2231891737142263377u);
 #else
-    EXPECT_EQ(world.hash(), 16374110645465516722u);
+    EXPECT_EQ(world.hash(), 9766825440012923830u);
 #endif
 }
 
