@@ -39,7 +39,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 2231891737142263377u);
+    EXPECT_EQ(world.hash(), 16126436787740544656u);
 #else
     EXPECT_EQ(world.hash(), 9766825440012923830u);
 #endif
