@@ -35,6 +35,12 @@ struct Part {
     double* newSpin = nullptr;
 };
 
+/// Not inlined, because GCC 12 leaves a rounding out where two numbers side by side become Real and
+/// double again, which other compilers do not.
+[[gnu::noinline]] Vec2 rounded(const Point& p) {
+    return p.cast<Real>();
+}
+
 using Link = std::pair<std::uint32_t, std::uint32_t>;  // places
 
 class Momenta {
@@ -219,7 +225,7 @@ private:
         const auto& velocity = state_.particles.velocity;
         for (const Range range : state_.work.free)
             for (auto i = range.first; i < range.last; ++i)
-                withParticle(i, (h * velocity[i]).cast<Real>(), f);
+                withParticle(i, rounded(h * velocity[i]), f);
         for (const auto t : state_.work.lonelyTrees) {
             const Tree& tree = state_.trees.list[t];
             const bool isTouched = state_.trees.touched[t] != 0;
