@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <memory_resource>
+#include <optional>
 #include <utility>
 
 #include "contacts/encounters.hpp"
@@ -68,18 +69,12 @@ public:
           h_(state.h),
           meetings_(&state.arena),
           due_(&state.arena),
-          moments_(&state.arena),
-          blow_(&state.arena),
-          struck_(&state.arena),
-          alone_(&state.arena) {}
+          struck_(&state.arena) {}
 
     void run() {
         collect();
         if (meetings_.empty()) return;
-        moments_.assign(movers_.size(), 0);
-        blow_.assign(movers_.size(), none);
-        struck_.assign(movers_.size(), 1);
-        alone_.assign(movers_.size(), Alone::unknown);
+        struck_.assign(movers_.size(), {});
         bool any = true;
         for (int round = 0; round < mostRounds && any; ++round) {
             any = false;
@@ -95,7 +90,7 @@ private:
     bool isToAsk(Meeting& m) const {
         const auto asked = std::exchange(m.asked, blows_);
         return std::any_of(m.normal[0].body.begin(), m.normal[0].body.end(),
-                           [&](std::uint32_t body) { return struck_[body] > asked; });
+                           [&](std::uint32_t body) { return struck_[body].last > asked; });
     }
 
     /// Lists who is to be asked, and first who comes to touch first.
@@ -255,9 +250,9 @@ private:
     }
 
     bool isAlone(std::uint32_t m) {
-        if (alone_[m] == Alone::unknown)
-            alone_[m] = movesAlone(state_, m) ? Alone::yes : Alone::no;
-        return alone_[m] == Alone::yes;
+        auto& alone = struck_[m].alone;
+        if (!alone) alone = movesAlone(state_, m);
+        return *alone;
     }
 
     /// Rows turn as from the start of the step. Who goes on freely until the blow is struck where
@@ -269,7 +264,8 @@ private:
             const auto m = s.body[k];
             if (movers_.bodies[m].inverseMass == 0 || !isAlone(m)) continue;
             const Motion3 way = motionNow(movers_, m);
-            const Motion3 late = blow_[m] != none ? core_.blows[blow_[m]].late : Motion3{};
+            const auto blow = struck_[m].blow;
+            const Motion3 late = blow != none ? core_.blows[blow].late : Motion3{};
             const Vec2 gone(when * way.x - late.x, when * way.y - late.y);
             s.angular[side] -= cross(gone, s.linear[k]);
         }
@@ -292,18 +288,19 @@ private:
             blow.velocity += v;
             blow.spin += w;
             blow.late = sumOf(blow.late, late);
-            moments_[m] = std::max(moments_[m], before);
-            struck_[m] = blows_;
+            struck_[m].moment = std::max(struck_[m].moment, before);
+            struck_[m].last = blows_;
         }
     }
 
     /// What strikes one mover in a step is one blow.
     Blow& blowOf(std::uint32_t m) {
-        if (blow_[m] == none) {
-            blow_[m] = static_cast<std::uint32_t>(core_.blows.size());
+        auto& blow = struck_[m].blow;
+        if (blow == none) {
+            blow = static_cast<std::uint32_t>(core_.blows.size());
             core_.blows.emplace_back().mover = m;
         }
-        return core_.blows[blow_[m]];
+        return core_.blows[blow];
     }
 
     static Motion3 sumOf(const Motion3& a, const Motion3& b) {
@@ -327,7 +324,8 @@ private:
             if (!(closing[i] < 0)) continue;
             when[i] = momentOf(m.normal[i], closing[i]);
             // A blow that goes on through somebody does so when it has come to him.
-            for (const auto body : m.normal[i].body) when[i] = std::max(when[i], moments_[body]);
+            for (const auto body : m.normal[i].body)
+                when[i] = std::max(when[i], struck_[body].moment);
             normal[i] = atMoment(normal[i], m.side[i], when[i]);
             tangent[i] = atMoment(tangent[i], m.side[i], when[i]);
             closing[i] = motion(normal[i]) + normal[i].falls * (when[i] - Real(0.5));
@@ -428,12 +426,14 @@ private:
         std::uint32_t meeting = 0;
     };
     std::pmr::vector<Due> due_;  // in this round
-    std::pmr::vector<Real> moments_;  // by mover, of its last blow, as a share of the step
-    std::pmr::vector<std::uint32_t> blow_;  // by mover, its blow, or none
     std::uint32_t blows_ = 1;
-    std::pmr::vector<std::uint32_t> struck_;  // by mover, the last of them, or 1
-    enum class Alone : std::uint8_t { unknown, no, yes };
-    std::pmr::vector<Alone> alone_;  // by mover, whether it moves alone
+    struct Struck {
+        std::uint32_t blow = none;  // what has struck it so far, among core.blows
+        std::uint32_t last = 1;     // the number of the last blow, or 1
+        Real moment = 0;            // the latest of all, as a share of the step
+        std::optional<bool> alone;  // whether it moves alone, once somebody has asked
+    };
+    std::pmr::vector<Struck> struck_;  // by mover
 };
 
 }  // namespace

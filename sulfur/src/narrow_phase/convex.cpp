@@ -392,8 +392,7 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     const Outline outB(core.shapes, b, end.heading, end.at);
     const Xy still = turnedBack(end.ofA, turned(then.ofA, axis));
     const Xy withA = outA.sides > 0 ? axis : still;
-    const Xy withB =
-        outB.sides > 0 ? turned(end.heading, turnedBack(then.heading, axis)) : still;
+    const Xy withB = outB.sides > 0 ? turned(end.heading, turnedBack(then.heading, axis)) : still;
     Separation best{still, Real(-1e30)};
     for (const Xy along : {still, withA, withB}) {
         Real highA = Real(-1e30), lowB = Real(1e30);

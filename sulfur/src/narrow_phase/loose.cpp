@@ -154,8 +154,8 @@ private:
     }
     /// Whether a corner is so far from all of a chunk that it changes nothing of the result.
     bool isBeyond(const CornerWay& p, Real radius, const Extent& other) const {
-        const Real far = std::max({other.low.x - p.x, p.x - other.high.x, other.low.y - p.y,
-                                   p.y - other.high.y});
+        const Real far = std::max(
+            {other.low.x - p.x, p.x - other.high.x, other.low.y - p.y, p.y - other.high.y});
         const Real closing = std::max(p.wayX - other.least.x, other.most.x - p.wayX) +
                              std::max(p.wayY - other.least.y, other.most.y - p.wayY);
         const Real thickness = radius + other.radius;

@@ -51,8 +51,9 @@ TEST(Capsules, ThatFallOnEachOtherDoNotOverlap) {
     test::Random random(5);
     std::vector<Body> heap;
     for (int i = 0; i < 12; ++i)
-        heap.push_back(world.add(capsule(0.4), {.position = {random.uniform(-0.3, 0.3), 1 + 1.5 * i},
-                                                .angle = random.uniform(0, 6.3)}));
+        heap.push_back(
+            world.add(capsule(0.4), {.position = {random.uniform(-0.3, 0.3), 1 + 1.5 * i},
+                                     .angle = random.uniform(0, 6.3)}));
     for (int tick = 0; tick < 1500; ++tick) {
         world.step();
         for (std::size_t i = 0; i < heap.size(); ++i)
