@@ -90,7 +90,8 @@ private:
                 centre);
     }
 
-    // Springs that let the body sag a little under its weight, whatever its size.
+    // Springs that let the body sag by two parts in a hundred under its weight, and large ones,
+    // which fall faster, by less.
     static sulfur::Blueprint jelly(const Point& size, double mass) {
         const auto cells = [](double side) {
             return std::clamp(static_cast<int>(std::lround(side / 0.2)) + 1, 3, 12);
@@ -101,7 +102,7 @@ private:
         options.rows = cells(size.y());
         options.mass = real(mass);
         options.radius = real(std::min(0.03, size.minCoeff() / 8));
-        options.stiffness = real(260 * mass * std::max(1.0, size.y()));
+        options.stiffness = real(260 * mass * std::max(size.y(), 1 / size.y()));
         options.damping = real(1.2 * mass);
         return sulfur::shapes::jelly(options);
     }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "model/workbench.hpp"
 
@@ -74,6 +76,39 @@ TEST(Tools, ADragSaysHowLargeTheBoxIs) {
     }
     EXPECT_NEAR(high - low, 3 - 2 * 0.02, 1e-4);
     EXPECT_NEAR(static_cast<double>(world.mass(newest(bench))), 12, 1e-4);
+}
+
+std::vector<Point> placesOf(const sulfur::World& world, BodyId body) {
+    std::vector<Point> places;
+    for (const auto particle : world.particles(body)) places.push_back(world.position(particle));
+    return places;
+}
+
+/// The largest change of a distance, as a share of the size.
+double changeOfShape(const std::vector<Point>& before, const std::vector<Point>& after) {
+    double most = 0, size = 0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const double was = (before[i] - before[j]).norm();
+            size = std::max(size, was);
+            most = std::max(most, std::abs((after[i] - after[j]).norm() - was));
+        }
+    return most / size;
+}
+
+TEST(Tools, AJellyOfAnySizeHasItsShapeAgainAfterAFall) {
+    for (const Point& size : {Point(0.1, 0.1), Point(0.1, 0.05), Point(0.4, 0.3), Point(0.8, 0.8),
+                              Point(2, 1), Point(5, 4)}) {
+        Workbench bench;
+        const auto& world = bench.document().world();
+        bench.setTool(ToolKind::jelly);
+        drag(bench, Point(0, 10), Point(0, 10) + size);
+        const BodyId jelly = newest(bench);
+        const auto before = placesOf(world, jelly);
+        bench.document().play();
+        for (int i = 0; i < 500 * 8; ++i) bench.tick();
+        EXPECT_LT(changeOfShape(before, placesOf(world, jelly)), 0.02) << size.transpose();
+    }
 }
 
 TEST(Tools, SnappingRoundsToTheGrid) {

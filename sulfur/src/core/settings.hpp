@@ -132,9 +132,12 @@ inline constexpr double loadShare = 0.25;
 
 // Joints.
 
-/// Loads h^2 K of a spring and h B of a damper up to which all of it is a force. NSV is stable
-/// below h^2 K + 2 h B = 4; the explicit parts never go beyond twice these limits.
-inline constexpr double softLimit = 1, dampedLimit = softLimit / 4;
+/// Load h^2 K of a spring up to which all of it is a force. The explicit part never goes beyond
+/// twice as much.
+inline constexpr double softLimit = 1;
+/// NSV is stable below a load h^2 K + 2 h B of 4. Springs and dampers are forces up to so much of
+/// it, which leaves some for the stiffness of what is strained.
+inline constexpr double forceLimit = 3;
 /// The load, in these limits, from which on a joint is no force at all any more.
 inline constexpr double stiffLimit = 1024;
 /// How many times stiffness counts at links of ropes, which may move in shorter steps than the

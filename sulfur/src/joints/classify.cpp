@@ -11,25 +11,41 @@ namespace {
 /// A network of springs and dampers that are forces is stable with NSV while
 /// h^2 K + 2 h B < 4, where the highest eigenvalue is bounded by Gershgorin's circles: for each
 /// particle, the sums over its joints of k (w_i + w_j) and b (w_i + w_j). The explicit parts below
-/// never go beyond h^2 K = 2 and h B = 1/2.
+/// never go beyond 3, of which springs have up to 2.
 struct Load {
     Real stiffness = 0;  // h^2 K
     Real damping = 0;    // h B
 };
 
-/// Where the explicit part begins to lag behind the whole.
-constexpr Real softLimit = Real(tuned::softLimit), dampedLimit = Real(tuned::dampedLimit);
+/// Where the explicit part of a spring begins to lag behind the whole, and the most that springs
+/// and dampers are as forces together.
+constexpr Real softLimit = Real(tuned::softLimit), forceLimit = Real(tuned::forceLimit);
 /// Beyond, a joint is no force at all any more.
 constexpr Real stiffLimit = Real(tuned::stiffLimit);
 
-/// The share of a spring of load `x` that is a force. It leaves 1 without a kink and its product
-/// with x stays below 2 softLimit, so that a spring goes over from explicit to implicit without
-/// anybody feeling where.
-Real explicitShare(Real x, Real limit) {
-    if (x <= limit) return 1;
-    const Real beyond = (x - limit) / limit;
-    return limit * (1 + beyond / (1 + beyond)) * std::max<Real>(0, 1 - x / (stiffLimit * limit)) /
-           x;
+/// The part of a spring's load `x` that is a force. It leaves x without a kink and stays below
+/// 2 softLimit, so that a spring goes over from explicit to implicit without anybody feeling where.
+Real explicitLoad(Real x) {
+    if (x <= softLimit) return x;
+    const Real beyond = (x - softLimit) / softLimit;
+    return softLimit * (1 + beyond / (1 + beyond)) *
+           std::max<Real>(0, 1 - x / (stiffLimit * softLimit));
+}
+
+/// Of a joint between particles of such loads, the shares that are forces.
+struct Shares {
+    Real stiffness = 1, damping = 1;
+};
+Shares explicitShares(const Load& a, const Load& b) {
+    const Real stiffest = std::max(a.stiffness, b.stiffness);
+    const Real most = std::max(a.damping, b.damping);
+    const Real used =
+        std::max({explicitLoad(stiffest), explicitLoad(a.stiffness), explicitLoad(b.stiffness)});
+    const Real room = (forceLimit - used) / 2 * std::max<Real>(0, 1 - most / stiffLimit);
+    Shares s;
+    if (stiffest > softLimit) s.stiffness = explicitLoad(stiffest) / stiffest;
+    if (most > room) s.damping = room / most;
+    return s;
 }
 
 /// What a push on a particle moves: a rigid component answers with its effective mass there, in
@@ -98,10 +114,10 @@ void classifyJoints(State& state, const Counts& before) {
     for (auto j = before.joints; j < joints.size(); ++j) {
         const Load &a = load[joints.a[j] - before.particles],
                    &b = load[joints.b[j] - before.particles];
-        const Real stiffness = explicitShare(std::max(a.stiffness, b.stiffness), softLimit);
-        const Real damping = explicitShare(std::max(a.damping, b.damping), dampedLimit);
-        joints.explicitStiffness[j] = isRigid(joints, j) ? 0 : stiffness * joints.stiffness[j];
-        joints.explicitDamping[j] = isRigid(joints, j) ? 0 : damping * joints.damping[j];
+        const Shares share = explicitShares(a, b);
+        joints.explicitStiffness[j] =
+            isRigid(joints, j) ? 0 : share.stiffness * joints.stiffness[j];
+        joints.explicitDamping[j] = isRigid(joints, j) ? 0 : share.damping * joints.damping[j];
         if (isRigid(joints, j))
             joints.kind[j] = JointKind::rigid;
         else if (joints.explicitStiffness[j] == joints.stiffness[j] &&

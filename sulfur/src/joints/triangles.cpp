@@ -1,6 +1,7 @@
 #include "joints/triangles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -73,13 +74,18 @@ private:
         const Link wanted{ab.high, ac.high, none};
         const auto bc = std::lower_bound(fromB.begin(), fromB.end(), wanted);
         if (bc == fromB.end() || wanted < *bc) return;
-        if (mayTurnOver(ab, ac, *bc)) addTriangle(ab, ac, *bc);
+        if (!mayTurnOver(ab, ac, *bc)) return;
+        if (addTriangle(ab, ac, *bc)) brace(ab, ac, *bc);
     }
 
-    /// Chains that move by themselves answer pushes in a way of their own, and have but one side.
-    bool inChain(std::uint32_t particle) const {
-        const auto tree = state_.trees.ofParticle[particle];
-        return tree != none && state_.trees.list[tree].alone;
+    /// The springs of a triangle hold each other.
+    void brace(const Link& ab, const Link& ac, const Link& bc) {
+        auto& kind = state_.joints.kind;
+        const std::array sides{ab.joint, ac.joint, bc.joint};
+        for (const auto j : sides)
+            if (isRigid(state_.joints, j)) return;
+        for (const auto j : sides)
+            if (kind[j] == JointKind::implicitElastic) kind[j] = JointKind::bracedElastic;
     }
 
     bool mayTurnOver(const Link& ab, const Link& ac, const Link& bc) const {
@@ -88,34 +94,40 @@ private:
         const auto rigid = [&](const Link& link) { return isRigid(joints, link.joint); };
         if (rigid(ab) && rigid(ac) && rigid(bc)) return false;
         const auto a = ab.low, b = ab.high, c = ac.high;
-        if (cluster[a] != none && cluster[a] == cluster[b] && cluster[a] == cluster[c])
-            return false;
-        return !inChain(a) && !inChain(b) && !inChain(c);
+        return cluster[a] == none || cluster[a] != cluster[b] || cluster[a] != cluster[c];
     }
 
     /// The lengths at rest tell the area (Heron), the places in the blueprint on which side it is.
-    void addTriangle(const Link& ab, const Link& ac, const Link& bc) {
+    /// Returns whether it is one.
+    bool addTriangle(const Link& ab, const Link& ac, const Link& bc) {
         const auto squared = [&](const Link& link) {
             const double length = static_cast<double>(state_.joints.restLength[link.joint]);
             return length * length;
         };
         const double p = squared(ab), q = squared(ac), r = squared(bc), sum = p + q + r;
         const double twice16 = sum * sum - 2 * (p * p + q * q + r * r);  // 4 (twice the area)^2
-        if (!(twice16 > 4 * flattest * flattest * sum * sum)) return;
+        if (!(twice16 > 4 * flattest * flattest * sum * sum)) return false;
         const auto& rest = state_.particles.rest;
         const Vec2 toB = rest[ab.high] - rest[ab.low], toC = rest[ac.high] - rest[ac.low];
         const double side = static_cast<double>(cross(toB, toC));
-        if (!(std::abs(side) > flattest * sum)) return;
+        if (!(std::abs(side) > flattest * sum)) return false;
         const auto area = static_cast<Real>(std::sqrt(twice16) / 2);
         if (side > 0)
             state_.triangles.all.push_back({ab.low, ab.high, ac.high, area});
         else
             state_.triangles.all.push_back({ab.low, ac.high, ab.high, area});
+        return true;
     }
 
     State& state_;
     std::vector<Link> links_;
 };
+
+/// What moves in steps of its own answers pushes in a way of its own, and has but one side.
+bool inTree(const State& state, std::uint32_t particle) {
+    const auto tree = state.trees.ofParticle[particle];
+    return tree != none && state.trees.list[tree].alone;
+}
 
 /// Whether one rigid component has all of it.
 bool isOneComponent(const State& state, const BodyRecord& body) {
@@ -164,7 +176,7 @@ void findTriangles(State& state) {
 
 void listTriangles(State& state) {
     Triangles& triangles = state.triangles;
-    findTriangles(state);
+    findTriangles(state);  // a restored world has none yet
     triangles.awake.clear();
     const auto moves = [&](std::uint32_t particle) {
         return inverseMassAwake(state, particle) > 0 || state.particles.cluster[particle] != none;
@@ -175,6 +187,7 @@ void listTriangles(State& state) {
     for (const Triangle& t : triangles.all) {
         if (!state.awake(state.particles.body[t.a])) continue;
         if (!moves(t.a) && !moves(t.b) && !moves(t.c)) continue;
+        if (inTree(state, t.a) || inTree(state, t.b) || inTree(state, t.c)) continue;
         triangles.awake.add(t, isHeld(t.a) || isHeld(t.b) || isHeld(t.c));
     }
     triangles.awake.fillBlocks();

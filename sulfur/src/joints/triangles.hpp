@@ -6,11 +6,11 @@
 namespace sulfur::detail {
 
 /// Finds the triangles of joints in dynamic bodies that have not been looked at, but for those that
-/// are flat at rest, rigid, or part of a chain that moves alone. A body with more than four
-/// triangles a joint is no lattice (everything hangs on everything there) and has none.
+/// are flat at rest or rigid, and braces their springs. A body with more than four triangles a
+/// joint is no lattice (everything hangs on everything there) and has none.
 void findTriangles(State& state);
 
-/// Derives which of them are awake.
+/// Derives which of them are awake, and no part of a tree that moves alone.
 void listTriangles(State& state);
 
 }  // namespace sulfur::detail

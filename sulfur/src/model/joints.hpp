@@ -16,6 +16,7 @@ namespace sulfur::detail {
 enum class JointKind : std::uint8_t {
     explicitElastic,  // as a force
     implicitElastic,  // partly as a force, the rest as a compliant constraint
+    bracedElastic,    // the same, of a lattice: a side of a triangle of springs, no link of a tree
     rigid,            // as a constraint
 };
 

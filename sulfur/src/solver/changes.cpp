@@ -260,8 +260,9 @@ void deriveStructure(State& state) {
         return;
     }
     if (onlyAdded) dissolveTrees(state);
-    buildTrees(state);
     if (!onlyAdded) state.triangles.bodies = 0;
+    findTriangles(state);
+    buildTrees(state);
     if (!onlyAdded) state.structureChanged = true;
     state.structure.stale = state.structure.onlyAdded = false;
     state.work.changed();

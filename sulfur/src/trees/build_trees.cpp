@@ -139,12 +139,19 @@ private:
                 if (v != none) around_[next[v]++] = i;
     }
 
+    bool isBraced(const Edge& e) const {
+        return e.kind == LinkKind::joint && state_.joints.kind[e.link] == JointKind::bracedElastic;
+    }
+
+    /// Lattices have cycles, even if springs that are forces close all of them.
     void markCycles() {
         sets_.reset(vertexCount());
         std::vector<std::uint32_t> closing;
-        for (const Edge& e : edges)
-            if (e.a.vertex != none && e.b.vertex != none && !sets_.unite(e.a.vertex, e.b.vertex))
-                closing.push_back(e.a.vertex);
+        for (const Edge& e : edges) {
+            const bool closes =
+                e.a.vertex != none && e.b.vertex != none && !sets_.unite(e.a.vertex, e.b.vertex);
+            if (closes || isBraced(e)) closing.push_back(anyVertex(e));
+        }
         cyclic_.assign(vertexCount(), false);
         for (const auto v : closing) cyclic_[sets_.find(v)] = true;
     }
