@@ -135,9 +135,12 @@ inline constexpr double loadShare = 0.25;
 /// Load h^2 K of a spring up to which all of it is a force. The explicit part never goes beyond
 /// twice as much.
 inline constexpr double softLimit = 1;
-/// NSV is stable below a load h^2 K + 2 h B of 4. Springs and dampers are forces up to so much of
-/// it, which leaves some for the stiffness of what is strained.
+/// NSV is stable below a load h^2 K + 2 h B of 4. The springs and dampers of lattices are forces up
+/// to so much of it, which leaves some for the stiffness of what is strained.
 inline constexpr double forceLimit = 3;
+/// Load h B of other dampers up to which they are forces: what is no lattice may be solved as a
+/// whole, which is more exact.
+inline constexpr double dampedLimit = softLimit / 4;
 /// The load, in these limits, from which on a joint is no force at all any more.
 inline constexpr double stiffLimit = 1024;
 /// How many times stiffness counts at links of ropes, which may move in shorter steps than the

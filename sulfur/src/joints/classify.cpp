@@ -36,12 +36,13 @@ Real explicitLoad(Real x) {
 struct Shares {
     Real stiffness = 1, damping = 1;
 };
-Shares explicitShares(const Load& a, const Load& b) {
+Shares explicitShares(const Load& a, const Load& b, bool braced) {
     const Real stiffest = std::max(a.stiffness, b.stiffness);
     const Real most = std::max(a.damping, b.damping);
     const Real used =
         std::max({explicitLoad(stiffest), explicitLoad(a.stiffness), explicitLoad(b.stiffness)});
-    const Real room = (forceLimit - used) / 2 * std::max<Real>(0, 1 - most / stiffLimit);
+    const Real limit = braced ? (forceLimit - used) / 2 : Real(tuned::dampedLimit);
+    const Real room = limit * std::max<Real>(0, 1 - most / stiffLimit);
     Shares s;
     if (stiffest > softLimit) s.stiffness = explicitLoad(stiffest) / stiffest;
     if (most > room) s.damping = room / most;
@@ -114,7 +115,7 @@ void classifyJoints(State& state, const Counts& before) {
     for (auto j = before.joints; j < joints.size(); ++j) {
         const Load &a = load[joints.a[j] - before.particles],
                    &b = load[joints.b[j] - before.particles];
-        const Shares share = explicitShares(a, b);
+        const Shares share = explicitShares(a, b, joints.braced[j] != 0);
         joints.explicitStiffness[j] =
             isRigid(joints, j) ? 0 : share.stiffness * joints.stiffness[j];
         joints.explicitDamping[j] = isRigid(joints, j) ? 0 : share.damping * joints.damping[j];

@@ -80,12 +80,10 @@ private:
 
     /// The springs of a triangle hold each other.
     void brace(const Link& ab, const Link& ac, const Link& bc) {
-        auto& kind = state_.joints.kind;
         const std::array sides{ab.joint, ac.joint, bc.joint};
         for (const auto j : sides)
             if (isRigid(state_.joints, j)) return;
-        for (const auto j : sides)
-            if (kind[j] == JointKind::implicitElastic) kind[j] = JointKind::bracedElastic;
+        for (const auto j : sides) state_.joints.braced[j] = 1;
     }
 
     bool mayTurnOver(const Link& ab, const Link& ac, const Link& bc) const {
@@ -164,7 +162,10 @@ void AwakeTriangles::fillBlocks() {
 
 void findTriangles(State& state) {
     Triangles& triangles = state.triangles;
-    if (triangles.bodies == 0) triangles.all.clear();
+    if (triangles.bodies == 0) {
+        triangles.all.clear();
+        std::fill(state.joints.braced.begin(), state.joints.braced.end(), std::uint8_t{0});
+    }
     Finder finder(state);
     for (; triangles.bodies < state.bodies.size(); ++triangles.bodies) {
         const BodyRecord& body = state.bodies[triangles.bodies];

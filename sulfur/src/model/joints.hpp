@@ -16,7 +16,6 @@ namespace sulfur::detail {
 enum class JointKind : std::uint8_t {
     explicitElastic,  // as a force
     implicitElastic,  // partly as a force, the rest as a compliant constraint
-    bracedElastic,    // the same, of a lattice: a side of a triangle of springs, no link of a tree
     rigid,            // as a constraint
 };
 
@@ -34,6 +33,7 @@ struct Joints {
     std::vector<Real> force;              // N in the last tick, positive pulls
     std::vector<JointKind> kind;
     std::vector<std::uint8_t> inCluster;  // held by a rigid component, so never solved
+    std::vector<std::uint8_t> braced;     // a side of a triangle of springs, so no link of a tree
     std::vector<Real> radius;             // m, > 0: a capsule
     std::vector<Real> strength;           // N
     std::vector<Material> material;       // of the surface, if the joint has its own
@@ -56,6 +56,7 @@ struct Joints {
         f(force);
         f(kind);
         f(inCluster);
+        f(braced);
         f(radius);
         f(strength);
         f(material);

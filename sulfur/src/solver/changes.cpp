@@ -251,6 +251,8 @@ void deriveStructure(State& state) {
     const Counts before = onlyAdded ? state.structure.before : Counts{};
     if (!onlyAdded) dissolveTrees(state);
     updateClusters(state, before);
+    if (!onlyAdded) state.triangles.bodies = 0;
+    findTriangles(state);
     classifyJoints(state, before);
     if (onlyAdded && addedAreRigid(state, before)) {
         state.trees.ofParticle.resize(state.particles.size(), none);
@@ -260,8 +262,6 @@ void deriveStructure(State& state) {
         return;
     }
     if (onlyAdded) dissolveTrees(state);
-    if (!onlyAdded) state.triangles.bodies = 0;
-    findTriangles(state);
     buildTrees(state);
     if (!onlyAdded) state.structureChanged = true;
     state.structure.stale = state.structure.onlyAdded = false;

@@ -140,7 +140,7 @@ private:
     }
 
     bool isBraced(const Edge& e) const {
-        return e.kind == LinkKind::joint && state_.joints.kind[e.link] == JointKind::bracedElastic;
+        return e.kind == LinkKind::joint && state_.joints.braced[e.link] != 0;
     }
 
     /// Lattices have cycles, even if springs that are forces close all of them.

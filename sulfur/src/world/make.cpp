@@ -82,6 +82,7 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     j.force.push_back(0);
     j.kind.push_back(JointKind::rigid);
     j.inCluster.push_back(0);
+    j.braced.push_back(0);
     j.radius.push_back(options.radius);
     j.strength.push_back(options.strength);
     j.material.push_back(options.material.value_or(Material{}));

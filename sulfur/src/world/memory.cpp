@@ -49,7 +49,7 @@ MemoryUse ofHotJoints(const State& state) {
     const auto& j = state.joints;
     return Sum()
         .add(j.a, j.b, j.restLength, j.stiffness, j.damping, j.explicitStiffness, j.explicitDamping,
-             j.lambda, j.force, j.kind, j.inCluster)
+             j.lambda, j.force, j.kind, j.inCluster, j.braced)
         .as("joints: what holds", j.size(), true);
 }
 
