@@ -326,15 +326,15 @@ bool sweepRows(State& state, int number, SweepKind kind) {
 
 namespace {
 
-/// The k-th awake mover tells the state what rows have given it since it last did. `turns`:
-/// somebody asks for sines.
-void give(State& state, std::size_t k, bool turns) {
+/// An awake mover tells the state what rows have given it since it last did. `turns`: somebody asks
+/// for sines.
+void give(State& state, std::uint32_t m, bool turns) {
     ContactCore& core = state.core;
-    const auto m = core.awakeMovers[k];
-    const auto i = core.awakeDense[k];
+    const auto i = core.denseOfMover[m];
     const SolverBody& body = core.movers.bodies[m];
     Motion3& given = core.movers.given[m];
     const Motion3 more{body.vx - given.x, body.vy - given.y, body.spin - given.turn};
+    if (more.x == 0 && more.y == 0 && more.turn == 0) return;
     // What rounding keeps back is given the next time, so that no momentum is lost.
     const auto addTo = [&](Vec2& displacement) {
         const Vec2 before = displacement;
@@ -342,7 +342,7 @@ void give(State& state, std::size_t k, bool turns) {
         given.x += displacement[0] - before[0];
         given.y += displacement[1] - before[1];
     };
-    if (core.awakeIsCluster[k]) {
+    if (core.moverIsCluster[m] != 0) {
         Cluster& c = state.clusters.list[i];
         addTo(c.displacement);
         if (more.turn == 0) return;
@@ -358,7 +358,26 @@ void give(State& state, std::size_t k, bool turns) {
 
 void giveMotion(State& state) {
     const bool turns = !onlyContactsAsk(state);
-    for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) give(state, k, turns);
+    for (const auto m : state.core.tied) give(state, m, turns);
+}
+
+void takeMotionOfTied(State& state, int number) {
+    ContactCore& core = state.core;
+    const Real settled = settledChange * state.h;
+    for (const auto m : core.tied) {
+        const Seen seen = lookAtMover(state, core.moverIsCluster[m] != 0, core.denseOfMover[m]);
+        const Motion3& given = core.movers.given[m];
+        Prediction& prediction = core.movers.predictions[m];
+        const Motion3 now{seen.way[0] - given.x, seen.way[1] - given.y, seen.turn - given.turn};
+        const Real changed = lengthOf(core.movers, m, now.x - prediction.vx, now.y - prediction.vy,
+                                      now.turn - prediction.spin);
+        // What does not change how surfaces part is left for later.
+        if (number > 1 && changed <= settled) continue;
+        prediction.vx = now.x;
+        prediction.vy = now.y;
+        prediction.spin = now.turn;
+        if (number > 1) core.stirred[m] = static_cast<std::uint8_t>(number - 1);
+    }
 }
 
 void takeMotionAgain(State& state) {
@@ -410,8 +429,8 @@ void endMotion(State& state) {
     core.ways.assign(movers.size(), {});
     core.lengths.assign(movers.size(), 0);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
-        give(state, k, asked);
         const auto m = core.awakeMovers[k];
+        give(state, m, asked);
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
         core.ways[m] = {seen.way[0], seen.way[1], seen.turn, movers.reach[m] * std::abs(seen.turn)};
         core.lengths[m] = lengthOf(movers, m, seen.way[0], seen.way[1], seen.turn);

@@ -45,9 +45,13 @@ void dampSticking(State& state);
 void holdBackFast(State& state);
 /// Events of contacts: who begins to touch, goes on, and parts.
 void tellContacts(State& state);
-/// Particles and rigid components take up what the rows have given since they took it.
+/// Particles and rigid components that are tied take up what the rows have given since they took
+/// it.
 void giveMotion(State& state);
-/// And the other way, when somebody else has changed it.
+/// And the other way, before the `number`-th sweep, when somebody else has changed it: whom it
+/// stirs is swept again.
+void takeMotionOfTied(State& state, int number);
+/// The same of all.
 void takeMotionAgain(State& state);
 /// The same at the end of the step; places take up what the rows have pushed.
 void endMotion(State& state);

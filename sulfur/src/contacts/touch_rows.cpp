@@ -53,6 +53,9 @@ TouchView viewOfTouch(const State& state, std::uint32_t index) {
     return view;
 }
 
+/// By hand: every further sweep of the step looks at its rows.
+constexpr std::uint8_t stirredInAll = 255;
+
 void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool cornerHas,
                       bool sideHas) {
     Movers& movers = state.core.movers;
@@ -64,7 +67,10 @@ void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool corn
     for (std::size_t k = 0; k < 3; ++k) before[k] = movers.bodies[list[k]];
     RowGraph::pressTouch(movers, t, l, impulse, 0);
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!(k == 0 ? cornerHas : sideHas)) continue;
+        if (!(k == 0 ? cornerHas : sideHas)) {
+            state.core.stirred[list[k]] = stirredInAll;
+            continue;
+        }
         const SolverBody& now = movers.bodies[list[k]];
         Motion3& given = movers.given[list[k]];
         given.x += now.vx - before[k].vx;

@@ -113,9 +113,10 @@ struct WorkLists {
     // All joints that are not rigid, body by body, asleep or not; where those of each body begin.
     std::vector<std::uint32_t> springs, springStart;
     std::vector<std::uint32_t> attachments, hinges;  // swept
-    std::vector<std::uint32_t> bodies;      // that move: awake dynamic ones and kinematic ones
-    std::vector<std::uint32_t> kinematic;   // of these
-    std::vector<std::uint32_t> strained;    // bodies that were bent out of shape
+    bool holdsClusters = false;            // a joint or tree of these lists holds a rigid component
+    std::vector<std::uint32_t> bodies;     // that move: awake dynamic ones and kinematic ones
+    std::vector<std::uint32_t> kinematic;  // of these
+    std::vector<std::uint32_t> strained;   // bodies that were bent out of shape
     std::vector<std::uint32_t> tiedJoints;  // between bodies, awake or not
     std::vector<std::uint32_t> turned;      // bodies by slot that this step begins to follow
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move

@@ -209,9 +209,8 @@ void predictClusters(State& state) {
 
 bool onlyContactsAsk(const State& state) {
     const WorkLists& work = state.work;
-    return work.implicitJoints.empty() && work.rigidJoints.empty() && work.attachments.empty() &&
-           work.hinges.empty() && work.lines.empty() && work.lonelyTrees.empty() &&
-           work.watchedClusters.empty() && state.triangles.awake.count == 0 &&
+    return !work.holdsClusters && work.attachments.empty() && work.hinges.empty() &&
+           work.watchedClusters.empty() && state.triangles.awake.held.empty() &&
            state.influences.grabs.empty();
 }
 
@@ -249,8 +248,8 @@ namespace {
 
 /// Whether a stage of the next step asks for the members of clusters.
 bool mayAskForMembers(const State& state) {
-    return state.anyForced || !onlyContactsAsk(state) || !state.work.explicitJoints.empty() ||
-           !state.influences.fields.empty() || !state.sensing.bodies.empty();
+    return state.anyForced || !onlyContactsAsk(state) || !state.influences.fields.empty() ||
+           !state.sensing.bodies.empty();
 }
 
 }  // namespace

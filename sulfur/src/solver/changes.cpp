@@ -181,6 +181,20 @@ void listJoints(State& state) {
     batchJoints(state, work.rigidJoints, work.rigidSweep);
 }
 
+/// Whether a joint or tree that takes part holds a rigid component.
+bool holdsClusters(const State& state) {
+    const WorkLists& work = state.work;
+    const auto isHeld = [&](std::uint32_t particle) {
+        return state.particles.cluster[particle] != none;
+    };
+    for (const auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints})
+        for (const auto j : *list)
+            if (isHeld(state.joints.a[j]) || isHeld(state.joints.b[j])) return true;
+    const auto hasClusters = [&](std::uint32_t tree) { return state.trees.list[tree].points == 0; };
+    return std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), hasClusters) ||
+           std::any_of(work.lines.begin(), work.lines.end(), hasClusters);
+}
+
 void listSprings(State& state, const Counts& before) {
     auto& springs = state.work.springs;
     auto& start = state.work.springStart;
@@ -333,6 +347,7 @@ void listAnew(State& state) {
         listBreakable(state, before);
     } else {
         listJoints(state);
+        work.holdsClusters = holdsClusters(state);
         listAttachments(state);
         listStrained(state);
         listTriangles(state);

@@ -5,6 +5,8 @@
 
 namespace sulfur::detail {
 
+/// Lists the movers that any of these kinds, triangles, grabs or trees hold in this step.
+void listTied(State& state);
 void clearMultipliers(State& state);
 void solveImplicitJoints(State& state);
 void solveAttachments(State& state);

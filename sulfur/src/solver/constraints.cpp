@@ -29,7 +29,7 @@ bool sweepsOthers(const State& state) {
     const WorkLists& work = state.work;
     const auto isTouched = [&](std::uint32_t tree) { return state.trees.touched[tree] != 0; };
     return !work.implicitJoints.empty() || !work.rigidJoints.empty() || !work.attachments.empty() ||
-           !work.hinges.empty() || state.triangles.awake.count > 0 || !work.lines.empty() ||
+           !work.hinges.empty() || !state.triangles.pressed.empty() || !work.lines.empty() ||
            !state.influences.grabs.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
@@ -56,13 +56,16 @@ void sweepAlone(State& state) {
 }
 
 bool sweepContacts(State& state, int number) {
-    takeMotionAgain(state);
-    const bool stirred = sweepRows(state, number, {.begins = number == 1, .anew = true});
+    takeMotionOfTied(state, number);
+    const bool first = number == 1;
+    const bool stirred =
+        sweepRows(state, number, {.begins = first, .anew = true, .onlyStirred = !first});
     giveMotion(state);
     return stirred;
 }
 
 void sweepAll(State& state) {
+    listTied(state);
     giveMotion(state);
     const int least = state.settings.sweeps;
     const int most = mostTimes * least;
