@@ -113,6 +113,7 @@ struct WorkLists {
     // All joints that are not rigid, body by body, asleep or not; where those of each body begin.
     std::vector<std::uint32_t> springs, springStart;
     std::vector<std::uint32_t> attachments, hinges;  // swept
+    std::vector<std::uint32_t> sweptParticles;       // with a surface, that swept joints hold
     bool holdsClusters = false;            // a joint or tree of these lists holds a rigid component
     std::vector<std::uint32_t> bodies;     // that move: awake dynamic ones and kinematic ones
     std::vector<std::uint32_t> kinematic;  // of these

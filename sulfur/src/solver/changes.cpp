@@ -181,6 +181,21 @@ void listJoints(State& state) {
     batchJoints(state, work.rigidJoints, work.rigidSweep);
 }
 
+/// A rigid component may have a surface elsewhere.
+void listSweptParticles(State& state) {
+    WorkLists& work = state.work;
+    work.sweptParticles.clear();
+    std::pmr::vector<bool> listed(state.particles.size(), false, &state.arena);
+    for (const auto* list : {&work.implicitJoints, &work.rigidJoints})
+        for (const auto j : *list)
+            for (const auto i : {state.joints.a[j], state.joints.b[j]}) {
+                if (listed[i]) continue;
+                listed[i] = true;
+                if (state.particles.reach[i] > 0 || state.particles.cluster[i] != none)
+                    work.sweptParticles.push_back(i);
+            }
+}
+
 /// Whether a joint or tree that takes part holds a rigid component.
 bool holdsClusters(const State& state) {
     const WorkLists& work = state.work;
@@ -347,6 +362,7 @@ void listAnew(State& state) {
         listBreakable(state, before);
     } else {
         listJoints(state);
+        listSweptParticles(state);
         work.holdsClusters = holdsClusters(state);
         listAttachments(state);
         listStrained(state);

@@ -28,12 +28,6 @@ public:
         cluster == none ? addAlone(i) : addCluster(cluster);
     }
 
-    void addJoints(const std::vector<std::uint32_t>& joints) {
-        for (const auto j : joints) {
-            addParticle(state_.joints.a[j]);
-            addParticle(state_.joints.b[j]);
-        }
-    }
     /// With what touches their links: such contacts are rows of the trees.
     void addTrees(const std::vector<std::uint32_t>& trees) {
         for (const auto t : trees) {
@@ -89,8 +83,7 @@ private:
 
 void listTied(State& state) {
     Ties ties(state);
-    ties.addJoints(state.work.implicitJoints);
-    ties.addJoints(state.work.rigidJoints);
+    for (const auto i : state.work.sweptParticles) ties.addParticle(i);
     if (!state.trees.list.empty()) {
         ties.addTrees(state.work.lines);
         ties.addTrees(state.trees.touchedAlone);
