@@ -25,12 +25,12 @@ using tuned::mostTimes;
 using tuned::trial;
 constexpr double mostStrain = tuned::strainLimit;
 
-bool sweepsOthers(const State& state) {
+/// Joints, points or trees are swept beside contacts and triangles.
+bool sweepsJoints(const State& state) {
     const WorkLists& work = state.work;
     const auto isTouched = [&](std::uint32_t tree) { return state.trees.touched[tree] != 0; };
     return !work.implicitJoints.empty() || !work.rigidJoints.empty() || !work.attachments.empty() ||
-           !work.hinges.empty() || !state.triangles.pressed.empty() || !work.lines.empty() ||
-           !state.influences.grabs.empty() ||
+           !work.hinges.empty() || !work.lines.empty() || !state.influences.grabs.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
@@ -64,11 +64,13 @@ bool sweepContacts(State& state, int number) {
     return stirred;
 }
 
-void sweepAll(State& state) {
+/// Joints, whose errors add up along a body, get more sweeps than triangles, which only have to
+/// keep their side.
+void sweepAll(State& state, bool withJoints) {
     listTied(state);
     giveMotion(state);
     const int least = state.settings.sweeps;
-    const int most = mostTimes * least;
+    const int most = withJoints ? mostTimes * least : least;
     bool stirred = true;
     for (int number = 1; number <= most && (stirred || number <= least); ++number) {
         solveImplicitJoints(state);
@@ -101,8 +103,9 @@ void solveConstraints(State& state) {
     startAreas(state);
     strikeRows(state);
     shareBlows(state);
-    if (sweepsOthers(state)) {
-        sweepAll(state);
+    const bool withJoints = sweepsJoints(state);
+    if (withJoints || !state.triangles.pressed.empty()) {
+        sweepAll(state, withJoints);
     } else {
         sweepAlone(state);
     }
