@@ -305,9 +305,13 @@ bool sweepRows(State& state, int number, SweepKind kind) {
     SolverBody* bodies = core.movers.bodies.data();
     const Prediction* predictions = core.movers.predictions.data();
     if (number == 1) core.stirred.assign(core.movers.size(), 0);
-    const SweepSettings settings{
-        creepSpeed * state.h, std::min(pushRate * state.h, mostShare), settledChange * state.h,
-        core.stirred.data(),  static_cast<std::uint8_t>(number),       kind};
+    core.sweep = static_cast<std::uint8_t>(number);
+    const SweepSettings settings{creepSpeed * state.h,
+                                 std::min(pushRate * state.h, mostShare),
+                                 settledChange * state.h,
+                                 core.stirred.data(),
+                                 core.sweep,
+                                 kind};
     bool any = false;
     // From the last colour, so that the first rows of each body, on which it rests, are solved
     // last.

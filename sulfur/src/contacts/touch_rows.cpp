@@ -1,5 +1,8 @@
 #include "contacts/touch_rows.hpp"
 
+#include <cmath>
+
+#include "core/settings.hpp"
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
@@ -23,23 +26,41 @@ Motion3 motionOf(const State& state, std::uint32_t m) {
 
 }  // namespace
 
+std::array<std::uint32_t, 3> particlesOfTouch(const State& state, std::uint32_t index) {
+    const Shapes& shapes = state.core.shapes;
+    const Touch& touch = state.core.touches[index];
+    const Side& side = shapes.sides[touch.side];
+    std::array<std::uint32_t, 3> particles{touch.corner, side.a, side.b};
+    for (auto& i : particles) i = state.particleSlots.denseOf(shapes.corners[i].particle);
+    return particles;
+}
+
+std::array<std::uint32_t, 3> moversOfTouch(const State& state, std::uint32_t index) {
+    const RowPlace row = state.core.touches[index].row;
+    const TouchBlock& t = state.core.rows.touch(row);
+    const auto l = RowGraph::laneOf(row);
+    return {t.p[l], t.a[l], t.b[l]};
+}
+
+Real pressingOf(const State& state, std::uint32_t index) {
+    const RowPlace row = state.core.touches[index].row;
+    return state.core.rows.touch(row).pressing[RowGraph::laneOf(row)];
+}
+
 TouchView viewOfTouch(const State& state, std::uint32_t index) {
     const ContactCore& core = state.core;
     const Touch& touch = core.touches[index];
     const TouchBlock& t = core.rows.touch(touch.row);
     const auto l = RowGraph::laneOf(touch.row);
-    const Side& side = core.shapes.sides[touch.side];
     TouchView view;
-    const std::array<std::uint32_t, 3> corners{touch.corner, side.a, side.b};
-    for (std::size_t k = 0; k < 3; ++k)
-        view.particles[k] = state.particleSlots.denseOf(core.shapes.corners[corners[k]].particle);
+    view.particles = particlesOfTouch(state, index);
     const Vec2 normal(t.normalX[l], t.normalY[l]);
     const Vec2 lean = t.lean[l] * Vec2(t.sideX[l], t.sideY[l]);
     view.directions = {normal, -t.weightA[l] * normal + lean, -t.weightB[l] * normal - lean};
     view.pressing = t.pressing[l];
     view.inverseMass = t.mobility[l];
     view.gapBefore = view.gap = t.gap[l];
-    const std::array<std::uint32_t, 3> movers{t.p[l], t.a[l], t.b[l]};
+    const std::array<std::uint32_t, 3> movers = moversOfTouch(state, index);
     const std::array<Real, 3> arms{t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]};
     for (std::size_t k = 0; k < 3; ++k) {
         const SolverBody& body = core.movers.bodies[movers[k]];
@@ -53,22 +74,21 @@ TouchView viewOfTouch(const State& state, std::uint32_t index) {
     return view;
 }
 
-/// By hand: every further sweep of the step looks at its rows.
-constexpr std::uint8_t stirredInAll = 255;
-
 void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool cornerHas,
                       bool sideHas) {
     Movers& movers = state.core.movers;
     const Touch& touch = state.core.touches[index];
     TouchBlock& t = state.core.rows.touch(touch.row);
     const auto l = RowGraph::laneOf(touch.row);
-    const std::array<std::uint32_t, 3> list{t.p[l], t.a[l], t.b[l]};
+    const std::array<std::uint32_t, 3> list = moversOfTouch(state, index);
     std::array<SolverBody, 3> before;
     for (std::size_t k = 0; k < 3; ++k) before[k] = movers.bodies[list[k]];
     RowGraph::pressTouch(movers, t, l, impulse, 0);
+    const Real settled = Real(tuned::settledChange) * state.h;
+    const bool stirs = std::abs(impulse) * t.mobility[l] > settled;
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(k == 0 ? cornerHas : sideHas)) {
-            state.core.stirred[list[k]] = stirredInAll;
+            if (stirs) state.core.stirred[list[k]] = state.core.sweep;
             continue;
         }
         const SolverBody& now = movers.bodies[list[k]];

@@ -18,6 +18,10 @@ struct TouchView {
     Real inverseMass = 0;                      // 1/kg, of all bodies
 };
 TouchView viewOfTouch(const State& state, std::uint32_t touch);
+/// The same particles and pressing alone, and the movers of the three.
+std::array<std::uint32_t, 3> particlesOfTouch(const State& state, std::uint32_t touch);
+std::array<std::uint32_t, 3> moversOfTouch(const State& state, std::uint32_t touch);
+Real pressingOf(const State& state, std::uint32_t touch);
 
 /// Adds to what a touch presses. The corner or the side have the impulse in their displacements
 /// already.

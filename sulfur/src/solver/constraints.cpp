@@ -41,11 +41,11 @@ void countRows(State& state) {
     statistics.contacts = static_cast<std::uint32_t>(state.core.rows.size());
 }
 
-void sweepRigid(State& state) {
+void sweepRigid(State& state, int number) {
     solveAttachments(state);
     solveGrabs(state);
     solveRigidJoints(state);
-    sweepTrees(state);
+    sweepTrees(state, number);
 }
 
 /// Rows of contacts and nothing else: all are swept, then those whose bodies were stirred.
@@ -76,7 +76,7 @@ void sweepAll(State& state, bool withJoints) {
         solveImplicitJoints(state);
         solveAreas(state);
         stirred = sweepContacts(state, number);
-        sweepRigid(state);
+        sweepRigid(state, number);
     }
     double before = 0;
     for (int i = 0; i < mostForStrain; ++i) {
@@ -87,7 +87,7 @@ void sweepAll(State& state, bool withJoints) {
             before = strain;
         }
         sweepContacts(state, most);
-        sweepRigid(state);
+        sweepRigid(state, 1);
     }
 }
 

@@ -1,5 +1,6 @@
 // Which solver bodies constraints other than contacts hold: only these tell the state in each sweep
 // what contacts have given them, and ask what the others have.
+#include "contacts/touch_rows.hpp"
 #include "model/state.hpp"
 #include "solver/constraint_kinds.hpp"
 
@@ -37,7 +38,8 @@ public:
                 if (node.cluster != none) addCluster(node.cluster);
                 if (node.particle != none) addParticle(node.particle);
                 const auto touch = state_.trees.contact[k];
-                if (touch != none) addSidesOf(touch);
+                if (touch == none) continue;
+                for (const auto m : moversOfTouch(state_, touch)) addMover(m);
             }
         }
     }
@@ -67,12 +69,6 @@ private:
         const auto slot = state_.particles.id[i].index - 1;
         const auto& movers = core_.shapes.moverOfParticle;
         if (slot < movers.size()) addMover(movers[slot]);
-    }
-    void addSidesOf(std::uint32_t touch) {
-        const RowPlace row = core_.touches[touch].row;
-        const TouchBlock& block = core_.rows.touch(row);
-        const auto lane = RowGraph::laneOf(row);
-        for (const auto m : {block.p[lane], block.a[lane], block.b[lane]}) addMover(m);
     }
 
     State& state_;

@@ -250,15 +250,11 @@ private:
             if (t.particles[k] == particle) sum += t.directions[k].cast<double>();
         return sum;
     }
-    double pressingAt(std::uint32_t at) const {
-        return static_cast<double>(viewOfTouch(state_, at).pressing);
-    }
-
     /// Contacts that would have to pull are let go. Returns whether there were any.
     bool releaseContacts() {
         const auto pulls = [&](std::uint32_t i) {
-            return pressingAt(state_.trees.contact[tree_.first + i]) + solver_.links[i].lambda[1] <
-                   0;
+            const auto touch = state_.trees.contact[tree_.first + i];
+            return static_cast<double>(pressingOf(state_, touch)) + solver_.links[i].lambda[1] < 0;
         };
         const auto kept =
             std::partition(held_.begin(), held_.end(), [&](std::uint32_t i) { return !pulls(i); });
@@ -271,9 +267,8 @@ private:
     /// What the tree's side of the contact got with the links' impulses, the other side gets here.
     void pushContact(std::size_t i, double lambda) {
         const auto touch = state_.trees.contact[tree_.first + i];
-        const TouchView t = viewOfTouch(state_, touch);
-        const double change = std::max(lambda, -static_cast<double>(t.pressing));
-        const bool isCorner = t.particles[0] == node(i).particle;
+        const double change = std::max(lambda, -static_cast<double>(pressingOf(state_, touch)));
+        const bool isCorner = particlesOfTouch(state_, touch)[0] == node(i).particle;
         pressFromOutside(state_, touch, static_cast<Real>(change), isCorner, !isCorner);
     }
 
@@ -349,13 +344,13 @@ void touch(State& state, const Grip& grip) {
 
 /// The node whose link a touch becomes a row of: that of the corner, or of the side's lower end;
 /// none when both sides are of one tree, or neither is.
-std::uint32_t nodeFor(const State& state, const TouchView& t) {
+std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& particles) {
     const Trees& trees = state.trees;
     const auto treeOf = [&](std::uint32_t i) {
         const auto c = state.particles.cluster[i];
         return c == none ? trees.ofParticle[i] : trees.ofCluster[c];
     };
-    const auto p = treeOf(t.particles[0]), a = treeOf(t.particles[1]), b = treeOf(t.particles[2]);
+    const auto p = treeOf(particles[0]), a = treeOf(particles[1]), b = treeOf(particles[2]);
     if (p == none ? a == none : (p == a || p == b)) return none;
     const auto nodeOf = [&](std::uint32_t i) {
         return state.particles.cluster[i] == none ? trees.nodeOfParticle[i] : none;
@@ -363,9 +358,9 @@ std::uint32_t nodeFor(const State& state, const TouchView& t) {
     const auto heldByJoint = [&](std::uint32_t k) {
         return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
     };
-    if (p != none) return heldByJoint(nodeOf(t.particles[0])) ? nodeOf(t.particles[0]) : none;
+    if (p != none) return heldByJoint(nodeOf(particles[0])) ? nodeOf(particles[0]) : none;
     if (a != b) return none;
-    const auto first = nodeOf(t.particles[1]), second = nodeOf(t.particles[2]);
+    const auto first = nodeOf(particles[1]), second = nodeOf(particles[2]);
     if (first == none || second == none) return none;
     const auto root = trees.list[a].first;
     for (const auto& [child, parent] : {std::pair(first, second), std::pair(second, first)})
@@ -379,13 +374,13 @@ void giveTouches(State& state) {
     std::pmr::vector<Real> gaps(state.trees.nodes.size(), 0, &state.arena);
     for (std::uint32_t i = 0; i < touches.size(); ++i) {
         if (touches[i].pair == none || !touches[i].row) continue;
-        const TouchView view = viewOfTouch(state, i);
-        const auto k = nodeFor(state, view);
+        const auto k = nodeFor(state, particlesOfTouch(state, i));
         if (k == none) continue;
+        const Real gap = viewOfTouch(state, i).gap;
         auto& held = state.trees.contact[k];
-        if (held != none && !(gaps[k] > view.gap)) continue;
+        if (held != none && !(gaps[k] > gap)) continue;
         held = i;
-        gaps[k] = view.gap;
+        gaps[k] = gap;
     }
 }
 
@@ -434,6 +429,33 @@ void touchTrees(State& state) {
     }
 }
 
+namespace {
+
+/// Whether the `number`-th sweep over rows has stirred a node, or what touches its link.
+bool isStirred(const State& state, const Tree& tree, int number) {
+    const ContactCore& core = state.core;
+    const auto& movers = core.shapes.moverOfParticle;
+    const auto stirs = [&](std::uint32_t particle) {
+        const auto slot = state.particles.id[particle].index - 1;
+        const auto m = slot < movers.size() ? movers[slot] : none;
+        return m != none && core.stirred[m] >= number;
+    };
+    for (auto k = tree.first; k < tree.last; ++k) {
+        const TreeNode& n = state.trees.nodes[k];
+        const Clusters& clusters = state.clusters;
+        if (n.cluster != none && stirs(clusters.members[clusters.list[n.cluster].first]))
+            return true;
+        if (n.particle != none && stirs(n.particle)) return true;
+        const auto touch = state.trees.contact[k];
+        if (touch == none) continue;
+        for (const auto m : moversOfTouch(state, touch))
+            if (core.stirred[m] >= number) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 void shareBlows(State& state) {
     const ContactCore& core = state.core;
     if (core.blows.empty() || state.trees.touchedAlone.empty()) return;
@@ -460,9 +482,13 @@ void shareBlows(State& state) {
     }
 }
 
-void sweepTrees(State& state) {
-    for (const auto* list : {&state.work.lines, &state.trees.touchedAlone})
-        for (const auto i : *list) withSweeper(state, i, [](auto& s) { s.sweep(); });
+void sweepTrees(State& state, int number) {
+    const auto sweep = [&](std::uint32_t i) { withSweeper(state, i, [](auto& s) { s.sweep(); }); };
+    for (const auto i : state.work.lines) sweep(i);
+    const bool all = number <= 1 || !state.influences.grabs.empty();
+    for (const auto i : state.trees.touchedAlone)
+        if (all || state.trees.list[i].tied || isStirred(state, state.trees.list[i], number))
+            sweep(i);
 }
 
 double strainOfTrees(State& state) {

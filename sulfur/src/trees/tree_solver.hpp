@@ -19,8 +19,9 @@ void touchTrees(State& state);
 /// What impacts have given to single nodes of the touched trees is shared along their links at
 /// once: how fast these grow does not change.
 void shareBlows(State& state);
-/// One sweep: every line through a mesh, and every touched tree, is solved as a whole.
-void sweepTrees(State& state);
+/// One sweep: every line through a mesh is solved as a whole, and every touched tree that the
+/// `number`-th sweep over rows has stirred; the first one solves all.
+void sweepTrees(State& state, int number);
 /// By what share of its length a link is wrong, at most, in trees that contacts pull on.
 double strainOfTrees(State& state);
 /// Multipliers of the sweeps to the joints.
