@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 16126436787740544656u);
+    EXPECT_EQ(world.hash(), 8856070950999683208u);
 #else
-    EXPECT_EQ(world.hash(), 9766825440012923830u);
+    EXPECT_EQ(world.hash(), 6364130034768006400u);
 #endif
 }
 
