@@ -39,6 +39,22 @@ BENCHMARK(contacts)
     ->ArgNames({"towers", "height", "sweeps", "profiling"})
     ->ArgsProduct({{200}, {1, 5}, {1, 4}, {1}});
 
+/// What one body costs a world of crates whose constraints are others. Argument: 0: nothing beside
+/// the crates, 1: a jelly, 2: one that is pressed flat, 3: a rope, on the floor.
+void beside(benchmark::State& state) {
+    World world(still({}, standardGravity));
+    raiseTowers(world, 200, 5);
+    const Point place(-210, 0.5);
+    if (state.range(0) == 1 || state.range(0) == 2) world.add(shapes::jelly(), {place});
+    if (state.range(0) == 2)
+        world.add(shapes::box({.size = {2, 1}, .mass = 50}), {place + Point(0, 1.1)});
+    if (state.range(0) == 3)
+        world.add(shapes::rope({.from = {-1, 0}, .to = {1, 0}}), {place - Point(0, 0.4)});
+    for (int i = 0; i < 1000; ++i) world.step();
+    stepAndCount(state, world, {"crate", 1000}, false, {});
+}
+BENCHMARK(beside)->ArgName("what")->DenseRange(0, 3);
+
 }  // namespace
 
 }  // namespace sulfur::lab

@@ -246,9 +246,12 @@ void placeMembers(State& state, std::uint32_t index) {
 
 namespace {
 
-/// Whether a stage of the next step asks for the members of clusters.
+/// Whether a stage asks for the members of clusters: of the next step, or breakage, which divides
+/// bodies, or the one that finds out whether a strained body is straight again.
 bool mayAskForMembers(const State& state) {
-    return state.anyForced || !onlyContactsAsk(state) || !state.influences.fields.empty() ||
+    const WorkLists& work = state.work;
+    return !work.breakableJoints.empty() || !work.strained.empty() || state.anyForced ||
+           !onlyContactsAsk(state) || !state.influences.fields.empty() ||
            !state.sensing.bodies.empty();
 }
 

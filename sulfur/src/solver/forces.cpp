@@ -95,7 +95,7 @@ void gatherForces(State& state) {
     const auto& list = state.work.explicitJoints;
     state.looked(Stage::forces, list.size());
     if (list.empty()) return;
-    state.anyForced = true;
+    if (state.work.holdsClusters) state.anyForced = true;
     const ForceView view = forceViewOf(state);
     constexpr std::size_t inMicrosecond = 400;
     const std::size_t size = state.particles.size();
