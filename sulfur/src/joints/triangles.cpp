@@ -162,10 +162,7 @@ void AwakeTriangles::fillBlocks() {
 
 void findTriangles(State& state) {
     Triangles& triangles = state.triangles;
-    if (triangles.bodies == 0) {
-        triangles.all.clear();
-        std::fill(state.joints.braced.begin(), state.joints.braced.end(), std::uint8_t{0});
-    }
+    if (triangles.bodies == 0) triangles.all.clear();
     Finder finder(state);
     for (; triangles.bodies < state.bodies.size(); ++triangles.bodies) {
         const BodyRecord& body = state.bodies[triangles.bodies];

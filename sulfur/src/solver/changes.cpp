@@ -280,7 +280,10 @@ void deriveStructure(State& state) {
     const Counts before = onlyAdded ? state.structure.before : Counts{};
     if (!onlyAdded) dissolveTrees(state);
     updateClusters(state, before);
-    if (!onlyAdded) state.triangles.bodies = 0;
+    if (!onlyAdded) {
+        state.triangles.bodies = 0;
+        std::fill(state.joints.braced.begin(), state.joints.braced.end(), std::uint8_t{0});
+    }
     findTriangles(state);
     classifyJoints(state, before);
     if (onlyAdded && addedAreRigid(state, before)) {
