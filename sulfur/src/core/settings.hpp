@@ -162,6 +162,9 @@ inline constexpr double leastShare = 0.2, watchedShare = 1.5 * leastShare;
 /// To where what is flatter is led back, after which its springs open it: leading it farther would
 /// work against a heap that presses on it.
 inline constexpr double recoveredShare = leastShare / 4;
+/// What one that is turned over may give in a tick: neighbours that are led back in opposite
+/// directions would lock each other.
+inline constexpr double givenShare = leastShare / 100;
 /// Flatter ones have no side that could be told from the other: twice the area over the sum of the
 /// squares of the sides, which is 0.29 for three equal ones and 0.25 for half a square.
 inline constexpr double flattest = 0.01;

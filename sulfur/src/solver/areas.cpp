@@ -19,6 +19,7 @@ namespace {
 constexpr Real leastShare = Real(tuned::leastShare);
 constexpr Real watchedShare = Real(tuned::watchedShare);
 constexpr Real recoveredShare = Real(tuned::recoveredShare);
+constexpr Real givenShare = Real(tuned::givenShare);
 constexpr Real recoveryShare = Real(tuned::recoveryShare);
 constexpr Real recoverySpeed = Real(tuned::recoverySpeed);
 constexpr Real mostRecoverySpeed = Real(tuned::mostRecoverySpeed);
@@ -74,7 +75,7 @@ void press(const State& state, const Triangle& t, PressedTriangle& pressed) {
     pressed.slopes = slopesOf(pressed.startB, pressed.startC);
     pressed.rest = t.rest;
     const Real area = cross(pressed.startB, pressed.startC);
-    pressed.least = std::min(leastShare * t.rest, area);
+    pressed.least = std::min(leastShare * t.rest, area < 0 ? area - givenShare * t.rest : area);
     pressed.response = response(state, pressed, pressed.slopes, pressed.slopes);
 }
 

@@ -79,8 +79,8 @@ TEST(SoftShape, ComesBackFromUnderAHeavyCrate) {
     }
 }
 
-/// A crate of 10 to 100 times the mass falls on a jelly and presses it flat. (Of those that fell on
-/// jellies around one particle, most had their middle below the rim ten seconds after.)
+/// A crate of 10 to 100 times the mass falls on a jelly and presses it flat. Where the middle of a
+/// jelly has gone through its rim, it takes up to 20 s to come back.
 TEST(SoftShape, ComesBackAfterItWasFlat) {
     for (const int columns : {3, 4, 5})
         for (const Real stiffness : {Real(200), Real(1000)})
@@ -102,7 +102,7 @@ TEST(SoftShape, ComesBackAfterItWasFlat) {
                                       << " kg, " << rate << " Hz";
                     EXPECT_LT(world.energy(), energy) << what;
                     world.remove(crate);
-                    test::run(world, 6);
+                    test::run(world, 20);
                     EXPECT_LT(changeOfShape(world, body, plan), 0.02) << what;
                 }
 }
