@@ -160,7 +160,7 @@ TEST(Allocation, NoneByDividedWork) {
     for (int i = 0; i < 10; ++i)
         world.add(shapes::jelly({.size = {1, 1}, .columns = 3, .rows = 3}),
                   {.position = {10 + 1.2 * (i % 5), 0.6 + 1.2 * (i / 5)}});
-    for (int i = 0; i < 800; ++i) world.step();
+    for (int i = 0; i < 2500; ++i) world.step();  // until the jellies rest
     expectNoAllocations(world);
 }
 
