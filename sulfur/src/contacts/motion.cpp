@@ -153,8 +153,6 @@ void takeMotion(State& state) {
     core.ahead = movers.odometer;
     core.moved.assign(movers.size(), 0);
     core.placed.resize(movers.size());
-    core.tied.reserve(movers.size());
-    core.isTied.resize(movers.size());
     core.farthest = 0;
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];

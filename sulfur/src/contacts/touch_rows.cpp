@@ -24,7 +24,22 @@ Motion3 motionOf(const State& state, std::uint32_t m) {
     return {d[0], d[1], 0};
 }
 
+std::uint32_t moverOfLeader(const State& state, std::uint32_t particle) {
+    const auto slot = state.particles.id[particle].index - 1;
+    const auto& movers = state.core.shapes.moverOfParticle;
+    return slot < movers.size() ? movers[slot] : none;
+}
+
 }  // namespace
+
+std::uint32_t moverOfCluster(const State& state, std::uint32_t cluster) {
+    return moverOfLeader(state, state.clusters.members[state.clusters.list[cluster].first]);
+}
+
+std::uint32_t moverOfParticle(const State& state, std::uint32_t particle) {
+    const auto cluster = state.particles.cluster[particle];
+    return cluster == none ? moverOfLeader(state, particle) : moverOfCluster(state, cluster);
+}
 
 std::array<std::uint32_t, 3> particlesOfTouch(const State& state, std::uint32_t index) {
     const Shapes& shapes = state.core.shapes;

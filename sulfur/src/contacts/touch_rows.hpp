@@ -9,6 +9,10 @@ namespace sulfur::detail {
 
 struct State;
 
+/// The mover that a particle is, or that carries it; none where neither has a surface.
+std::uint32_t moverOfParticle(const State& state, std::uint32_t particle);
+std::uint32_t moverOfCluster(const State& state, std::uint32_t cluster);
+
 /// A corner before a side, in the middle of the sweeps.
 struct TouchView {
     std::array<std::uint32_t, 3> particles{};  // dense: corner, ends of the side

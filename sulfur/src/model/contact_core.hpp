@@ -166,9 +166,7 @@ struct ContactCore {
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
     std::vector<std::uint8_t> stirred;  // by mover, the last sweep that has stirred it
     std::uint8_t sweep = 0;             // number of the present one
-    /// Movers that other constraints hold in this step, too; the same by mover.
-    std::vector<std::uint32_t> tied;
-    std::vector<std::uint8_t> isTied;
+    std::vector<std::uint32_t> tied;    // movers that other constraints hold in this step, too
     std::vector<Motion3> placed;  // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
     std::vector<Heir> heirs;

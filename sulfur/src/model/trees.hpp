@@ -90,8 +90,10 @@ struct Trees {
     std::vector<Vec2> predicted;                // m, displacement of each node
     std::vector<std::array<double, 2>> met;     // m, constraint values after the prediction
     std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
-    std::vector<std::uint8_t> touched;          // tree
-    std::vector<std::uint32_t> touchedAlone;    // those that move alone, in order
+    /// Tree: 0, 1: contacts push on it, 2: something else that is swept, a grab or a lead does.
+    std::vector<std::uint8_t> touched;
+    static constexpr std::uint8_t pulled = 2;
+    std::vector<std::uint32_t> touchedAlone;  // those that move alone, in order
     /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
     std::vector<std::uint32_t> contact;
     std::vector<std::uint32_t> nodeOfParticle;

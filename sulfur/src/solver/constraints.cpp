@@ -48,29 +48,24 @@ void sweepRigid(State& state, int number) {
     sweepTrees(state, number);
 }
 
-/// Rows of contacts and nothing else: all are swept, then those whose bodies were stirred.
-void sweepAlone(State& state) {
-    bool stirred = sweepRows(state, 1, {.begins = true, .anew = true});
-    for (int number = 2; stirred && number <= state.settings.sweeps; ++number)
-        stirred = sweepRows(state, number, {.onlyStirred = true});
-}
-
 bool sweepContacts(State& state, int number) {
     takeMotionOfTied(state, number);
-    const bool first = number == 1;
+    const bool first = number == 1, anew = first || !state.core.tied.empty();
     const bool stirred =
-        sweepRows(state, number, {.begins = first, .anew = true, .onlyStirred = !first});
+        sweepRows(state, number, {.begins = first, .anew = anew, .onlyStirred = !first});
     giveMotion(state);
     return stirred;
 }
 
-/// Joints, whose errors add up along a body, get more sweeps than triangles, which only have to
-/// keep their side.
-void sweepAll(State& state, bool withJoints) {
+/// Rows of contacts alone are done when none stirs. Joints, whose errors add up along a body, get
+/// more sweeps than triangles, which only have to keep their side.
+void sweepAll(State& state) {
+    const bool withJoints = sweepsJoints(state);
+    const bool alone = !withJoints && state.triangles.pressed.empty();
+    const int sweeps = state.settings.sweeps;
+    const int least = alone ? 1 : sweeps, most = withJoints ? mostTimes * sweeps : sweeps;
     listTied(state);
     giveMotion(state);
-    const int least = state.settings.sweeps;
-    const int most = withJoints ? mostTimes * least : least;
     bool stirred = true;
     for (int number = 1; number <= most && (stirred || number <= least); ++number) {
         solveImplicitJoints(state);
@@ -103,12 +98,7 @@ void solveConstraints(State& state) {
     startAreas(state);
     strikeRows(state);
     shareBlows(state);
-    const bool withJoints = sweepsJoints(state);
-    if (withJoints || !state.triangles.pressed.empty()) {
-        sweepAll(state, withJoints);
-    } else {
-        sweepAlone(state);
-    }
+    sweepAll(state);
     if (state.settings.friction == Friction::sliding) dragRows(state);
     dampSticking(state);
     endMotion(state);

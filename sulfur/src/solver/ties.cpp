@@ -10,36 +10,26 @@ namespace {
 
 class Ties {
 public:
-    explicit Ties(State& state) : state_(state), core_(state.core) {
+    explicit Ties(State& state)
+        : state_(state), core_(state.core), listed_(core_.movers.size(), false, &state.arena) {
         core_.tied.clear();
-        core_.isTied.assign(core_.movers.size(), 0);
+        core_.tied.reserve(core_.movers.size());
     }
 
-    void addMover(std::uint32_t m) {
-        if (m == none || core_.isTied[m] != 0 || core_.denseOfMover[m] == none) return;
-        core_.isTied[m] = 1;
-        core_.tied.push_back(m);
+    void addJoints() {
+        for (const auto i : state_.work.sweptParticles) addParticle(i);
     }
-    void addCluster(std::uint32_t cluster) {
-        const Clusters& clusters = state_.clusters;
-        addAlone(clusters.members[clusters.list[cluster].first]);
-    }
-    void addParticle(std::uint32_t i) {
-        const auto cluster = state_.particles.cluster[i];
-        cluster == none ? addAlone(i) : addCluster(cluster);
-    }
-
     /// With what touches their links: such contacts are rows of the trees.
     void addTrees(const std::vector<std::uint32_t>& trees) {
         for (const auto t : trees) {
             const Tree& tree = state_.trees.list[t];
             for (auto k = tree.first; k < tree.last; ++k) {
                 const TreeNode& node = state_.trees.nodes[k];
-                if (node.cluster != none) addCluster(node.cluster);
+                if (node.cluster != none) add(moverOfCluster(state_, node.cluster));
                 if (node.particle != none) addParticle(node.particle);
                 const auto touch = state_.trees.contact[k];
                 if (touch == none) continue;
-                for (const auto m : moversOfTouch(state_, touch)) addMover(m);
+                for (const auto m : moversOfTouch(state_, touch)) add(m);
             }
         }
     }
@@ -50,7 +40,7 @@ public:
             for (std::uint32_t k = 0; k < held.count; ++k) addParticle(held.support[k]);
         }
         for (const auto i : state_.work.hinges) {
-            addCluster(state_.clusters.hinges[i].cluster);
+            add(moverOfCluster(state_, state_.clusters.hinges[i].cluster));
             addParticle(state_.clusters.hinges[i].particle);
         }
         for (const Grab& grab : state_.influences.grabs)
@@ -59,31 +49,29 @@ public:
     }
     void addTriangles() {
         for (const PressedTriangle& t : state_.triangles.pressed)
-            for (const Grip& corner : t.corners)
-                corner.cluster == none ? addAlone(corner.particle) : addCluster(corner.cluster);
+            for (const Grip& corner : t.corners) addParticle(corner.particle);
     }
 
 private:
-    /// A particle that moves by itself, or the first one of a rigid component.
-    void addAlone(std::uint32_t i) {
-        const auto slot = state_.particles.id[i].index - 1;
-        const auto& movers = core_.shapes.moverOfParticle;
-        if (slot < movers.size()) addMover(movers[slot]);
+    void addParticle(std::uint32_t i) { add(moverOfParticle(state_, i)); }
+    void add(std::uint32_t mover) {
+        if (mover == none || listed_[mover] || core_.denseOfMover[mover] == none) return;
+        listed_[mover] = true;
+        core_.tied.push_back(mover);
     }
 
     State& state_;
     ContactCore& core_;
+    std::pmr::vector<bool> listed_;  // by mover
 };
 
 }  // namespace
 
 void listTied(State& state) {
     Ties ties(state);
-    for (const auto i : state.work.sweptParticles) ties.addParticle(i);
-    if (!state.trees.list.empty()) {
-        ties.addTrees(state.work.lines);
-        ties.addTrees(state.trees.touchedAlone);
-    }
+    ties.addJoints();
+    ties.addTrees(state.work.lines);
+    ties.addTrees(state.trees.touchedAlone);
     ties.addPoints();
     ties.addTriangles();
 }

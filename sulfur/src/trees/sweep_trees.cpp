@@ -250,6 +250,7 @@ private:
             if (t.particles[k] == particle) sum += t.directions[k].cast<double>();
         return sum;
     }
+
     /// Contacts that would have to pull are let go. Returns whether there were any.
     bool releaseContacts() {
         const auto pulls = [&](std::uint32_t i) {
@@ -335,64 +336,27 @@ void withSweeper(State& state, std::uint32_t tree, Function&& f) {
     }
 }
 
-void touch(State& state, const Grip& grip) {
+void pull(State& state, const Grip& grip) {
     Trees& trees = state.trees;
     const auto tree =
         grip.cluster != none ? trees.ofCluster[grip.cluster] : trees.ofParticle[grip.particle];
-    if (tree != none) trees.touched[tree] = 1;
+    if (tree != none) trees.touched[tree] = Trees::pulled;
 }
 
-/// The node whose link a touch becomes a row of: that of the corner, or of the side's lower end;
-/// none when both sides are of one tree, or neither is.
-std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& particles) {
-    const Trees& trees = state.trees;
-    const auto treeOf = [&](std::uint32_t i) {
-        const auto c = state.particles.cluster[i];
-        return c == none ? trees.ofParticle[i] : trees.ofCluster[c];
-    };
-    const auto p = treeOf(particles[0]), a = treeOf(particles[1]), b = treeOf(particles[2]);
-    if (p == none ? a == none : (p == a || p == b)) return none;
-    const auto nodeOf = [&](std::uint32_t i) {
-        return state.particles.cluster[i] == none ? trees.nodeOfParticle[i] : none;
-    };
-    const auto heldByJoint = [&](std::uint32_t k) {
-        return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
-    };
-    if (p != none) return heldByJoint(nodeOf(particles[0])) ? nodeOf(particles[0]) : none;
-    if (a != b) return none;
-    const auto first = nodeOf(particles[1]), second = nodeOf(particles[2]);
-    if (first == none || second == none) return none;
-    const auto root = trees.list[a].first;
-    for (const auto& [child, parent] : {std::pair(first, second), std::pair(second, first)})
-        if (heldByJoint(child) && (first == second || trees.nodes[child].parent + root == parent))
-            return child;
-    return none;
-}
-
-void giveTouches(State& state) {
-    const auto& touches = state.core.touches;
-    std::pmr::vector<Real> gaps(state.trees.nodes.size(), 0, &state.arena);
-    for (std::uint32_t i = 0; i < touches.size(); ++i) {
-        if (touches[i].pair == none || !touches[i].row) continue;
-        const auto k = nodeFor(state, particlesOfTouch(state, i));
-        if (k == none) continue;
-        const Real gap = viewOfTouch(state, i).gap;
-        auto& held = state.trees.contact[k];
-        if (held != none && !(gaps[k] > gap)) continue;
-        held = i;
-        gaps[k] = gap;
+/// Whether the `number`-th sweep over rows has stirred a node, or what touches its link.
+bool isStirred(const State& state, const Tree& tree, int number) {
+    const auto& stirred = state.core.stirred;
+    const auto isNow = [&](std::uint32_t m) { return m != none && stirred[m] >= number; };
+    for (auto k = tree.first; k < tree.last; ++k) {
+        const TreeNode& n = state.trees.nodes[k];
+        if (n.cluster != none && isNow(moverOfCluster(state, n.cluster))) return true;
+        if (n.particle != none && isNow(moverOfParticle(state, n.particle))) return true;
+        const auto touch = state.trees.contact[k];
+        if (touch == none) continue;
+        const auto movers = moversOfTouch(state, touch);
+        if (std::any_of(movers.begin(), movers.end(), isNow)) return true;
     }
-}
-
-/// Gives each node the contact that pushes most on it.
-void giveContacts(State& state) {
-    Trees& trees = state.trees;
-    trees.contact.assign(trees.nodes.size(), none);
-    trees.nodeOfParticle.assign(state.particles.size(), none);
-    for (std::uint32_t k = 0; k < trees.nodes.size(); ++k)
-        if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
-            trees.nodeOfParticle[trees.nodes[k].particle] = k;
-    giveTouches(state);
+    return false;
 }
 
 }  // namespace
@@ -416,45 +380,18 @@ void touchTrees(State& state) {
     for (const Lead& lead : state.core.leads) {
         const BodyRecord& body = state.bodies[lead.body];
         for (auto p = body.firstParticle; p < body.firstParticle + body.particles.size(); ++p)
-            touch(state, gripOf(state, p));
+            pull(state, gripOf(state, p));
     }
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
-            touch(state, gripOf(state, state.particleSlots.dense(grab.support[k])));
-    for (const auto i : tied) trees.touched[i] = 1;
+            pull(state, gripOf(state, state.particleSlots.dense(grab.support[k])));
+    for (const auto i : tied) trees.touched[i] = Trees::pulled;
     for (const auto i : state.work.lonelyTrees) {
         if (!trees.touched[i]) continue;
         trees.touchedAlone.push_back(i);
         withSweeper(state, i, [](auto& s) { s.remember(); });
     }
 }
-
-namespace {
-
-/// Whether the `number`-th sweep over rows has stirred a node, or what touches its link.
-bool isStirred(const State& state, const Tree& tree, int number) {
-    const ContactCore& core = state.core;
-    const auto& movers = core.shapes.moverOfParticle;
-    const auto stirs = [&](std::uint32_t particle) {
-        const auto slot = state.particles.id[particle].index - 1;
-        const auto m = slot < movers.size() ? movers[slot] : none;
-        return m != none && core.stirred[m] >= number;
-    };
-    for (auto k = tree.first; k < tree.last; ++k) {
-        const TreeNode& n = state.trees.nodes[k];
-        const Clusters& clusters = state.clusters;
-        if (n.cluster != none && stirs(clusters.members[clusters.list[n.cluster].first]))
-            return true;
-        if (n.particle != none && stirs(n.particle)) return true;
-        const auto touch = state.trees.contact[k];
-        if (touch == none) continue;
-        for (const auto m : moversOfTouch(state, touch))
-            if (core.stirred[m] >= number) return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 void shareBlows(State& state) {
     const ContactCore& core = state.core;
@@ -485,9 +422,10 @@ void shareBlows(State& state) {
 void sweepTrees(State& state, int number) {
     const auto sweep = [&](std::uint32_t i) { withSweeper(state, i, [](auto& s) { s.sweep(); }); };
     for (const auto i : state.work.lines) sweep(i);
-    const bool all = number <= 1 || !state.influences.grabs.empty();
-    for (const auto i : state.trees.touchedAlone)
-        if (all || state.trees.list[i].tied || isStirred(state, state.trees.list[i], number))
+    const Trees& trees = state.trees;
+    for (const auto i : trees.touchedAlone)
+        if (number == 1 || trees.touched[i] == Trees::pulled ||
+            isStirred(state, trees.list[i], number))
             sweep(i);
 }
 

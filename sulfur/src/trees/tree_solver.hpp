@@ -14,6 +14,8 @@ void buildTrees(State& state);
 /// displacement of its particles and clusters.
 void stepTrees(State& state);
 
+/// Gives each node of a tree the contact that pushes most on it or its link (Trees::contact).
+void giveContacts(State& state);
 /// Before the sweeps: finds the trees that contacts or swept constraints pull on.
 void touchTrees(State& state);
 /// What impacts have given to single nodes of the touched trees is shared along their links at

@@ -1,0 +1,66 @@
+// Which contact is a row of which link.
+#include <array>
+
+#include "contacts/touch_rows.hpp"
+#include "model/state.hpp"
+#include "trees/tree_solver.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// The node whose link a touch becomes a row of: that of the corner, or of the side's lower end;
+/// none when both sides are of one tree, or neither is.
+std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& particles) {
+    const Trees& trees = state.trees;
+    const auto treeOf = [&](std::uint32_t i) {
+        const auto c = state.particles.cluster[i];
+        return c == none ? trees.ofParticle[i] : trees.ofCluster[c];
+    };
+    const auto p = treeOf(particles[0]), a = treeOf(particles[1]), b = treeOf(particles[2]);
+    if (p == none ? a == none : (p == a || p == b)) return none;
+    const auto nodeOf = [&](std::uint32_t i) {
+        return state.particles.cluster[i] == none ? trees.nodeOfParticle[i] : none;
+    };
+    const auto heldByJoint = [&](std::uint32_t k) {
+        return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
+    };
+    if (p != none) return heldByJoint(nodeOf(particles[0])) ? nodeOf(particles[0]) : none;
+    if (a != b) return none;
+    const auto first = nodeOf(particles[1]), second = nodeOf(particles[2]);
+    if (first == none || second == none) return none;
+    const auto root = trees.list[a].first;
+    for (const auto& [child, parent] : {std::pair(first, second), std::pair(second, first)})
+        if (heldByJoint(child) && (first == second || trees.nodes[child].parent + root == parent))
+            return child;
+    return none;
+}
+
+void giveTouches(State& state) {
+    const auto& touches = state.core.touches;
+    std::pmr::vector<Real> gaps(state.trees.nodes.size(), 0, &state.arena);
+    for (std::uint32_t i = 0; i < touches.size(); ++i) {
+        if (touches[i].pair == none || !touches[i].row) continue;
+        const auto k = nodeFor(state, particlesOfTouch(state, i));
+        if (k == none) continue;
+        const Real gap = viewOfTouch(state, i).gap;
+        auto& held = state.trees.contact[k];
+        if (held != none && !(gaps[k] > gap)) continue;
+        held = i;
+        gaps[k] = gap;
+    }
+}
+
+}  // namespace
+
+void giveContacts(State& state) {
+    Trees& trees = state.trees;
+    trees.contact.assign(trees.nodes.size(), none);
+    trees.nodeOfParticle.assign(state.particles.size(), none);
+    for (std::uint32_t k = 0; k < trees.nodes.size(); ++k)
+        if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
+            trees.nodeOfParticle[trees.nodes[k].particle] = k;
+    giveTouches(state);
+}
+
+}  // namespace sulfur::detail
