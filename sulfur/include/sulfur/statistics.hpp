@@ -42,6 +42,8 @@ struct Statistics {
     std::uint32_t chainSteps = 0;        ///< steps that these took in the last tick, in all
     std::uint32_t chainsInLanes = 0;     ///< of these trees, those that went side by side in lanes
     std::uint32_t chainFallbacks = 0;    ///< of these, those that had to give up SHAKE directions
+    std::uint32_t networks = 0;          ///< of the trees, those with loops: nets, rings, grids
+    std::uint32_t networkFactors = 0;    ///< factorisations that these took in the last tick
     std::uint32_t triangles = 0;         ///< of soft bodies awake, which keep their side
     std::uint32_t pressedTriangles = 0;  ///< of these, those that were nearly flat or turned over
     std::uint32_t candidates = 0;        ///< pairs of things near each other, one of them awake

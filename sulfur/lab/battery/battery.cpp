@@ -3,6 +3,7 @@
 #include "battery/contacts/contacts.hpp"
 #include "battery/fall.hpp"
 #include "battery/hanging.hpp"
+#include "battery/nets.hpp"
 #include "battery/pendulums.hpp"
 #include "battery/random_worlds.hpp"
 #include "battery/refusals.hpp"
@@ -119,6 +120,7 @@ const std::vector<BatteryGroup>& batteryGroups() {
         {"soft", "soft bodies", soft},
         {"hanging", "hanging chains", hanging},
         {"ropes", "ropes with a load, released horizontally", ropes},
+        {"nets", "nets and frames under loads", nets},
         {"lattices", "random lattices",
          [](const Setup& setup) { return randomLattices(RandomLattices::all(), setup); }},
         {"contacts-inclines", "a crate on a slope", inclines},

@@ -49,6 +49,39 @@ void chains(benchmark::State& state) {
 }
 BENCHMARK(chains)->ArgNames({"n", "links"})->ArgsProduct({{1, 8, 1000}, {1, 10, 40}});
 
+/// Nets of rigid joints that hang by two corners, solved as a whole. Arguments: nodes a side; mass
+/// of the one in the middle, in that of the others.
+void nets(benchmark::State& state) {
+    const auto side = static_cast<std::uint32_t>(state.range(0));
+    Blueprint plan;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        const bool middle = i == side / 2 * side + side / 2;
+        plan.particles.push_back({.position = Real(0.1) * Vec2(Real(i % side), -Real(i / side)),
+                                  .mass = Real(0.01) * Real(middle ? state.range(1) : 1),
+                                  .pinned = i == 0 || i + 1 == side});
+    }
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        if (i % side + 1 < side) plan.joints.push_back({.a = i, .b = i + 1});
+        if (i + side < side * side) plan.joints.push_back({.a = i, .b = i + side});
+    }
+    World world(still({}, standardGravity));
+    world.add(plan);
+    stepAndCount(state, world, {"node", static_cast<double>(side) * side}, false, {});
+    state.counters["factors"] = world.statistics().networkFactors;
+}
+BENCHMARK(nets)->ArgNames({"side", "load"})->ArgsProduct({{10, 40}, {1, 10000}});
+
+/// A rope of 6 m that is straight between two pins. Argument: crates on it.
+void tautRopes(benchmark::State& state) {
+    World world(still({}, standardGravity));
+    world.add(shapes::rope({.from = {-3, 2}, .to = {3, 2}, .pinFirst = true, .pinLast = true}));
+    for (int i = 0; i < state.range(0); ++i)
+        world.add(shapes::box({.size = {Real(0.5), Real(0.5)}}), {.position = {i - 1.0, 2.4}});
+    for (int i = 0; i < 1000; ++i) world.step();
+    stepAndCount(state, world, {"tick", 1}, false, {});
+}
+BENCHMARK(tautRopes)->ArgName("crates")->Arg(0)->Arg(1)->Arg(3);
+
 }  // namespace
 
 }  // namespace sulfur::lab

@@ -7,28 +7,11 @@
 #include <vector>
 
 #include "core/slots.hpp"
+#include "model/networks.hpp"
+#include "model/tree_links.hpp"
 #include "model/tree_scratch.hpp"
 
 namespace sulfur::detail {
-
-/// What connects a node of a tree to its parent.
-enum class LinkKind : std::uint8_t {
-    joint,       // a distance: one row
-    attachment,  // two points that stay together: two rows
-    hinge,       // the same, inside a body (Clusters::hinges)
-};
-
-/// One end of a link: a particle, or a place of a cluster.
-struct LinkEnd {
-    std::uint32_t particle = none;  // of the joint; `none` where an attachment holds a place
-    Point place{0, 0};              // m, in the frame of the node's cluster
-
-    template <class Archive>
-    void archive(Archive& a) {
-        a(particle);
-        a(place);
-    }
-};
 
 /// A node, and its link to its parent. Nodes stand in breadth-first order from the root, so that
 /// going backwards every child comes before its parent. What cannot move (a pinned particle, a
@@ -65,6 +48,12 @@ struct Tree {
     std::uint8_t tied = 0;    // swept constraints pull on it
     std::uint32_t steps = 1;  // in the next tick, a power of two
     double lastStep = 0;      // s, duration of its last step
+    /// Of a network, which has cycles: its factorisation and its links. Its nodes have no parents.
+    std::uint32_t network = none;
+    std::uint32_t firstLink = 0, lastLink = 0;
+    /// s, of the step for which it was factorised; 0: not yet.
+    double factorStep = 0;
+    static constexpr double stale = -1;  // it has been, but is to be renewed
 
     template <class Archive>
     void archive(Archive& a) {
@@ -76,6 +65,10 @@ struct Tree {
         a(tied);
         a(steps);
         a(lastStep);
+        a(network);
+        a(firstLink);
+        a(lastLink);
+        a(factorStep);
     }
 };
 
@@ -85,11 +78,15 @@ struct Trees {
     std::vector<Tree> list;
     std::vector<TreeNode> nodes;
     std::vector<std::uint32_t> ofParticle, ofCluster;  // the tree that moves it, or none
+    std::vector<NetworkLink> links;
+    std::vector<NetworkRow> rows;  // of each of these
+    std::vector<NetworkFactor> factors;
 
     // Of the present tick only.
     std::vector<Vec2> predicted;                // m, displacement of each node
     std::vector<std::array<double, 2>> met;     // m, constraint values after the prediction
     std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
+    std::vector<std::array<double, 2>> linkMet, linkLambda;  // the same of networks
     /// Tree: 0, 1: contacts push on it, 2: something else that is swept, a grab or a lead does.
     std::vector<std::uint8_t> touched;
     static constexpr std::uint8_t pulled = 2;
@@ -97,7 +94,17 @@ struct Trees {
     /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
     std::vector<std::uint32_t> contact;
     std::vector<std::uint32_t> nodeOfParticle;
+    std::vector<NetworkTouch> networkTouches;  // by networks
+    NetworkSweep networkSweep;
     TreeScratch scratch;
+
+    void clear() {
+        list.clear();
+        nodes.clear();
+        links.clear();
+        rows.clear();
+        factors.clear();
+    }
 
     template <class Archive>
     void archive(Archive& a) {
@@ -105,6 +112,8 @@ struct Trees {
         a(nodes);
         a(ofParticle);
         a(ofCluster);
+        a(links);
+        a(rows);
     }
 };
 

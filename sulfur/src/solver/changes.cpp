@@ -319,6 +319,9 @@ void countTrees(State& state) {
     Statistics& statistics = state.statistics;
     const WorkLists& work = state.work;
     statistics.trees = sizeOf(work.lonelyTrees);
+    const auto isNetwork = [&](std::uint32_t t) { return state.trees.list[t].network != none; };
+    statistics.networks = static_cast<std::uint32_t>(
+        std::count_if(work.lonelyTrees.begin(), work.lonelyTrees.end(), isNetwork));
     statistics.triangles = static_cast<std::uint32_t>(state.triangles.awake.count);
     statistics.sweptJoints = sizeOf(work.implicitJoints) + sizeOf(work.rigidJoints);
     statistics.explicitJoints = statistics.dampedJoints = 0;

@@ -30,6 +30,7 @@ void clearStatistics(Statistics& statistics) {
     statistics.fastPairs = statistics.heldBack = 0;
     statistics.pressedTriangles = statistics.looks = statistics.boxes = 0;
     statistics.chainSteps = statistics.chainFallbacks = statistics.chainsInLanes = 0;
+    statistics.networkFactors = 0;
 }
 
 void clear(Events& events) {

@@ -33,6 +33,10 @@ public:
             }
         }
     }
+    void addNetworkTouches() {
+        for (const NetworkTouch& held : state_.trees.networkTouches)
+            for (const auto m : moversOfTouch(state_, held.touch)) add(m);
+    }
     void addPoints() {
         for (const auto i : state_.work.attachments) {
             const Attachment& held = state_.attachments[i];
@@ -72,6 +76,7 @@ void listTied(State& state) {
     ties.addJoints();
     ties.addTrees(state.work.lines);
     ties.addTrees(state.trees.touchedAlone);
+    ties.addNetworkTouches();
     ties.addPoints();
     ties.addTriangles();
 }

@@ -1,15 +1,16 @@
-// Finding chains and trees: the caller declares nothing.
+// Finding chains, trees and networks: the caller declares nothing.
 //
-// The stiff joints, attachments and hinges of the world are the edges of a graph whose vertices
-// are the particles that move by themselves and the rigid components. A part of the graph without
-// a cycle is a tree that moves alone. In a part with cycles, every long path through vertices of
-// two edges is a line that is solved as a whole in each sweep; the rest is swept joint by joint.
+// A part of the graph of what is stiff without a cycle is a tree that moves alone. A part with
+// cycles and something rigid is a network, which moves alone as well. In a lattice of springs,
+// every long path through vertices of two edges is a line that is solved as a whole in each sweep;
+// the rest is swept joint by joint.
 #include <algorithm>
 #include <bit>
 
-#include "core/disjoint_sets.hpp"
 #include "joints/classify.hpp"
 #include "rigid/cluster_motion.hpp"
+#include "trees/networks.hpp"
+#include "trees/stiff_graph.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
@@ -19,155 +20,13 @@ namespace {
 /// Shorter paths through a mesh are swept.
 constexpr std::size_t shortestLine = 4;
 
-struct EdgeEnd {
-    std::uint32_t vertex = none;  // none: it cannot move
-    LinkEnd end;
-};
-
-struct Edge {
-    LinkKind kind = LinkKind::joint;
-    std::uint32_t link = none;
-    EdgeEnd a, b;
-};
-
-bool clusterMoves(const Cluster& c) {
-    return c.freeInverseMass > 0 || c.freeInverseInertia > 0;
-}
-
-/// Place of a member in the frame of its cluster.
-Point placeOf(const State& state, std::uint32_t particle) {
-    const Clusters& clusters = state.clusters;
-    const Cluster& c = clusters.list[state.particles.cluster[particle]];
-    const auto from = clusters.members.begin() + c.first, to = clusters.members.begin() + c.last;
-    const auto at = std::lower_bound(from, to, particle);
-    return clusters.places[static_cast<std::size_t>(at - clusters.members.begin())];
-}
-
-class Graph {
-public:
-    explicit Graph(const State& state) : state_(state), particles_(vertexCount() - clusterCount()) {
-        for (std::uint32_t j = 0; j < state.joints.size(); ++j) addJoint(j);
-        for (std::uint32_t i = 0; i < state.attachments.size(); ++i) addAttachment(i);
-        for (std::uint32_t i = 0; i < state.clusters.hinges.size(); ++i) addHinge(i);
-        listEdgesAround();
-        markCycles();
-    }
-
-    std::uint32_t vertexCount() const {
-        return static_cast<std::uint32_t>(state_.particles.size()) + clusterCount();
-    }
-    std::uint32_t clusterCount() const {
-        return static_cast<std::uint32_t>(state_.clusters.list.size());
-    }
-    bool isCluster(std::uint32_t vertex) const { return vertex >= particles_; }
-    std::uint32_t clusterOf(std::uint32_t vertex) const { return vertex - particles_; }
-    bool inCycle(const Edge& edge) { return cyclic_[sets_.find(anyVertex(edge))]; }
-    std::size_t degree(std::uint32_t vertex) const { return start_[vertex + 1] - start_[vertex]; }
-
-    template <class Function>
-    void forEachEdgeAt(std::uint32_t vertex, Function&& f) const {
-        for (auto k = start_[vertex]; k < start_[vertex + 1]; ++k) f(around_[k]);
-    }
-
-    static std::uint32_t anyVertex(const Edge& edge) {
-        return edge.a.vertex != none ? edge.a.vertex : edge.b.vertex;
-    }
-
-    std::vector<Edge> edges;
-
-private:
-    EdgeEnd endOf(std::uint32_t particle) const {
-        EdgeEnd e;
-        e.end.particle = particle;
-        const auto cluster = state_.particles.cluster[particle];
-        if (cluster != none) {
-            if (!clusterMoves(state_.clusters.list[cluster])) return e;
-            e.vertex = particles_ + cluster;
-            e.end.place = placeOf(state_, particle);
-        } else if (inverseMassAwake(state_, particle) > 0) {
-            e.vertex = particle;
-        }
-        return e;
-    }
-
-    void add(const Edge& edge) {
-        if (edge.a.vertex != edge.b.vertex) edges.push_back(edge);
-    }
-
-    void addJoint(std::uint32_t j) {
-        const Joints& joints = state_.joints;
-        if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
-        add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
-    }
-
-    /// An attachment is an edge if its supports move as one; else it is swept.
-    void addAttachment(std::uint32_t i) {
-        const Attachment& held = state_.attachments[i];
-        EdgeEnd support = endOf(held.support[0]);
-        if (held.count > 1) {
-            Point place(0, 0);
-            for (std::uint32_t k = 0; k < held.count; ++k) {
-                const EdgeEnd one = endOf(held.support[k]);
-                if (one.vertex != support.vertex) return;
-                if (one.vertex != none && !isCluster(one.vertex)) return;
-                place += static_cast<double>(held.weight[k]) * one.end.place;
-            }
-            support.end = {none, place};
-        }
-        add({LinkKind::attachment, i, endOf(held.particle), support});
-    }
-
-    void addHinge(std::uint32_t i) {
-        const Hinge& hinge = state_.clusters.hinges[i];
-        if (!clusterMoves(state_.clusters.list[hinge.cluster])) return;
-        EdgeEnd here;
-        here.vertex = particles_ + hinge.cluster;
-        here.end.place = hinge.place;
-        add({LinkKind::hinge, i, here, endOf(hinge.particle)});
-    }
-
-    void listEdgesAround() {
-        start_.assign(vertexCount() + 1, 0);
-        for (const Edge& e : edges)
-            for (const auto v : {e.a.vertex, e.b.vertex})
-                if (v != none) ++start_[v + 1];
-        for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-        around_.resize(start_.back());
-        auto next = start_;
-        for (std::uint32_t i = 0; i < edges.size(); ++i)
-            for (const auto v : {edges[i].a.vertex, edges[i].b.vertex})
-                if (v != none) around_[next[v]++] = i;
-    }
-
-    bool isBraced(const Edge& e) const {
-        return e.kind == LinkKind::joint && state_.joints.braced[e.link] != 0;
-    }
-
-    /// Lattices have cycles, even if springs that are forces close all of them.
-    void markCycles() {
-        sets_.reset(vertexCount());
-        std::vector<std::uint32_t> closing;
-        for (const Edge& e : edges) {
-            const bool closes =
-                e.a.vertex != none && e.b.vertex != none && !sets_.unite(e.a.vertex, e.b.vertex);
-            if (closes || isBraced(e)) closing.push_back(anyVertex(e));
-        }
-        cyclic_.assign(vertexCount(), false);
-        for (const auto v : closing) cyclic_[sets_.find(v)] = true;
-    }
-
-    const State& state_;
-    std::uint32_t particles_;  // vertices below this are particles
-    std::vector<std::uint32_t> start_, around_;
-    DisjointSets sets_;
-    std::vector<bool> cyclic_;
-};
+using Edge = StiffGraph::Edge;
+using EdgeEnd = StiffGraph::EdgeEnd;
 
 class TreeBuilder {
 public:
     explicit TreeBuilder(State& state) : state_(state), graph_(state), trees_(state.trees) {
-        trees_.list.clear();
-        trees_.nodes.clear();
+        trees_.clear();
         trees_.ofParticle.assign(state.particles.size(), none);
         trees_.ofCluster.assign(state.clusters.list.size(), none);
         used_.assign(graph_.edges.size(), false);
@@ -184,6 +43,7 @@ public:
         for (std::uint32_t i = 0; i < graph_.edges.size(); ++i)
             if (isEndOfTree(graph_.edges[i])) startTree(i);
         for (std::uint32_t i = 0; i < graph_.edges.size(); ++i) startTree(i);
+        for (std::uint32_t i = 0; i < graph_.edges.size(); ++i) startNetwork(i);
         for (std::uint32_t i = 0; i < graph_.edges.size(); ++i)
             if (!used_[i]) startLine(i);
         listWhatRemains();
@@ -195,17 +55,6 @@ private:
                (e.b.vertex != none && graph_.degree(e.b.vertex) == 1);
     }
 
-    TreeNode nodeFor(const EdgeEnd& e) const {
-        TreeNode n;
-        if (e.vertex == none)
-            n.particle = e.end.particle;
-        else if (graph_.isCluster(e.vertex))
-            n.cluster = graph_.clusterOf(e.vertex);
-        else
-            n.particle = e.vertex;
-        return n;
-    }
-
     std::uint32_t sizeOf(const Tree& tree) const {
         return static_cast<std::uint32_t>(trees_.nodes.size()) - tree.first;
     }
@@ -214,7 +63,7 @@ private:
     void addChild(std::uint32_t i, bool fromB, std::uint32_t parent) {
         const Edge& edge = graph_.edges[i];
         const EdgeEnd &from = fromB ? edge.b : edge.a, &to = fromB ? edge.a : edge.b;
-        TreeNode n = nodeFor(to);
+        TreeNode n = graph_.nodeFor(to);
         n.turned = fromB ? 0 : 1;
         n.parent = parent;
         n.kind = edge.kind;
@@ -244,7 +93,7 @@ private:
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = trees_.nodes[k];
             if (n.cluster != none) tree.points = 0;
-            if (!continuesChain(tree, k)) tree.chain = 0;
+            if (tree.network != none || !continuesChain(tree, k)) tree.chain = 0;
             if (!tree.alone) continue;
             if (n.cluster != none)
                 trees_.ofCluster[n.cluster] = index;
@@ -264,7 +113,7 @@ private:
         const EdgeEnd& root = fromB ? edge.b : edge.a;
         Tree tree = begin();
         std::vector<std::uint32_t> vertex{root.vertex};  // of each node
-        trees_.nodes.push_back(nodeFor(root));
+        trees_.nodes.push_back(graph_.nodeFor(root));
         trees_.nodes.back().link = edge.link;  // tells where an attachment's supports are
         const auto grow = [&](std::uint32_t i, bool rootIsB, std::uint32_t parent) {
             if (used_[i]) return;
@@ -280,6 +129,47 @@ private:
                 v, [&](std::uint32_t i) { grow(i, graph_.edges[i].b.vertex == v, k); });
         }
         finish(tree);
+    }
+
+    /// Breadth first from an edge of a part with cycles. What cannot move is a node of its own for
+    /// each of its links, as in trees.
+    void startNetwork(std::uint32_t first) {
+        if (used_[first] || !graph_.inNetwork(graph_.edges[first])) return;
+        Tree tree = begin();
+        tree.network = static_cast<std::uint32_t>(trees_.factors.size());
+        tree.firstLink = static_cast<std::uint32_t>(trees_.links.size());
+        nodeOf_.resize(graph_.vertexCount(), none);
+        std::vector<std::uint32_t> vertices;
+        const auto nodeAt = [&](const Edge& e, const EdgeEnd& end) {
+            if (end.vertex != none && nodeOf_[end.vertex] != none) return nodeOf_[end.vertex];
+            const std::uint32_t node = sizeOf(tree);
+            trees_.nodes.push_back(graph_.nodeFor(end));
+            trees_.nodes.back().link = e.link;  // tells where an attachment's supports are
+            if (end.vertex == none) return node;
+            nodeOf_[end.vertex] = node;
+            vertices.push_back(end.vertex);
+            return node;
+        };
+        const auto take = [&](std::uint32_t i) {
+            if (used_[i]) return;
+            used_[i] = true;
+            const Edge& e = graph_.edges[i];
+            const std::uint32_t here = nodeAt(e, e.a), there = nodeAt(e, e.b);
+            trees_.links.push_back({e.kind, e.link, here, there, e.a.end, e.b.end});
+        };
+        take(first);
+        for (std::size_t k = 0; k < vertices.size(); ++k) graph_.forEachEdgeAt(vertices[k], take);
+        tree.lastLink = static_cast<std::uint32_t>(trees_.links.size());
+        trees_.factors.emplace_back();
+        tree.last = static_cast<std::uint32_t>(trees_.nodes.size());
+        if (analyseNetwork(state_, tree)) return finish(tree);
+        // Its price has no bound: it is swept.
+        trees_.factors.pop_back();
+        trees_.nodes.resize(tree.first);
+        trees_.links.resize(tree.firstLink);
+        graph_.refuseNetwork(graph_.edges[first]);
+        for (const auto v : vertices)
+            graph_.forEachEdgeAt(v, [&](std::uint32_t i) { used_[i] = false; });
     }
 
     struct Step {
@@ -315,7 +205,7 @@ private:
         Tree tree = begin();
         tree.alone = 0;
         const Edge& edge = graph_.edges[path[0].edge];
-        trees_.nodes.push_back(nodeFor(path[0].forward ? edge.a : edge.b));
+        trees_.nodes.push_back(graph_.nodeFor(path[0].forward ? edge.a : edge.b));
         trees_.nodes.back().link = edge.link;
         for (const Step step : path) {
             addChild(step.edge, !step.forward, sizeOf(tree) - 1);
@@ -403,8 +293,9 @@ private:
     }
 
     State& state_;
-    Graph graph_;
+    StiffGraph graph_;
     Trees& trees_;
+    std::vector<std::uint32_t> nodeOf_;  // vertex: its node in a network
     std::vector<bool> used_;
     std::vector<std::uint32_t> seen_;  // edge: the last line that came across it
     std::uint32_t stamp_ = 0;
@@ -439,12 +330,12 @@ void dissolveTrees(State& state) {
             }
         }
     }
-    state.trees.list.clear();
-    state.trees.nodes.clear();
+    state.trees.clear();
 }
 
 void buildTrees(State& state) {
     TreeBuilder(state).run();
+    state.trees.rows.assign(state.trees.links.size(), {});
 }
 
 }  // namespace sulfur::detail

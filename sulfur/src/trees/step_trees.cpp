@@ -16,6 +16,8 @@
 #include "rigid/grip.hpp"
 #include "trees/chain_batches.hpp"
 #include "trees/geometry.hpp"
+#include "trees/networks.hpp"
+#include "trees/node_motion.hpp"
 #include "trees/point_chain.hpp"
 #include "trees/step_judgement.hpp"
 #include "trees/tree_solver.hpp"
@@ -72,52 +74,11 @@ private:
     }
 
     void loadNode(std::size_t i) {
-        const TreeNode& n = node(i);
         NodeData& data = nodes_[i];
-        data = {};
-        if (n.cluster != none) {
-            const Cluster& c = state_.clusters.list[n.cluster];
-            const ClusterLoad load = loadOf(state_, c);
-            data.start.place = c.centre;
-            data.start.velocity = c.velocity;
-            data.start.spin = c.spin;
-            data.acceleration = load.acceleration;
-            data.angular = load.turning;
-            data.inverseMass = static_cast<double>(c.inverseMass);
-            data.inverseInertia = static_cast<double>(c.inverseInertia);
-            data.mostSpin = maxSpeed / c.reach;
-        } else if (n.particle != none) {
-            loadParticle(n.particle, data);
-        } else {
-            loadSupport(state_.attachments[n.link], data);
-        }
+        detail::loadNode(state_, node(i), data);
         auto& w = solver_.nodes[i].inverseMass;
         w[0] = w[1] = data.inverseMass;
         if constexpr (N == 3) w[2] = data.inverseInertia;
-    }
-
-    void loadParticle(std::uint32_t p, NodeData& data) {
-        const Particles& particles = state_.particles;
-        data.start.place = particles.position[p];
-        data.inverseMass = static_cast<double>(particles.inverseMass[p]);
-        if (data.inverseMass > 0) {
-            data.start.velocity = particles.velocity[p];
-            data.acceleration = state_.settings.gravity.template cast<double>() +
-                                data.inverseMass * particles.force[p];
-        } else {  // as the caller drives it; the stage before has set the displacement
-            data.start.velocity = particles.displacement[p].template cast<double>() / tick();
-        }
-    }
-
-    /// A place between particles that cannot move by themselves.
-    void loadSupport(const Attachment& held, NodeData& data) {
-        for (std::uint32_t k = 0; k < held.count; ++k) {
-            const double weight = static_cast<double>(held.weight[k]);
-            const auto p = held.support[k];
-            data.start.place += weight * state_.particles.position[p];
-            data.start.velocity +=
-                weight / tick() * state_.particles.displacement[p].template cast<double>();
-        }
     }
 
     Point armOf(const TreeNode& n, const LinkEnd& end) const {
@@ -174,7 +135,7 @@ private:
 
     Outcome makeStep(double kick, double step, bool first, bool fallback) {
         step_ = step;
-        predict(kick, step);
+        predictNodes(state_, nodes_, kick, step, motion_);
         beginStep(kick, step, first);
         fallback |= torn_;
         if (fallback) ++state_.statistics.chainFallbacks;
@@ -194,24 +155,6 @@ private:
         link.elastic.hb = link.damping * perPush;
         link.impulse = {0, 0};
         link.lambda = {-link.guess * step * step, 0};
-    }
-
-    void predict(double kick, double step) {
-        const double half = kick * static_cast<double>(state_.settings.airFriction) / 2;
-        const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
-        const double limit = maxSpeed;
-        for (std::size_t i = 0; i < count_; ++i) {
-            Motion& m = motion_[i];
-            const NodeData& data = nodes_[i];
-            if (data.inverseMass > 0)
-                m.velocity =
-                    (keep * m.velocity + push * data.acceleration).cwiseMax(-limit).cwiseMin(limit);
-            if (data.inverseInertia > 0)
-                m.spin =
-                    std::clamp(keep * m.spin + push * data.angular, -data.mostSpin, data.mostSpin);
-            m.displacement = step * m.velocity;
-            m.turning = step * m.spin;
-        }
     }
 
     /// Arms and distance of a link after the displacements so far; without them at a step's start.
@@ -367,22 +310,7 @@ private:
     }
 
     void finishStep(double step) {
-        const double limit = maxSpeed;
-        for (std::size_t i = 0; i < count_; ++i) {
-            Motion& m = motion_[i];
-            // What the caller has torn apart comes together at the speed limit, not at once.
-            m.displacement = m.displacement.cwiseMax(-limit * step).cwiseMin(limit * step);
-            m.place += m.displacement;
-            if (nodes_[i].inverseMass > 0) m.velocity = m.displacement / step;
-            if constexpr (N == 3) {
-                if (node(i).cluster == none) continue;
-                const double most = nodes_[i].mostSpin * step;
-                m.turning = std::clamp(m.turning, -most, most);
-                m.angle += m.turning;
-                m.heading = turned(unitVector(m.turning), m.heading);
-                m.spin = m.turning / step;
-            }
-        }
+        for (std::size_t i = 0; i < count_; ++i) moveNode(nodes_[i], step, motion_[i]);
         const double newtons = resistance(state_, step) / step;
         for (std::size_t i = 1; i < count_; ++i)
             for (std::size_t r = 0; r < 2; ++r)
@@ -412,8 +340,10 @@ private:
     // --- the tick's end ---------------------------------------------------------------------
 
     void store() {
-        if (!allFinite()) stop();
-        for (std::size_t i = 0; i < count_; ++i) storeNode(i);
+        if (!allFinite(motion_)) stop();
+        for (std::size_t i = 0; i < count_; ++i)
+            state_.trees.predicted[tree_.first + i] =
+                storeNode(state_, node(i), nodes_[i], motion_[i]);
         const double perNewton = tick() / resistance(state_, tick());
         for (std::size_t i = 1; i < count_; ++i) {
             const TreeNode& n = node(i);
@@ -427,13 +357,6 @@ private:
         }
     }
 
-    bool allFinite() const {
-        return std::all_of(motion_.begin(), motion_.end(), [](const Motion& m) {
-            return m.place.allFinite() && m.velocity.allFinite() && std::isfinite(m.angle) &&
-                   std::isfinite(m.spin);
-        });
-    }
-
     /// No number is left to go on with: everything stays where it was.
     void stop() {
         for (std::size_t i = 0; i < count_; ++i) {
@@ -442,24 +365,6 @@ private:
             motion_[i].spin = 0;
         }
         for (LinkData& link : links_) link.impulse = {0, 0};
-    }
-
-    void storeNode(std::size_t i) {
-        const TreeNode& n = node(i);
-        const Motion& m = motion_[i];
-        const Vec2 moved = (m.place - nodes_[i].start.place).template cast<Real>();
-        if (n.cluster != none) {
-            Cluster& c = state_.clusters.list[n.cluster];
-            c.displacement = c.predicted = moved;
-            c.angle = c.predictedAngle = m.angle;
-            c.velocity = m.velocity;
-            c.spin = m.spin;
-            updateTurn(c);
-        } else if (nodes_[i].inverseMass > 0) {
-            state_.particles.displacement[n.particle] = moved;
-            state_.particles.velocity[n.particle] = m.velocity;
-        }
-        state_.trees.predicted[tree_.first + i] = moved;
     }
 
     State& state_;
@@ -475,7 +380,9 @@ private:
 
 void stepTree(State& state, Tree& tree) {
     if (tree.chain && stepChain(state, tree)) return;
-    if (tree.points)
+    if (tree.network != none)
+        stepNetwork(state, tree);
+    else if (tree.points)
         TreeStepper<2>(state, tree).run();
     else
         TreeStepper<3>(state, tree).run();

@@ -14,6 +14,7 @@
 #include "particles/motion.hpp"
 #include "rigid/grip.hpp"
 #include "trees/geometry.hpp"
+#include "trees/networks.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
@@ -359,14 +360,26 @@ bool isStirred(const State& state, const Tree& tree, int number) {
     return false;
 }
 
+const std::vector<Freedoms>& blownNodes(State& state, std::uint32_t tree,
+                                        const std::pmr::vector<Blown>& given) {
+    auto& nodes = state.trees.networkSweep.moved;
+    nodes.clear();
+    for (auto k = state.trees.list[tree].first; k < state.trees.list[tree].last; ++k)
+        nodes.emplace_back(given[k].way[0], given[k].way[1], given[k].turn);
+    return nodes;
+}
+
 }  // namespace
 
 void touchTrees(State& state) {
     Trees& trees = state.trees;
     trees.touchedAlone.clear();
+    trees.networkTouches.clear();
     trees.touchedAlone.reserve(state.work.lonelyTrees.size());
     if (trees.list.empty()) return;
     trees.touched.assign(trees.list.size(), 0);
+    trees.linkMet.assign(trees.links.size(), {0, 0});
+    trees.linkLambda.assign(trees.links.size(), {0, 0});
     const auto& tied = state.work.tiedTrees;
     trees.met.assign(trees.nodes.size(), {0, 0});
     trees.lambda.assign(trees.nodes.size(), {0, 0});
@@ -389,7 +402,10 @@ void touchTrees(State& state) {
     for (const auto i : state.work.lonelyTrees) {
         if (!trees.touched[i]) continue;
         trees.touchedAlone.push_back(i);
-        withSweeper(state, i, [](auto& s) { s.remember(); });
+        if (trees.list[i].network != none)
+            rememberNetwork(state, trees.list[i]);
+        else
+            withSweeper(state, i, [](auto& s) { s.remember(); });
     }
 }
 
@@ -415,12 +431,21 @@ void shareBlows(State& state) {
                 given[k] = ofParticle[n.particle];
             any = any || given[k].turn != 0 || !given[k].way.isZero(0);
         }
-        if (any) withSweeper(state, tree, [&](auto& s) { s.share(given); });
+        if (!any) continue;
+        if (state.trees.list[tree].network != none)
+            shareInNetwork(state, state.trees.list[tree], blownNodes(state, tree, given));
+        else
+            withSweeper(state, tree, [&](auto& s) { s.share(given); });
     }
 }
 
 void sweepTrees(State& state, int number) {
-    const auto sweep = [&](std::uint32_t i) { withSweeper(state, i, [](auto& s) { s.sweep(); }); };
+    const auto sweep = [&](std::uint32_t i) {
+        if (state.trees.list[i].network != none)
+            sweepNetwork(state, state.trees.list[i]);
+        else
+            withSweeper(state, i, [](auto& s) { s.sweep(); });
+    };
     for (const auto i : state.work.lines) sweep(i);
     const Trees& trees = state.trees;
     for (const auto i : trees.touchedAlone)
@@ -432,7 +457,10 @@ void sweepTrees(State& state, int number) {
 double strainOfTrees(State& state) {
     double most = 0;
     const auto look = [&](std::uint32_t tree) {
-        withSweeper(state, tree, [&](auto& s) { most = std::max(most, s.strain()); });
+        if (state.trees.list[tree].network != none)
+            most = std::max(most, strainOfNetwork(state, state.trees.list[tree]));
+        else
+            withSweeper(state, tree, [&](auto& s) { most = std::max(most, s.strain()); });
     };
     for (const auto i : state.trees.touchedAlone) look(i);
     for (const auto i : state.work.lines)
@@ -444,6 +472,7 @@ void recordTreeForces(State& state) {
     const Trees& trees = state.trees;
     Joints& joints = state.joints;
     const auto record = [&](const Tree& tree) {
+        if (tree.network != none) return recordNetworkForces(state, tree);
         for (auto k = tree.first + 1; k < tree.last; ++k) {
             const TreeNode& n = trees.nodes[k];
             if (n.kind != LinkKind::joint) {

@@ -108,6 +108,17 @@ MemoryUse ofTrees(const State& state) {
         .as("trees and chains", t.nodes.size(), true);
 }
 
+MemoryUse ofNetworks(const State& state) {
+    const auto& t = state.trees;
+    Sum sum;
+    sum.add(t.links, t.rows, t.linkMet, t.linkLambda, t.networkTouches);
+    for (const auto& f : t.factors) {
+        sum.add(f.rows, f.pressing, f.given);
+        sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes());
+    }
+    return sum.as("networks: links and factors", t.links.size(), true);
+}
+
 MemoryUse ofMovers(const State& state) {
     const std::size_t count = state.core.movers.size() - 1;  // without the one that never moves
     Sum sum;
@@ -151,6 +162,8 @@ MemoryUse ofBodies(const State& state) {
 MemoryUse ofScratch(const State& state) {
     const auto& c = state.core;
     const auto& t = state.trees.scratch;
+    const auto& n = state.trees.scratch.network;
+    const auto& w = state.trees.networkSweep;
     const auto& e = state.work.explicitBatches;
     return Sum()
         .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.lengths,
@@ -158,6 +171,9 @@ MemoryUse ofScratch(const State& state) {
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
+        .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.guess, n.best,
+             n.values, n.points, n.bodies, w.rows, w.contacts, w.pressing, w.moved, w.bestMoved,
+             w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
         .add(state.young)
         .addBytes(state.arena.bytes())
@@ -170,8 +186,8 @@ std::vector<MemoryUse> World::memory() const {
     const State& state = impl_->state();
     std::vector<MemoryUse> uses;
     for (const auto use : {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints,
-                           ofSweptJoints, ofWorkLists, ofTriangles, ofClusters, ofTrees, ofMovers,
-                           ofShapes, ofPairs, ofRows, ofBodies, ofScratch})
+                           ofSweptJoints, ofWorkLists, ofTriangles, ofClusters, ofTrees, ofNetworks,
+                           ofMovers, ofShapes, ofPairs, ofRows, ofBodies, ofScratch})
         uses.push_back(use(state));
     return uses;
 }

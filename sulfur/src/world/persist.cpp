@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "core/archive.hpp"
+#include "trees/networks.hpp"
 #include "world/impl.hpp"
 #include "world/validate.hpp"
 
@@ -148,6 +149,7 @@ void World::restore(const Snapshot& snapshot) {
     detail::archiveAll(reader, fresh->data);
     reader(seal);
     if (!reader.finished() || !detail::findBroken(fresh->data).empty()) detail::refuseDamaged();
+    detail::prepareNetworks(fresh->data);
     fresh->data.profiling = impl_->data.profiling;
     fresh->data.tasks = impl_->data.tasks;
     impl_ = std::move(fresh);

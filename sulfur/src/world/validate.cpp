@@ -150,16 +150,31 @@ std::string validateClusters(const State& state) {
     return {};
 }
 
-bool linkExists(const State& state, const TreeNode& n) {
-    switch (n.kind) {
+bool linkExists(const State& state, LinkKind kind, std::uint32_t link) {
+    switch (kind) {
         case LinkKind::joint:
-            return n.link < state.joints.size();
+            return link < state.joints.size();
         case LinkKind::attachment:
-            return n.link < state.attachments.size();
+            return link < state.attachments.size();
         case LinkKind::hinge:
-            return n.link < state.clusters.hinges.size();
+            return link < state.clusters.hinges.size();
     }
     return false;
+}
+
+std::string validateNetwork(const State& state, const Tree& tree) {
+    const Trees& trees = state.trees;
+    if (tree.firstLink > tree.lastLink || tree.lastLink > trees.links.size() ||
+        trees.rows.size() != trees.links.size())
+        return "network without links";
+    const std::uint32_t nodes = tree.last - tree.first;
+    for (auto l = tree.firstLink; l < tree.lastLink; ++l) {
+        const NetworkLink& n = trees.links[l];
+        if (n.here >= nodes || n.there >= nodes || n.here == n.there ||
+            !linkExists(state, n.kind, n.link))
+            return problem("network link of nothing", l);
+    }
+    return {};
 }
 
 std::string validateTrees(const State& state) {
@@ -169,13 +184,16 @@ std::string validateTrees(const State& state) {
         const Tree& tree = trees.list[t];
         if (tree.first >= tree.last || tree.last > trees.nodes.size() || tree.steps < 1)
             return problem("tree without nodes", t);
+        if (tree.network != none)
+            if (const std::string broken = validateNetwork(state, tree); !broken.empty())
+                return broken;
         for (auto k = tree.first; k < tree.last; ++k) {
             const TreeNode& n = trees.nodes[k];
             if (!exists(n.particle, state.particles.size()) ||
                 !exists(n.cluster, state.clusters.list.size()))
                 return problem("tree node of nothing", k);
-            const bool root = k == tree.first;
-            if (!root && (n.parent >= k - tree.first || !linkExists(state, n)))
+            const bool root = k == tree.first || tree.network != none;
+            if (!root && (n.parent >= k - tree.first || !linkExists(state, n.kind, n.link)))
                 return problem("tree node without a parent", k);
             const bool support = n.particle == none && n.cluster == none;
             if (support && n.link >= state.attachments.size())

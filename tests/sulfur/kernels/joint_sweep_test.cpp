@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <sulfur/sulfur.hpp>
+#include <utility>
 
 #include "helpers.hpp"
 
@@ -12,7 +13,8 @@ namespace sulfur {
 
 namespace {
 
-/// A net of `side` squared particles, shaken; 7 a side leave batches that fill no whole vector.
+/// A net of `side` squared particles, shaken; 7 a side leave batches that fill no whole vector. A
+/// triangle of springs hangs on it, so that it is swept whatever it is made of.
 Body addNet(World& world, unsigned side, Real stiffness) {
     Blueprint plan;
     for (unsigned i = 0; i < side * side; ++i)
@@ -26,6 +28,11 @@ Body addNet(World& world, unsigned side, Real stiffness) {
         if (i + side < side * side)
             plan.joints.push_back({.a = i + side, .b = i, .stiffness = stiffness, .damping = 1});
     }
+    for (const Vec2& place : {Vec2(Real(-0.1), 0), Vec2(0, Real(-0.1))})
+        plan.particles.push_back({.position = place, .mass = Real(0.05)});
+    for (const auto& [a, b] : {std::pair(0u, side * side), std::pair(0u, side * side + 1),
+                               std::pair(side * side, side * side + 1)})
+        plan.joints.push_back({.a = a, .b = b, .stiffness = Real(1e6), .damping = 1});
     const Body body = world.add(plan);
     test::Random random(7);
     for (const ParticleId id : body.particles())

@@ -92,18 +92,20 @@ TEST(DisplacedParts, OfSpringsGainNoEnergy) {
             }
 }
 
-/// Straight, evenly and at rest.
+/// Straight, stretched evenly and at rest.
 void expectTaut(World& world, const Body& body, const std::string& what) {
     double least = 1e9, most = 0, fastest = 0;
     for (std::size_t i = 0; i + 1 < body.size(); ++i) {
         const double length = (world.position(body[i]) - world.position(body[i + 1])).norm();
-        least = std::min(least, length);
-        most = std::max(most, length);
+        const double stretch =
+            length / static_cast<double>(world.info(body.joints()[i]).restLength);
+        least = std::min(least, stretch);
+        most = std::max(most, stretch);
         fastest = std::max(fastest, static_cast<double>(world.velocity(body[i]).norm()));
-        EXPECT_NEAR(world.position(body[i])[1], 0, 1e-3) << what;
+        EXPECT_NEAR(world.position(body[i])[1], 0, 3e-3) << what;  // it has a weight
     }
     EXPECT_LT(most / least, 1.01) << what;
-    EXPECT_LT(fastest, 1e-3) << what;
+    EXPECT_LT(fastest, 1e-2) << what;
 }
 
 TEST(DisplacedParts, WhatIsPulledFartherThanItReachesIsTautAndRests) {

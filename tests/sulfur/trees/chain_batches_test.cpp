@@ -115,11 +115,13 @@ TEST(ChainBatches, LanesOfDifferentStepsPartAndMeet) {
     expectTheSameBits(plans, 5);
 }
 
-// (One that strains may fall out of its lane, and then goes by itself.)
-TEST(ChainBatches, HeldAtBothEnds) {
-    expectTheSameBits(
-        {{.links = 5, .pinnedAtTheEnd = true}, {.links = 5}, {.links = 5, .pinnedAtTheEnd = true}},
-        1);
+/// Those that are held at both ends are networks, beside which the others go in lanes.
+TEST(ChainBatches, BesideSomeThatAreHeldAtBothEnds) {
+    expectTheSameBits({{.links = 5, .pinnedAtTheEnd = true},
+                       {.links = 5},
+                       {.links = 5},
+                       {.links = 5, .pinnedAtTheEnd = true}},
+                      2);
 }
 
 TEST(ChainBatches, ChainsOfDifferentLengthsShareNoLanes) {

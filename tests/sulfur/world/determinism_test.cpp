@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 8856070950999683208u);
+    EXPECT_EQ(world.hash(), 8209653898937548695u);
 #else
-    EXPECT_EQ(world.hash(), 6364130034768006400u);
+    EXPECT_EQ(world.hash(), 2811262224959731805u);
 #endif
 }
 

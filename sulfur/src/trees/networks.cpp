@@ -1,0 +1,177 @@
+#include "trees/networks.hpp"
+
+#include <algorithm>
+
+#include "core/settings.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+template <int N>
+class Assembly {
+public:
+    using Vector = typename BlockFactor<N>::Vector;
+    using Block = typename BlockFactor<N>::Block;
+
+    Assembly(State& state, const Tree& tree, const NetworkRows& rows, NetworkSystem& system)
+        : state_(state),
+          tree_(tree),
+          rows_(rows),
+          pattern_(state.trees.factors[tree.network].pattern),
+          factor_(system.factor<N>()) {}
+
+    void factorise() {
+        factor_.begin(pattern_);
+        for (std::uint32_t i = 0; i < tree_.last - tree_.first; ++i) addMass(i);
+        for (std::size_t l = 0; l < rows_.links.size(); ++l)
+            addLink(state_.trees.links[tree_.firstLink + l], rows_.links[l]);
+        for (const PressedRow& row : rows_.contacts)
+            addRow(row.here, row.there, row.stiffness, part(row.alongHere), part(row.alongThere));
+        factor_.factorise(pattern_);
+    }
+
+    void correct(std::vector<Freedoms>& nodes, std::vector<std::array<double, 2>>& links) {
+        auto& x = state_.trees.scratch.network.right<N>();
+        x.resize(pattern_.size());
+        for (std::uint32_t i = 0; i < nodes.size(); ++i) x[pattern_.columnOf(i)] = -part(nodes[i]);
+        forEachRow(
+            [&](const NetworkLink& link, const NetworkRow& row, std::size_t l, std::size_t r) {
+                const double push = row.stiffness[r] * links[l][r];
+                x[pattern_.columnOf(link.here)] -= push * part(row.here[r]);
+                x[pattern_.columnOf(link.there)] -= push * part(row.there[r]);
+            });
+        for (const PressedRow& row : rows_.contacts) {
+            const double push = row.stiffness * row.value;
+            x[pattern_.columnOf(row.here)] -= push * part(row.alongHere);
+            if (row.there != none) x[pattern_.columnOf(row.there)] -= push * part(row.alongThere);
+        }
+        factor_.solve(pattern_, x);
+        for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+            nodes[i].setZero();
+            nodes[i].template head<N>() = x[pattern_.columnOf(i)];
+        }
+        forEachRow(
+            [&](const NetworkLink& link, const NetworkRow& row, std::size_t l, std::size_t r) {
+                const double change =
+                    row.here[r].dot(nodes[link.here]) + row.there[r].dot(nodes[link.there]);
+                links[l][r] = -row.stiffness[r] * (links[l][r] + change);
+            });
+        for (PressedRow& row : rows_.contacts) {
+            double change = row.alongHere.dot(nodes[row.here]);
+            if (row.there != none) change += row.alongThere.dot(nodes[row.there]);
+            row.value = -row.stiffness * (row.value + change);
+        }
+    }
+
+private:
+    static Vector part(const Freedoms& v) { return v.template head<N>(); }
+
+    /// Freedoms that a node has not get a one.
+    void addMass(std::uint32_t i) {
+        const Freedoms w = inverseMassOf(state_, state_.trees.nodes[tree_.first + i]);
+        Block mass = Block::Zero();
+        for (int k = 0; k < N; ++k) mass(k, k) = w[k] > 0 ? 1 / w[k] : 1;
+        factor_.add(pattern_, i, mass);
+    }
+
+    void addLink(const NetworkLink& link, const NetworkRow& row) {
+        for (std::size_t r = 0; r < 2; ++r)
+            if (row.stiffness[r] != 0)
+                addRow(link.here, link.there, row.stiffness[r], part(row.here[r]),
+                       part(row.there[r]));
+        if (row.tension != 0)
+            addRow(link.here, link.there, row.tension, part(row.acrossHere), part(row.acrossThere));
+        if constexpr (N == 3) {
+            addTurn(link.here, row.turnHere);
+            addTurn(link.there, row.turnThere);
+        }
+    }
+    void addRow(std::uint32_t a, std::uint32_t b, double stiffness, const Vector& here,
+                const Vector& there) {
+        const Vector pull = stiffness * here;
+        factor_.add(pattern_, a, pull * here.transpose());
+        if (b == none) return;
+        factor_.add(pattern_, b, (stiffness * there) * there.transpose());
+        factor_.add(pattern_, a, b, pull * there.transpose());
+    }
+    void addTurn(std::uint32_t node, double stiffness) {
+        Block block = Block::Zero();
+        block(N - 1, N - 1) = stiffness;
+        factor_.add(pattern_, node, block);
+    }
+
+    template <class Function>
+    void forEachRow(Function&& f) const {
+        for (std::size_t l = 0; l < rows_.links.size(); ++l)
+            for (std::size_t r = 0; r < 2; ++r)
+                if (rows_.links[l].stiffness[r] != 0)
+                    f(state_.trees.links[tree_.firstLink + l], rows_.links[l], l, r);
+    }
+
+    State& state_;
+    const Tree& tree_;
+    const NetworkRows& rows_;
+    const BlockPattern& pattern_;
+    BlockFactor<N>& factor_;
+};
+
+}  // namespace
+
+Freedoms inverseMassOf(const State& state, const TreeNode& node) {
+    if (node.cluster != none) {
+        const Cluster& c = state.clusters.list[node.cluster];
+        const double w = static_cast<double>(c.inverseMass);
+        return {w, w, static_cast<double>(c.inverseInertia)};
+    }
+    if (node.particle == none) return Freedoms::Zero();
+    const double w = static_cast<double>(state.particles.inverseMass[node.particle]);
+    return {w, w, 0};
+}
+
+bool analyseNetwork(State& state, const Tree& tree) {
+    std::vector<BlockPattern::Edge> edges;
+    for (auto l = tree.firstLink; l < tree.lastLink; ++l)
+        edges.emplace_back(state.trees.links[l].here, state.trees.links[l].there);
+    BlockPattern& pattern = state.trees.factors[tree.network].pattern;
+    pattern.analyse(tree.last - tree.first, edges);
+    return pattern.products() <= tuned::mostProducts * pattern.size();
+}
+
+void prepareNetworks(State& state) {
+    Trees& trees = state.trees;
+    trees.factors.clear();
+    for (const Tree& tree : trees.list) {
+        if (tree.network == none) continue;
+        trees.factors.emplace_back();
+        analyseNetwork(state, tree);
+    }
+}
+
+void factoriseNetwork(State& state, const Tree& tree, const NetworkRows& rows,
+                      NetworkSystem& system) {
+    if (tree.points)
+        Assembly<2>(state, tree, rows, system).factorise();
+    else
+        Assembly<3>(state, tree, rows, system).factorise();
+}
+
+void correctNetwork(State& state, const Tree& tree, const NetworkRows& rows, NetworkSystem& system,
+                    std::vector<Freedoms>& nodes, std::vector<std::array<double, 2>>& values) {
+    if (tree.points)
+        Assembly<2>(state, tree, rows, system).correct(nodes, values);
+    else
+        Assembly<3>(state, tree, rows, system).correct(nodes, values);
+}
+
+NetworkRows stepRows(State& state, const Tree& tree) {
+    return {std::span(state.trees.rows).subspan(tree.firstLink, tree.lastLink - tree.firstLink)};
+}
+
+NetworkSystem& stepSystem(State& state, const Tree& tree) {
+    NetworkSystem& system = state.trees.factors[tree.network].step;
+    if (system.empty()) factoriseNetwork(state, tree, stepRows(state, tree), system);
+    return system;
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,58 @@
+// Networks: nets, rings, frames and grids, whatever is tied together in loops.
+//
+// Unknown are the changes of the nodes' places and the multipliers lambda of the links:
+//     M d - J^T lambda = -r,   J d + alpha lambda = -c,
+// with the residual r of the nodes and the values c of the constraints. Eliminating lambda leaves
+//     (M + G + J^T J / alpha) d = -r - J^T c / alpha,
+// a sparse symmetric matrix with a block for each node, in which G is how pulls resist turning. It
+// is positive definite whatever the constraints: what cannot hold is solved by least squares. What
+// is rigid has a compliance alpha of a millionth of what its ends answer a push with.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "model/state.hpp"
+
+namespace sulfur::detail {
+
+/// Place (x, y) and angle of a node.
+using Freedoms = Eigen::Vector3d;
+
+/// 1/kg and 1/(kg m^2); zero where the node cannot move.
+Freedoms inverseMassOf(const State& state, const TreeNode& node);
+/// Finds the pattern of a network. Returns whether a factorisation has a bounded price: else it is
+/// better swept.
+bool analyseNetwork(State& state, const Tree& tree);
+/// Patterns of all networks of a world that was restored.
+void prepareNetworks(State& state);
+/// Links and contacts of which a matrix is made.
+struct NetworkRows {
+    std::span<const NetworkRow> links;
+    std::span<PressedRow> contacts = {};
+};
+
+void factoriseNetwork(State& state, const Tree& tree, const NetworkRows& rows,
+                      NetworkSystem& system);
+/// One correction with what has been factorised of these rows: `nodes` holds r and becomes d,
+/// `values` holds c of the links and becomes the change of lambda.
+void correctNetwork(State& state, const Tree& tree, const NetworkRows& rows, NetworkSystem& system,
+                    std::vector<Freedoms>& nodes, std::vector<std::array<double, 2>>& values);
+/// The rows and the factors of the step, which a restored world has to make again.
+NetworkRows stepRows(State& state, const Tree& tree);
+NetworkSystem& stepSystem(State& state, const Tree& tree);
+
+/// Leads a network through the tick.
+void stepNetwork(State& state, Tree& tree);
+
+// In the sweeps, as the functions of trees (tree_solver.hpp).
+void rememberNetwork(State& state, const Tree& tree);
+/// `given`: displacement and angle of each node by impacts.
+void shareInNetwork(State& state, const Tree& tree, const std::vector<Freedoms>& given);
+void sweepNetwork(State& state, const Tree& tree);
+double strainOfNetwork(State& state, const Tree& tree);
+void recordNetworkForces(State& state, const Tree& tree);
+
+}  // namespace sulfur::detail

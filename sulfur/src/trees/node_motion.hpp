@@ -1,0 +1,22 @@
+// How the nodes of trees and networks enter and leave steps of their own.
+#pragma once
+
+#include <vector>
+
+#include "model/state.hpp"
+
+namespace sulfur::detail {
+
+/// Masses, loads and motion of a node when the tick begins.
+void loadNode(const State& state, const TreeNode& node, StepScratch::Node& data);
+/// Velocities and displacements of a step before its constraints, after a kick of `kick` seconds.
+void predictNodes(const State& state, const std::vector<StepScratch::Node>& nodes, double kick,
+                  double step, std::vector<StepScratch::Motion>& motion);
+/// Places and velocities at the end of a step.
+void moveNode(const StepScratch::Node& data, double step, StepScratch::Motion& motion);
+bool allFinite(const std::vector<StepScratch::Motion>& motion);
+/// To the state, for a tick; returns how far the node has moved.
+Vec2 storeNode(State& state, const TreeNode& node, const StepScratch::Node& data,
+               const StepScratch::Motion& motion);
+
+}  // namespace sulfur::detail

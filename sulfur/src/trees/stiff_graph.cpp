@@ -1,0 +1,147 @@
+#include "trees/stiff_graph.hpp"
+
+#include <algorithm>
+
+#include "joints/classify.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+bool clusterMoves(const Cluster& c) {
+    return c.freeInverseMass > 0 || c.freeInverseInertia > 0;
+}
+
+/// Place of a member in the frame of its cluster.
+Point placeOf(const State& state, std::uint32_t particle) {
+    const Clusters& clusters = state.clusters;
+    const Cluster& c = clusters.list[state.particles.cluster[particle]];
+    const auto from = clusters.members.begin() + c.first, to = clusters.members.begin() + c.last;
+    const auto at = std::lower_bound(from, to, particle);
+    return clusters.places[static_cast<std::size_t>(at - clusters.members.begin())];
+}
+
+}  // namespace
+
+StiffGraph::StiffGraph(const State& state)
+    : state_(state), particles_(static_cast<std::uint32_t>(state.particles.size())) {
+    for (std::uint32_t j = 0; j < state.joints.size(); ++j) addJoint(j);
+    for (std::uint32_t i = 0; i < state.attachments.size(); ++i) addAttachment(i);
+    for (std::uint32_t i = 0; i < state.clusters.hinges.size(); ++i) addHinge(i);
+    listEdgesAround();
+    markCycles();
+}
+
+std::uint32_t StiffGraph::vertexCount() const {
+    return particles_ + static_cast<std::uint32_t>(state_.clusters.list.size());
+}
+
+TreeNode StiffGraph::nodeFor(const EdgeEnd& e) const {
+    TreeNode n;
+    if (e.vertex == none)
+        n.particle = e.end.particle;
+    else if (isCluster(e.vertex))
+        n.cluster = e.vertex - particles_;
+    else
+        n.particle = e.vertex;
+    return n;
+}
+
+StiffGraph::EdgeEnd StiffGraph::endOf(std::uint32_t particle) const {
+    EdgeEnd e;
+    e.end.particle = particle;
+    const auto cluster = state_.particles.cluster[particle];
+    if (cluster != none) {
+        if (!clusterMoves(state_.clusters.list[cluster])) return e;
+        e.vertex = particles_ + cluster;
+        e.end.place = placeOf(state_, particle);
+    } else if (inverseMassAwake(state_, particle) > 0) {
+        e.vertex = particle;
+    }
+    return e;
+}
+
+void StiffGraph::add(const Edge& edge) {
+    if (edge.a.vertex != edge.b.vertex) edges.push_back(edge);
+}
+
+void StiffGraph::addJoint(std::uint32_t j) {
+    const Joints& joints = state_.joints;
+    if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
+    add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
+}
+
+/// An attachment is an edge if its supports move as one; else it is swept.
+void StiffGraph::addAttachment(std::uint32_t i) {
+    const Attachment& held = state_.attachments[i];
+    EdgeEnd support = endOf(held.support[0]);
+    if (held.count > 1) {
+        Point place(0, 0);
+        for (std::uint32_t k = 0; k < held.count; ++k) {
+            const EdgeEnd one = endOf(held.support[k]);
+            if (one.vertex != support.vertex) return;
+            if (one.vertex != none && !isCluster(one.vertex)) return;
+            place += static_cast<double>(held.weight[k]) * one.end.place;
+        }
+        support.end = {none, place};
+    }
+    add({LinkKind::attachment, i, endOf(held.particle), support});
+}
+
+void StiffGraph::addHinge(std::uint32_t i) {
+    const Hinge& hinge = state_.clusters.hinges[i];
+    if (!clusterMoves(state_.clusters.list[hinge.cluster])) return;
+    EdgeEnd here;
+    here.vertex = particles_ + hinge.cluster;
+    here.end.place = hinge.place;
+    add({LinkKind::hinge, i, here, endOf(hinge.particle)});
+}
+
+void StiffGraph::listEdgesAround() {
+    start_.assign(vertexCount() + 1, 0);
+    for (const Edge& e : edges)
+        for (const auto v : {e.a.vertex, e.b.vertex})
+            if (v != none) ++start_[v + 1];
+    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
+    around_.resize(start_.back());
+    auto next = start_;
+    for (std::uint32_t i = 0; i < edges.size(); ++i)
+        for (const auto v : {edges[i].a.vertex, edges[i].b.vertex})
+            if (v != none) around_[next[v]++] = i;
+}
+
+bool StiffGraph::isBraced(const Edge& e) const {
+    return e.kind == LinkKind::joint && state_.joints.braced[e.link] != 0;
+}
+
+bool StiffGraph::isRigid(const Edge& e) const {
+    return e.kind != LinkKind::joint || state_.joints.kind[e.link] == JointKind::rigid;
+}
+
+/// Lattices have cycles, even if springs that are forces close all of them. What is held at two
+/// ends by what cannot move has one through the ground, if it is rigid somewhere.
+void StiffGraph::markCycles() {
+    sets_.reset(vertexCount());
+    std::vector<std::uint32_t> closing;
+    for (const Edge& e : edges) {
+        const bool closes =
+            e.a.vertex != none && e.b.vertex != none && !sets_.unite(e.a.vertex, e.b.vertex);
+        if (closes || isBraced(e)) closing.push_back(anyVertex(e));
+    }
+    cyclic_.assign(vertexCount(), false);
+    network_.assign(vertexCount(), false);
+    for (const auto v : closing) cyclic_[sets_.find(v)] = true;
+    std::vector<std::uint32_t> held(vertexCount(), 0);  // ends of a part that cannot move
+    for (const Edge& e : edges)
+        if (e.a.vertex == none || e.b.vertex == none) ++held[sets_.find(anyVertex(e))];
+    for (const Edge& e : edges) {
+        const auto part = sets_.find(anyVertex(e));
+        if (isRigid(e) && (cyclic_[part] || held[part] > 1)) network_[part] = true;
+    }
+    for (const Edge& e : edges)
+        if (isBraced(e)) network_[sets_.find(anyVertex(e))] = false;
+    for (std::uint32_t v = 0; v < vertexCount(); ++v)
+        if (network_[v]) cyclic_[v] = true;
+}
+
+}  // namespace sulfur::detail

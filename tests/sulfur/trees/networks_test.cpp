@@ -1,0 +1,320 @@
+// What is tied together in loops holds, at any load, and gains no energy.
+#include <algorithm>
+#include <cmath>
+
+#include "helpers.hpp"
+
+namespace sulfur {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+double strainOf(const World& world, const Body& body) {
+    double worst = 0;
+    for (const JointId id : body.joints()) {
+        const JointInfo joint = world.info(id);
+        const double length = (world.position(joint.b) - world.position(joint.a)).norm();
+        worst = std::max(worst, std::abs(length / static_cast<double>(joint.restLength) - 1));
+    }
+    return worst;
+}
+
+struct NetPlan {
+    std::uint32_t side = 12;
+    double load = 1;           // mass of the node in the middle, in that of the others
+    bool secondCorner = true;  // whether it hangs by two corners
+    Real radius = 0;           // m
+};
+
+/// A square net of rigid joints of 0.1 m between nodes of 10 g.
+Blueprint net(const NetPlan& plan) {
+    Blueprint blueprint;
+    const auto side = plan.side;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        const bool middle = i == side / 2 * side + side / 2;
+        blueprint.particles.push_back(
+            {.position = Real(0.1) * Vec2(Real(i % side), -Real(i / side)),
+             .mass = Real(0.01) * static_cast<Real>(middle ? plan.load : 1),
+             .pinned = i == 0 || (plan.secondCorner && i + 1 == side)});
+    }
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+        if (i % side + 1 < side)
+            blueprint.joints.push_back({.a = i, .b = i + 1, .radius = plan.radius});
+        if (i + side < side * side)
+            blueprint.joints.push_back({.a = i, .b = i + side, .radius = plan.radius});
+    }
+    return blueprint;
+}
+
+TEST(Networks, ANetIsOneAndNothingOfItIsSwept) {
+    World world;
+    world.add(net({}));
+    world.step();
+    EXPECT_EQ(world.statistics().networks, 1u);
+    EXPECT_EQ(world.statistics().sweptJoints, 0u);
+}
+
+/// Swept joint by joint it was stretched by 30 % under its own weight, and by 70 times its length
+/// under 10,000 times the mass of a node.
+TEST(Networks, ANetHoldsAnyLoad) {
+    for (const int rate : {60, 500})
+        for (const double load : {1.0, 1e2, 1e4, 1e6}) {
+            World world({.tickRate = rate, .sleeping = false});
+            const Body body = world.add(net({.load = load}));
+            double worst = 0;
+            for (int i = 0; i < 2 * rate; ++i) {
+                world.step();
+                worst = std::max(worst, strainOf(world, body));
+            }
+            EXPECT_LT(worst, 1e-2) << load << " at " << rate;
+            EXPECT_LT(strainOf(world, body), load > 1e5 ? 2e-3 : 1e-3) << load << " at " << rate;
+        }
+}
+
+/// A net that is let go at one corner falls and whips; nothing is torn or speeds up.
+TEST(Networks, ANetThatSwingsKeepsItsLengths) {
+    World world({.sleeping = false});
+    const Body body = world.add(net({.side = 10, .secondCorner = false}));
+    const double start = world.energy(), scale = 9.81 * static_cast<double>(world.mass(body));
+    double worst = 0, most = start;
+    for (int i = 0; i < 1500; ++i) {
+        world.step();
+        worst = std::max(worst, strainOf(world, body));
+        most = std::max(most, world.energy());
+    }
+    EXPECT_LT(worst, 1e-2);
+    EXPECT_LT(most - start, 0.01 * scale);
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// Its energy at a calm swing stays: a ladder of 29 rungs with a weight.
+TEST(Networks, ASwingingLadderKeepsEnergy) {
+    World world({.sleeping = false});
+    Blueprint plan;
+    constexpr std::uint32_t rungs = 30;
+    for (std::uint32_t i = 0; i < 2 * rungs; ++i)
+        plan.particles.push_back({.position = Real(0.2) * Vec2(Real(i % 2), -Real(i / 2)),
+                                  .mass = i + 2 == 2 * rungs ? 100 : Real(0.1),
+                                  .pinned = i < 2});
+    for (std::uint32_t i = 0; i + 2 < 2 * rungs; ++i) plan.joints.push_back({.a = i, .b = i + 2});
+    for (std::uint32_t i = 2; i < 2 * rungs; i += 2) plan.joints.push_back({.a = i, .b = i + 1});
+    const Body ladder = world.add(plan);
+    world.setVelocity(ladder.back(), {3, 0});
+    world.step();
+    const double start = world.energy();
+    double worst = 0;
+    for (int i = 0; i < 2500; ++i) {
+        world.step();
+        worst = std::max(worst, strainOf(world, ladder));
+    }
+    EXPECT_LT(worst, 1e-6);
+    EXPECT_NEAR(world.energy(), start, 1e-2);
+}
+
+/// In free flight a spinning necklace keeps momentum and angular momentum.
+TEST(Networks, ASpinningRingKeepsItsSpin) {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    Blueprint plan;
+    constexpr std::uint32_t count = 24;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 2 * pi * i / count;
+        plan.particles.push_back({.position = {Real(std::cos(angle)), Real(std::sin(angle))},
+                                  .mass = Real(0.1) * Real(1 + i % 3)});
+        plan.joints.push_back({.a = i, .b = (i + 1) % count});
+    }
+    const Body ring = world.add(plan);
+    for (const ParticleId p : ring.particles()) {
+        const Point at = world.position(p);
+        world.setVelocity(p, Vec2(static_cast<Real>(-5 * at[1]), static_cast<Real>(5 * at[0])));
+    }
+    const auto spin = [&] {
+        const Point centre = world.centreOfMass(ring);
+        double sum = 0;
+        for (const ParticleId p : ring.particles()) {
+            const ParticleInfo info = world.info(p);
+            sum += static_cast<double>(info.mass) *
+                   cross(Point(info.position - centre), info.velocity.cast<double>());
+        }
+        return sum;
+    };
+    const double start = spin(), energy = world.energy();
+    test::run(world, 10);
+    EXPECT_NEAR(spin(), start, 1e-3 * start);
+    EXPECT_NEAR(world.energy(), energy, 1e-2 * energy);
+    EXPECT_LT(strainOf(world, ring), 1e-6);
+}
+
+/// A ring of rope round a fixed beam, with a crate in it that weighs 1 to 100 times as much.
+TEST(Networks, ARingRoundABeamBearsACrate) {
+    for (const double ratio : {1.0, 10.0, 100.0}) {
+        World world;
+        Blueprint plan;
+        constexpr std::uint32_t count = 60;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const double angle = 2 * pi * i / count;
+            plan.particles.push_back(
+                {.position = Real(0.5) * Vec2(Real(std::cos(angle)), Real(std::sin(angle))),
+                 .mass = Real(0.02)});
+            plan.joints.push_back({.a = i, .b = (i + 1) % count, .radius = Real(0.015)});
+        }
+        const Body ring = world.add(plan);
+        Blueprint beam = shapes::box({.size = {Real(0.6), Real(0.2)}});
+        beam.kind = BodyKind::fixed;
+        world.add(beam, {.position = {0, 0.2}});
+        const Body crate = world.add(
+            shapes::box({.size = {Real(0.4), Real(0.2)}, .mass = static_cast<Real>(1.2 * ratio)}),
+            {.position = {0, -0.3}});
+        double most = world.energy();
+        const double start = most;
+        for (int i = 0; i < 2000; ++i) {
+            world.step();
+            most = std::max(most, world.energy());
+        }
+        EXPECT_LT(most - start, 0.01 * 9.81 * 1.2 * (1 + ratio)) << ratio;
+        EXPECT_LT(strainOf(world, ring), 1e-2) << ratio;
+        EXPECT_NEAR(world.centreOfMass(crate)[1], -0.624, 0.02) << ratio;
+        for (const ParticleId p : ring.particles()) {
+            const Point at = world.position(p);
+            const double inside = std::min(0.3 - std::abs(at[0]), 0.1 - std::abs(at[1] - 0.2));
+            EXPECT_LT(inside, 0) << ratio;  // overlap is less than the radius
+        }
+    }
+}
+
+/// A crate that falls on the taut upper edge of a net is caught.
+TEST(Networks, ANetCatchesACrate) {
+    for (const Real mass : {Real(2), Real(10)}) {
+        World world;
+        const Body body = world.add(net({.side = 10, .radius = Real(0.01)}));
+        const Body crate = world.add(shapes::box({.size = {Real(0.4), Real(0.4)}, .mass = mass}),
+                                     {.position = {0.5, 0.6}, .angle = 0.2});
+        const double start = world.energy();
+        double most = start, worst = 0;
+        for (int i = 0; i < 1000; ++i) {
+            world.step();
+            most = std::max(most, world.energy());
+            worst = std::max(worst, strainOf(world, body));
+        }
+        EXPECT_LT(most - start, 0.01 * 9.81 * static_cast<double>(mass));
+        EXPECT_LT(worst, 5e-2);
+        EXPECT_NEAR(world.centreOfMass(crate)[1], 0.21, 0.03);
+    }
+}
+
+/// Ropes of 6 m that are straight between two pins, with crates on them: the second half of this
+/// took 64 steps a tick for ever, and more than a whole core.
+TEST(Networks, ATautRopeBearsCrates) {
+    for (const int crates : {0, 1, 3}) {
+        World world;
+        const Body rope = world.add(
+            shapes::rope({.from = {-3, 2}, .to = {3, 2}, .pinFirst = true, .pinLast = true}));
+        for (int i = 0; i < crates; ++i)
+            world.add(shapes::box({.size = {Real(0.5), Real(0.5)}}), {.position = {i - 1.0, 2.4}});
+        std::uint32_t steps = 0;
+        double worst = 0;
+        for (int i = 0; i < 2500; ++i) {
+            world.step();
+            steps = std::max(steps, world.statistics().chainSteps);
+            worst = std::max(worst, strainOf(world, rope));
+        }
+        EXPECT_LE(steps, 2u) << crates;
+        EXPECT_LT(worst, 2e-2) << crates;
+    }
+}
+
+/// A frame of which one side is longer than the three others: least squares, and a bounded pull. It
+/// may get what closing at 5 m/s gives, and some whip, but not ever more.
+TEST(Networks, ALoopThatCannotCloseIsBounded) {
+    World world({.gravity = {0, 0}, .sleeping = false});
+    Blueprint plan;
+    for (const Vec2& place : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+        plan.particles.push_back({.position = place});
+    for (std::uint32_t i = 0; i < 4; ++i) plan.joints.push_back({.a = i, .b = (i + 1) % 4});
+    plan.joints[2].restLength = Real(4);
+    const Body frame = world.add(plan);
+    double force = 0, early = 0, late = 0;
+    for (int i = 0; i < 4000; ++i) {
+        world.step();
+        double& most = i < 1000 ? early : late;
+        most = std::max(most, world.energy());
+        for (const JointId j : frame.joints())
+            force = std::max(force, std::abs(static_cast<double>(world.info(j).force)));
+    }
+    EXPECT_LT(force, 1e5);
+    EXPECT_LT(early, 10 * 0.5 * 4 * 5 * 5);
+    EXPECT_LT(late, early / 2);
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// Crates, each attached to its neighbours, hung by some of the upper ones.
+TEST(Networks, AGridOfCratesStaysClosed) {
+    World world({.tickRate = 240, .sleeping = false});
+    constexpr int side = 12;
+    std::vector<Body> crates;
+    for (int i = 0; i < side * side; ++i) {
+        Blueprint plan = shapes::box({.size = {1, 1}});
+        plan.filter.mask = 0;
+        if (i < side && std::abs(i - side / 2) <= 1) plan.kind = BodyKind::fixed;
+        crates.push_back(world.add(plan, {.position = Point(i % side, -(i / side))}));
+    }
+    const auto at = [&](int x, int y) { return crates[static_cast<std::size_t>(y * side + x)]; };
+    std::vector<AttachmentId> pins;
+    const auto pin = [&](const Body& a, const Body& b) {
+        const Point place = world.position(a.front()) - world.centreOfMass(b);
+        pins.push_back(world.attach(a.front(), b, place.cast<Real>()));
+    };
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            if (x > 0) pin(at(x, y), at(x - 1, y));
+            if (y > 0) pin(at(x, y), at(x, y - 1));
+        }
+    double gap = 0;
+    for (int i = 0; i < 240; ++i) {
+        world.step();
+        for (const AttachmentId id : pins) {
+            const AttachmentInfo info = world.info(id);
+            Point support(0, 0);
+            for (std::uint32_t k = 0; k < info.count; ++k)
+                support += static_cast<double>(info.weights[k]) * world.position(info.supports[k]);
+            gap = std::max(gap, (world.position(info.particle) - support).norm());
+        }
+    }
+    EXPECT_EQ(world.statistics().networks, 1u);
+    EXPECT_LT(gap, 1e-3);
+}
+
+/// Where everything is tied to everything, a factorisation has no bounded price: it is swept.
+TEST(Networks, WhatIsTooDenseIsSwept) {
+    World world({.gravity = {0, 0}});
+    Blueprint plan;
+    constexpr std::uint32_t count = 240;
+    for (std::uint32_t i = 0; i < count; ++i)
+        plan.particles.push_back({.position = {Real(i), Real(0)}});
+    const Body body = world.add(plan);
+    const auto p = body.particles();
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t k = 1; k <= 60; ++k)
+            world.connect(
+                p[i],
+                p[(i * 37 + k * k) % count == i ? (i + 1) % count : (i * 37 + k * k) % count]);
+    world.step();
+    EXPECT_EQ(world.statistics().networks, 0u);
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// What is kept of factors from tick to tick is in snapshots.
+TEST(Networks, ARestoredOneGoesOnAlike) {
+    World world({.sleeping = false});
+    world.add(net({.side = 8, .load = 100, .secondCorner = false, .radius = Real(0.01)}));
+    world.add(shapes::floor({-3, -1}, {3, -1}));
+    World other;
+    for (int i = 0; i < 400; ++i) {
+        if (i % 37 == 0) other.restore(world.snapshot());
+        world.step();
+        other.step();
+        ASSERT_EQ(world.hash(), other.hash()) << i;
+    }
+}
+
+}  // namespace
+}  // namespace sulfur
