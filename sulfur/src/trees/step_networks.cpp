@@ -68,6 +68,7 @@ private:
             loadNode(state_, node(i), nodes_[i]);
             scratch_.inverseMass[i] = inverseMassOf(state_, node(i));
             if (nodes_[i].inverseMass > 0) mass_ += 1 / nodes_[i].inverseMass;
+            free_ &= nodes_[i].inverseMass > 0;
         }
         pressed_ = isPressed();
         links_.resize(tree_.lastLink - tree_.firstLink);
@@ -471,9 +472,39 @@ private:
                     lambda * scratch_.inverseMass[n.there].cwiseProduct(links_[l].there[k]);
             }
         }
+        if (free_) turnBack(given);
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             motion_[i].displacement = given[i].head<2>();
             motion_[i].turning = given[i][2];
+        }
+    }
+
+    /// Averaged directions are not quite those between the ends when the step begins, so that pulls
+    /// leave a small couple. Of a network that nothing holds it is given back by turning the whole,
+    /// which changes no length.
+    void turnBack(std::vector<Freedoms>& given) const {
+        double couple = 0, inertia = 0;
+        for (std::size_t l = 0; l < links_.size(); ++l) {
+            const Held& data = links_[l];
+            const Point apart = motion_[link(l).here].place - motion_[link(l).there].place +
+                                data.meanHere - data.meanThere;
+            for (int r = 0; r < data.rows; ++r) {
+                const auto k = static_cast<std::size_t>(r);
+                couple += data.lambda[k] * cross(apart, data.here[k].head<2>());
+            }
+        }
+        Point centre(0, 0);
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            centre += motion_[i].place / (nodes_[i].inverseMass * mass_);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            inertia += (motion_[i].place - centre).squaredNorm() / nodes_[i].inverseMass;
+            if (nodes_[i].inverseInertia > 0) inertia += 1 / nodes_[i].inverseInertia;
+        }
+        if (!(inertia > 0)) return;
+        const double turn = -couple / inertia;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            given[i].head<2>() += turn * perpendicular(Point(motion_[i].place - centre));
+            if (nodes_[i].inverseInertia > 0) given[i][2] += turn;
         }
     }
 
@@ -530,6 +561,7 @@ private:
     double mass_ = 0;       // kg, of all nodes
     double softness_ = 0;   // of what is rigid, in what its ends answer a push with
     bool pressed_ = false;  // isPressed()
+    bool free_ = true;      // no node is held fast
     bool torn_ = false;     // isTorn() of any link
     bool brakes_ = false;   // whether links pull along their directions at the end
     bool calm_ = true;      // whether all steps converged at once
