@@ -21,6 +21,12 @@ namespace sulfur::detail {
 /// Place (x, y) and angle of a node.
 using Freedoms = Eigen::Vector3d;
 
+/// A row without the freedoms that a node of these inverse masses has not.
+inline Freedoms ofMovable(Freedoms row, const Freedoms& inverseMass) {
+    for (int k = 0; k < 3; ++k)
+        if (inverseMass[k] == 0) row[k] = 0;
+    return row;
+}
 /// 1/kg and 1/(kg m^2); zero where the node cannot move.
 Freedoms inverseMassOf(const State& state, const TreeNode& node);
 /// Finds the pattern of a network. Returns whether a factorisation has a bounded price: else it is

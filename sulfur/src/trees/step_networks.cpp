@@ -346,9 +346,8 @@ private:
 
     /// How a distance along `direction` changes with the freedoms that a node has.
     Freedoms along(std::size_t i, const Point& direction, const Point& arm) const {
-        const Freedoms row(direction[0], direction[1], cross(arm, direction));
-        const auto has = (scratch_.inverseMass[i].array() > 0).cast<double>();
-        return row.cwiseProduct(has.matrix());
+        return ofMovable({direction[0], direction[1], cross(arm, direction)},
+                         scratch_.inverseMass[i]);
     }
 
     void updateJoint(const NetworkLink& n, Held& data) {

@@ -143,9 +143,7 @@ private:
     }
 
     Freedoms along(std::uint32_t i, const Point& direction, const Point& arm) const {
-        const Freedoms row(direction[0], direction[1], cross(arm, direction));
-        const auto has = (inverseMassAt(i).array() > 0).cast<double>();
-        return row.cwiseProduct(has.matrix());
+        return ofMovable({direction[0], direction[1], cross(arm, direction)}, inverseMassAt(i));
     }
 
     /// A link along its present direction, as stiff as in its step; the tension of the sweeps so
