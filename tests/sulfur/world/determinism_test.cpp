@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 8209653898937548695u);
+    EXPECT_EQ(world.hash(), 16391977101250263522u);
 #else
-    EXPECT_EQ(world.hash(), 2811262224959731805u);
+    EXPECT_EQ(world.hash(), 6076266305442981968u);
 #endif
 }
 
