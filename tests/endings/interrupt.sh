@@ -40,7 +40,8 @@ end_by() {
     runs || fail "it has ended by itself before SIG$1: $what; $(cat ../said)"
     sum_up
     before=$spent worked=$(awk -v unit="$(getconf CLK_TCK)" '{ print int(1000 * ($14 + $15) / unit) }' \
-        "/proc/$pid/stat")
+        "/proc/$pid/stat" 2> /dev/null) ||
+        fail "it has ended by itself, just before SIG$1: $what; $(cat ../said)"
     began=$SECONDS
     kill -s "$1" "$pid"
     while runs; do
@@ -74,7 +75,7 @@ at_moments() {
     read -ra files <<< "$1"
     command=("${@:2}") what="${*:2}"
     end_after 0.15 INT
-    end_after 0.7 TERM
+    end_after 0.4 TERM
 }
 
 stands_unfinished() { compgen -G "$file$unfinished*" > /dev/null || ! runs; }
