@@ -1,12 +1,12 @@
 // A sparse symmetric factorisation by small blocks, for what is tied together in loops.
 //
-// A = L D L^T with blocks of N x N, column by column from the left (Davis, Direct Methods for
-// Sparse Linear Systems, 2006, 4.8), without pivots: the matrix is positive definite. For a tree
-// this is nearly the elimination from the leaves to the root.
+// A = L D L^T with ones on the diagonal of L, column by column from the left (Davis, Direct Methods
+// for Sparse Linear Systems, 2006, 4.8), without pivots: the matrix is positive definite. Only the
+// pattern is one of blocks. Nothing is inverted, because stiff rows beside small masses would lose
+// the square of their ratio. For a tree this is nearly the elimination from the leaves to the root.
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -45,28 +45,37 @@ public:
         for (std::size_t j = 0; j < pattern.size(); ++j) {
             for (auto k = pattern.begin(j); k < pattern.end(j); ++k) place_[pattern.row(k)] = k;
             pattern.forEachInRow(j, [&](const BlockPattern::InRow& earlier) {
-                const Block scaled = lower_[earlier.entry] * pivot_[earlier.column];
-                pivot_[j].noalias() -= scaled * lower_[earlier.entry].transpose();
+                const Block& entry = lower_[earlier.entry];
+                const Block scaled = entry * pivot_[earlier.column].diagonal().asDiagonal();
+                pivot_[j].noalias() -= scaled * entry.transpose();
                 for (auto k = earlier.entry + 1; k < pattern.end(earlier.column); ++k)
                     lower_[place_[pattern.row(k)]].noalias() -= lower_[k] * scaled.transpose();
             });
-            inverse_[j] = pivot_[j].inverse();
-            for (auto k = pattern.begin(j); k < pattern.end(j); ++k)
-                lower_[k] = lower_[k] * inverse_[j];
+            factoriseBlock(pivot_[j], inverse_[j]);
+            for (auto k = pattern.begin(j); k < pattern.end(j); ++k) {
+                Block& entry = lower_[k];
+                for (int c = 0; c < N; ++c)
+                    for (int b = 0; b < c; ++b) entry.col(c) -= pivot_[j](c, b) * entry.col(b);
+                entry = entry * inverse_[j].asDiagonal();
+            }
         }
     }
 
     /// In place; `x` stands in the order of columns.
     void solve(const BlockPattern& pattern, std::vector<Vector>& x) const {
         for (std::size_t j = 0; j < pattern.size(); ++j) {
+            for (int r = 1; r < N; ++r)
+                for (int c = 0; c < r; ++c) x[j][r] -= pivot_[j](r, c) * x[j][c];
             const Vector y = x[j];
             for (auto k = pattern.begin(j); k < pattern.end(j); ++k)
                 x[pattern.row(k)].noalias() -= lower_[k] * y;
         }
         for (std::size_t j = pattern.size(); j-- > 0;) {
-            Vector y = inverse_[j] * x[j];
+            Vector y = inverse_[j].cwiseProduct(x[j]);
             for (auto k = pattern.begin(j); k < pattern.end(j); ++k)
                 y.noalias() -= lower_[k].transpose() * x[pattern.row(k)];
+            for (int r = N - 1; r > 0; --r)
+                for (int c = 0; c < r; ++c) y[c] -= pivot_[j](r, c) * y[r];
             x[j] = y;
         }
     }
@@ -74,14 +83,26 @@ public:
     bool empty() const { return pivot_.empty(); }
     void clear() { pivot_.clear(); }
     std::size_t bytes() const {
-        return (pivot_.size() + inverse_.size() + lower_.size()) * sizeof(Block) +
+        return (pivot_.size() + lower_.size()) * sizeof(Block) + inverse_.size() * sizeof(Vector) +
                place_.size() * sizeof(std::uint32_t);
     }
 
 private:
-    std::vector<Block> pivot_, inverse_;  // D and its inverse
-    std::vector<Block> lower_;            // L below its diagonal of ones
-    std::vector<std::uint32_t> place_;    // row: its entry in the present column
+    /// Leaves D in the diagonal of the block and L below it.
+    static void factoriseBlock(Block& block, Vector& inverse) {
+        for (int j = 0; j < N; ++j) {
+            inverse[j] = 1 / block(j, j);
+            for (int r = j + 1; r < N; ++r)
+                for (int c = j + 1; c <= r; ++c)
+                    block(r, c) -= block(r, j) * inverse[j] * block(c, j);
+            for (int r = j + 1; r < N; ++r) block(r, j) *= inverse[j];
+        }
+    }
+
+    std::vector<Block> pivot_;          // on the diagonal of blocks
+    std::vector<Vector> inverse_;       // of D
+    std::vector<Block> lower_;          // L below them
+    std::vector<std::uint32_t> place_;  // row: its entry in the present column
 };
 
 }  // namespace sulfur::detail

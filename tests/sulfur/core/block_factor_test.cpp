@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 
 #include "random_numbers.hpp"
@@ -92,6 +93,32 @@ TEST(BlockFactor, DoubleEdgesAddUp) {
     pattern.analyse(3, edges);
     EXPECT_EQ(pattern.entries(), 2u);
     EXPECT_LT(errorOf<3>(3, edges), 1e-13);
+}
+
+/// A small crate that is tied to a particle by something a million times as stiff as both are
+/// heavy: what one of them gets the other gives, although all but one of the freedoms are soft.
+TEST(BlockFactor, SoftFreedomsBesideAStiffOneAreExact) {
+    const Edges edges{{0, 1}};
+    BlockPattern pattern;
+    pattern.analyse(2, edges);
+    BlockFactor<3> factor;
+    using Vector = BlockFactor<3>::Vector;
+    const std::array<Vector, 2> mass{Vector(1, 1, 7.3e-6), Vector(0.057, 0.057, 1)};
+    const std::array<Vector, 2> row{Vector(-0.741, 0.671, -4.2e-3), Vector(0.741, -0.671, 0)};
+    constexpr double stiffness = 1e6;
+    factor.begin(pattern);
+    for (std::uint32_t i = 0; i < 2; ++i)
+        factor.add(
+            pattern, i,
+            BlockFactor<3>::Block(mass[i].asDiagonal()) + stiffness * row[i] * row[i].transpose());
+    factor.add(pattern, 0, 1, stiffness * row[0] * row[1].transpose());
+    factor.factorise(pattern);
+    std::vector<Vector> x(2);
+    for (std::uint32_t i = 0; i < 2; ++i) x[pattern.columnOf(i)] = stiffness * row[i];
+    factor.solve(pattern, x);
+    const Vector &a = x[pattern.columnOf(0)], &b = x[pattern.columnOf(1)];
+    const Eigen::Vector2d momentum = mass[0][0] * a.head<2>() + mass[1][0] * b.head<2>();
+    EXPECT_LT(momentum.norm(), 1e-7 * mass[0][0] * a.head<2>().norm());
 }
 
 }  // namespace
