@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sulfur/sulfur.hpp>
 
@@ -13,6 +14,17 @@ namespace sulfur::test {
 inline void run(World& world, double seconds) {
     const auto ticks = std::lround(seconds * world.settings().tickRate);
     for (long i = 0; i < ticks; ++i) world.step();
+}
+
+/// The largest deviation of a joint of `body` from its rest length, in that length.
+inline double largestStrain(const World& world, const Body& body) {
+    double worst = 0;
+    for (const JointId id : body.joints()) {
+        const JointInfo joint = world.info(id);
+        const double length = (world.position(joint.b) - world.position(joint.a)).norm();
+        worst = std::max(worst, std::abs(length / static_cast<double>(joint.restLength) - 1));
+    }
+    return worst;
 }
 
 /// Expects that `call` throws Error with `code` and leaves the world's state as it was.

@@ -188,10 +188,10 @@ inline constexpr double calmWhip = 0.15 * mostWhip, calmTurn = 0.4 * mostTurn;
 /// fallback, which converges more slowly, has more.
 inline constexpr int newtonPasses = 6, chainPasses = 10, fallbackPasses = 2 * chainPasses;
 inline constexpr double worthwhile = 0.05;
-/// Of networks: passes of a step, by how much each must reduce the error lest factors are renewed,
-/// and passes of a step that could be twice as long.
-inline constexpr int networkPasses = 2 * newtonPasses, calmPasses = newtonPasses / 2;
-inline constexpr double networkProgress = 0.1;
+/// Of networks: passes of a step, passes of a step that could be twice as long, and passes that
+/// cost as much as to renew the factors.
+inline constexpr int networkPasses = 2 * newtonPasses, calmPasses = newtonPasses / 2,
+                     factorPasses = calmPasses;
 /// Of a link's length: what passes leave, what they leave in the sweeps, what a step may leave at
 /// last that keeps energy, or that brakes, and beyond which its multipliers are of no use.
 inline constexpr double networkTolerance = treeTolerance, sweptTolerance = strainLimit / 100,
@@ -203,9 +203,10 @@ inline constexpr std::uint32_t mostNetworkSteps = 8;
 /// Turn of a link, rad, beyond which factors are renewed.
 inline constexpr double factorTurn = 0.02;
 /// Compliance of what is rigid in a network, as a share of what its ends answer a push with: a
-/// load of a million times the mass of a link strains it by about a thousandth. The second one is
-/// for steps that find no other solution.
-inline constexpr double networkCompliance = 1e-7, givingCompliance = 1e-3;
+/// load of a million times the mass of a link strains it by about a thousandth.
+inline constexpr double networkCompliance = 1e-7;
+/// rad, by which a pass of a projection may turn a link or a node, for which directions still hold.
+inline constexpr double projectedTurn = 0.3;
 /// Products of blocks that a factorisation may take for each node: nets of 10,000 nodes take 1,000.
 inline constexpr std::uint64_t mostProducts = 4000;
 /// Smaller than this, relative to what moves there, nothing can: the link is redundant.

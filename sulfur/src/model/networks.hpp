@@ -81,7 +81,7 @@ struct NetworkSweep {
     std::vector<NetworkRow> rows;  // at the present places
     std::vector<PressedRow> contacts;
     std::vector<std::uint32_t> pressing;  // touches of these
-    std::vector<Eigen::Vector3d> moved, bestMoved, residual, nodes;
+    std::vector<Eigen::Vector3d> inverseMass, moved, bestMoved, residual, nodes;
     std::vector<std::array<double, 2>> lambda, bestLambda, wanted, values;  // of links
 };
 

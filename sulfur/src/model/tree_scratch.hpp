@@ -166,7 +166,7 @@ struct NetworkScratch {
     std::vector<double> sizes;  // m, of each node: its shortest link
     std::vector<Point> turned;  // of each node: unit vector of an angle
     std::vector<StepScratch::Motion> guess, best;
-    std::vector<std::array<double, 2>> values, wanted;  // of each link
+    std::vector<std::array<double, 2>> values;  // of each link
     std::vector<Eigen::Vector2d> points;
     std::vector<Eigen::Vector3d> bodies;
 

@@ -164,6 +164,12 @@ void correctNetwork(State& state, const Tree& tree, const NetworkRows& rows, Net
         Assembly<3>(state, tree, rows, system).correct(nodes, values);
 }
 
+bool isSlow(double worst, double last, double tolerance) {
+    double expected = worst;
+    for (int pass = 0; pass < tuned::factorPasses; ++pass) expected *= worst / last;
+    return !(expected <= tolerance);
+}
+
 NetworkRows stepRows(State& state, const Tree& tree) {
     return {std::span(state.trees.rows).subspan(tree.firstLink, tree.lastLink - tree.firstLink)};
 }

@@ -6,11 +6,13 @@
 //     (M + G + J^T J / alpha) d = -r - J^T c / alpha,
 // a sparse symmetric matrix with a block for each node, in which G is how pulls resist turning. It
 // is positive definite whatever the constraints: what cannot hold is solved by least squares. What
-// is rigid has a compliance alpha of a millionth of what its ends answer a push with.
+// is rigid has a compliance alpha of a ten-millionth of what its ends answer a push with.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
+#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -34,6 +36,7 @@ Freedoms inverseMassOf(const State& state, const TreeNode& node);
 bool analyseNetwork(State& state, const Tree& tree);
 /// Patterns of all networks of a world that was restored.
 void prepareNetworks(State& state);
+
 /// Links and contacts of which a matrix is made.
 struct NetworkRows {
     std::span<const NetworkRow> links;
@@ -50,15 +53,34 @@ void correctNetwork(State& state, const Tree& tree, const NetworkRows& rows, Net
 NetworkRows stepRows(State& state, const Tree& tree);
 NetworkSystem& stepSystem(State& state, const Tree& tree);
 
+/// Whether factors are better renewed, which costs as much as some passes do, than kept: whether
+/// the error `worst` is still above the tolerance after these, if they go on as the `last` has.
+bool isSlow(double worst, double last, double tolerance);
+
 /// Leads a network through the tick.
 void stepNetwork(State& state, Tree& tree);
 
-// In the sweeps, as the functions of trees (tree_solver.hpp).
-void rememberNetwork(State& state, const Tree& tree);
-/// `given`: displacement and angle of each node by impacts.
-void shareInNetwork(State& state, const Tree& tree, const std::vector<Freedoms>& given);
-void sweepNetwork(State& state, const Tree& tree);
-double strainOfNetwork(State& state, const Tree& tree);
+/// A network in the sweeps, as TreeSweeper is a tree.
+class NetworkSweeper {
+public:
+    NetworkSweeper(State& state, std::uint32_t tree)
+        : state_(state), tree_(state.trees.list[tree]) {}
+    void remember();
+    void share(const std::pmr::vector<Freedoms>& given);
+    void sweep();
+    double strain();
+
+private:
+    State& state_;
+    const Tree& tree_;
+};
+
+/// The force of an attachment or hinge, N on its first end.
+inline Vec2& forceOf(State& state, const NetworkLink& link) {
+    return link.kind == LinkKind::hinge ? state.clusters.hinges[link.link].force
+                                        : state.attachments[link.link].force;
+}
+/// Multipliers of the sweeps to the links.
 void recordNetworkForces(State& state, const Tree& tree);
 
 }  // namespace sulfur::detail

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory_resource>
 
 #include "contacts/touch_rows.hpp"
 #include "core/settings.hpp"
@@ -22,15 +23,19 @@ namespace {
 
 using Pairs = std::vector<std::array<double, 2>>;
 
-class NetworkSweeper {
+class SweptNetwork {
 public:
-    NetworkSweeper(State& state, const Tree& tree)
+    SweptNetwork(State& state, const Tree& tree)
         : state_(state),
           tree_(tree),
           factor_(state.trees.factors[tree.network]),
           work_(state.trees.networkSweep),
           count_(tree.last - tree.first),
-          links_(tree.lastLink - tree.firstLink) {}
+          links_(tree.lastLink - tree.firstLink) {
+        work_.inverseMass.resize(count_);
+        for (std::size_t i = 0; i < count_; ++i)
+            work_.inverseMass[i] = inverseMassOf(state_, node(i));
+    }
 
     void remember() {
         work_.moved.assign(count_, Freedoms::Zero());
@@ -39,7 +44,7 @@ public:
     }
 
     /// Takes away by how much links have grown longer by blows, along the directions of the step.
-    void share(const std::vector<Freedoms>& given) {
+    void share(const std::pmr::vector<Freedoms>& given) {
         const NetworkRows rows = stepRows(state_, tree_);
         work_.values.assign(links_, {0, 0});
         for (std::size_t l = 0; l < links_; ++l) {
@@ -47,8 +52,8 @@ public:
             if (n.kind == LinkKind::joint && state_.joints.kind[n.link] != JointKind::rigid)
                 continue;
             for (std::size_t r = 0; r < 2; ++r)
-                work_.values[l][r] = rows.links[l].here[r].dot(given[n.here]) +
-                                     rows.links[l].there[r].dot(given[n.there]);
+                work_.values[l][r] = rows.links[l].here[r].dot(given[tree_.first + n.here]) +
+                                     rows.links[l].there[r].dot(given[tree_.first + n.there]);
         }
         work_.nodes.assign(count_, Freedoms::Zero());
         correctNetwork(state_, tree_, rows, stepSystem(state_, tree_), work_.nodes, work_.values);
@@ -73,7 +78,7 @@ public:
             }
             const bool done = pass > 0 && worst <= tuned::sweptTolerance;
             if (done || pass == tuned::networkPasses || !(worst < 1e2 * best)) break;
-            if (pass == 0 ? isStale() : worst > tuned::networkProgress * last) factorise();
+            if (pass == 0 ? isStale() : isSlow(worst, last, tuned::sweptTolerance)) factorise();
             last = worst;
             solve();
             for (int k = 0; k < tuned::mostReleases && release(); ++k) solve();
@@ -99,7 +104,7 @@ private:
     const NetworkLink& link(std::size_t l) const { return state_.trees.links[tree_.firstLink + l]; }
     const TreeNode& node(std::size_t i) const { return state_.trees.nodes[tree_.first + i]; }
     std::array<double, 2>& met(std::size_t l) { return state_.trees.linkMet[tree_.firstLink + l]; }
-    Freedoms inverseMassAt(std::size_t i) const { return inverseMassOf(state_, node(i)); }
+    const Freedoms& inverseMassAt(std::size_t i) const { return work_.inverseMass[i]; }
 
     /// m, that errors of a link are relative to.
     double sizeOf(std::size_t l) const {
@@ -383,20 +388,20 @@ private:
 
 }  // namespace
 
-void rememberNetwork(State& state, const Tree& tree) {
-    NetworkSweeper(state, tree).remember();
+void NetworkSweeper::remember() {
+    SweptNetwork(state_, tree_).remember();
 }
 
-void shareInNetwork(State& state, const Tree& tree, const std::vector<Freedoms>& given) {
-    NetworkSweeper(state, tree).share(given);
+void NetworkSweeper::share(const std::pmr::vector<Freedoms>& given) {
+    SweptNetwork(state_, tree_).share(given);
 }
 
-void sweepNetwork(State& state, const Tree& tree) {
-    NetworkSweeper(state, tree).sweep();
+void NetworkSweeper::sweep() {
+    SweptNetwork(state_, tree_).sweep();
 }
 
-double strainOfNetwork(State& state, const Tree& tree) {
-    return NetworkSweeper(state, tree).strain();
+double NetworkSweeper::strain() {
+    return SweptNetwork(state_, tree_).strain();
 }
 
 void recordNetworkForces(State& state, const Tree& tree) {
@@ -407,10 +412,8 @@ void recordNetworkForces(State& state, const Tree& tree) {
             state.joints.lambda[n.link] += static_cast<Real>(lambda[0]);
             continue;
         }
-        Vec2& force = n.kind == LinkKind::hinge ? state.clusters.hinges[n.link].force
-                                                : state.attachments[n.link].force;
-        force += newtonsPerMultiplier(state) *
-                 Vec2(static_cast<Real>(lambda[0]), static_cast<Real>(lambda[1]));
+        forceOf(state, n) += newtonsPerMultiplier(state) *
+                             Vec2(static_cast<Real>(lambda[0]), static_cast<Real>(lambda[1]));
     }
 }
 

@@ -172,8 +172,8 @@ MemoryUse ofScratch(const State& state) {
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
         .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.guess, n.best,
-             n.values, n.points, n.bodies, w.rows, w.contacts, w.pressing, w.moved, w.bestMoved,
-             w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
+             n.values, n.points, n.bodies, w.rows, w.contacts, w.pressing, w.inverseMass, w.moved,
+             w.bestMoved, w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
         .add(state.young)
         .addBytes(state.arena.bytes())

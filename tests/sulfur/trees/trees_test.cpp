@@ -3,16 +3,6 @@
 namespace sulfur {
 namespace {
 
-double longestStretch(const World& world, const Body& body) {
-    double worst = 0;
-    for (const JointId id : body.joints()) {
-        const JointInfo joint = world.info(id);
-        const double length = (world.position(joint.b) - world.position(joint.a)).norm();
-        worst = std::max(worst, std::abs(length / static_cast<double>(joint.restLength) - 1));
-    }
-    return worst;
-}
-
 TEST(Trees, ARopeIsFoundAndNothingOfItIsSwept) {
     World world;
     world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .links = 40, .pinFirst = true}));
@@ -41,7 +31,7 @@ TEST(Trees, ABranchedOneKeepsLengthsAndEnergy) {
     double worst = 0;
     for (int i = 0; i < 1500; ++i) {
         world.step();
-        worst = std::max(worst, longestStretch(world, tree));
+        worst = std::max(worst, test::largestStrain(world, tree));
     }
     EXPECT_LT(worst, 1e-6);
     const double scale = static_cast<double>(world.mass(tree)) * 9.81;
@@ -63,7 +53,7 @@ TEST(Trees, ACrateOnARopeIsOneTree) {
     double worst = 0;
     for (int i = 0; i < 2000; ++i) {
         world.step();
-        worst = std::max(worst, longestStretch(world, rope));
+        worst = std::max(worst, test::largestStrain(world, rope));
     }
     EXPECT_EQ(world.statistics().trees, 1u);
     EXPECT_LT(worst, 1e-6);
@@ -92,7 +82,7 @@ TEST(Trees, ARingOfRopesAndCratesHolds) {
     test::run(world, 5);
     EXPECT_EQ(world.statistics().sweptJoints, 0u);
     EXPECT_NEAR(world.centreOfMass(lower)[1], -4, 0.02);
-    for (const Body& rope : ropes) EXPECT_LT(longestStretch(world, rope), 5e-3);
+    for (const Body& rope : ropes) EXPECT_LT(test::largestStrain(world, rope), 5e-3);
     EXPECT_EQ(world.validate(), "");
 }
 
@@ -111,7 +101,7 @@ TEST(Trees, ANecklaceHolds) {
     for (std::uint32_t i = 0; i < count; ++i) plan.joints.push_back({.a = i, .b = (i + 1) % count});
     const Body necklace = world.add(plan);
     test::run(world, 5);
-    EXPECT_LT(longestStretch(world, necklace), 1e-4);
+    EXPECT_LT(test::largestStrain(world, necklace), 1e-4);
     EXPECT_EQ(world.validate(), "");
 }
 

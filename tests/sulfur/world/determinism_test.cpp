@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 16391977101250263522u);
+    EXPECT_EQ(world.hash(), 13174689980976905729u);
 #else
-    EXPECT_EQ(world.hash(), 6076266305442981968u);
+    EXPECT_EQ(world.hash(), 8658320382084906276u);
 #endif
 }
 
