@@ -45,6 +45,16 @@ bool allFinite(const World& world, std::span<const ParticleId> particles) {
     });
 }
 
+double largestStrain(const World& world, const Body& body) {
+    double most = 0;
+    for (const JointId id : body.joints()) {
+        const JointInfo joint = world.info(id);
+        const double length = (world.position(joint.b) - world.position(joint.a)).norm();
+        most = worst(most, std::abs(length / static_cast<double>(joint.restLength) - 1));
+    }
+    return most;
+}
+
 double worst(double a, double b) {
     return std::isnan(a) || a > b ? a : b;
 }

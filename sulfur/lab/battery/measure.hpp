@@ -27,6 +27,9 @@ void spin(World& world, Body body, double omega);
 /// Whether every particle is at a finite place with a finite velocity.
 bool allFinite(const World& world, std::span<const ParticleId> particles);
 
+/// The largest deviation of a joint of `body` from its rest length, in that length.
+double largestStrain(const World& world, const Body& body);
+
 /// The larger one; NaN if either is (std::max drops it silently).
 double worst(double a, double b);
 

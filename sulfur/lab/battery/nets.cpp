@@ -12,34 +12,6 @@ namespace sulfur::lab {
 
 namespace {
 
-constexpr double mesh = 0.1, nodeMass = 0.01;  // m, kg
-
-Blueprint net(std::uint32_t side, double load, bool secondCorner) {
-    Blueprint plan;
-    for (std::uint32_t i = 0; i < side * side; ++i) {
-        const bool middle = i == side / 2 * side + side / 2;
-        plan.particles.push_back(
-            {.position = Point(mesh * (i % side), -mesh * (i / side)).cast<Real>(),
-             .mass = static_cast<Real>(middle ? nodeMass * load : nodeMass),
-             .pinned = i == 0 || (secondCorner && i + 1 == side)});
-    }
-    for (std::uint32_t i = 0; i < side * side; ++i) {
-        if (i % side + 1 < side) plan.joints.push_back({.a = i, .b = i + 1});
-        if (i + side < side * side) plan.joints.push_back({.a = i, .b = i + side});
-    }
-    return plan;
-}
-
-double strainOf(const World& world, const Body& body) {
-    double worst = 0;
-    for (const JointId id : body.joints()) {
-        const JointInfo joint = world.info(id);
-        const double now = (world.position(joint.b) - world.position(joint.a)).norm();
-        worst = std::max(worst, std::abs(now / static_cast<double>(joint.restLength) - 1));
-    }
-    return worst;
-}
-
 struct Course {
     double strain = 0, strainAtEnd = 0;  // the most, and at the end
     double gained = 0;                   // J, the most
@@ -50,7 +22,7 @@ Course follow(World& world, const Body& body, double seconds) {
     const auto ticks = std::lround(seconds * world.settings().tickRate);
     for (long i = 0; i < ticks; ++i) {
         world.step();
-        course.strainAtEnd = strainOf(world, body);
+        course.strainAtEnd = largestStrain(world, body);
         course.strain = std::max(course.strain, course.strainAtEnd);
         course.gained = std::max(course.gained, world.energy() - start);
     }
@@ -79,7 +51,7 @@ Rows nets(const Setup& setup) {
     Rows rows;
     for (const double load : {1.0, 1e2, 1e4, 1e6}) {
         World world(awake(setup));
-        const Body body = world.add(net(20, load, true));
+        const Body body = world.add(net({.side = 20, .load = load}));
         const Course course = follow(world, body, setup.seconds(5, 2));
         const std::string name = fmt::format("net of 20 x 20 under {:g} times a node's mass", load);
         rows.push_back(atMost(name + ": largest strain", course.strain, 0.01));
@@ -87,19 +59,14 @@ Rows nets(const Setup& setup) {
     }
     for (const double load : {1.0, 1e4}) {
         World world(awake(setup));
-        const Body body = world.add(net(10, load, false));
-        const double scale = 9.81 * static_cast<double>(world.mass(body)) * 10 * mesh;
+        const Body body = world.add(net({.load = load, .secondCorner = false}));
+        constexpr double side = 1;  // m
+        const double scale = standardGravity * static_cast<double>(world.mass(body)) * side;
         const Course course = follow(world, body, setup.seconds(5, 2));
         const std::string name =
             fmt::format("net of 10 x 10 let go at one corner, {:g} in the middle", load);
         const double gained = course.gained / scale;
-        if (load > 1) {
-            rows.push_back(fallsShort(name + ": largest strain", course.strain, 5, 0.01));
-            rows.push_back(
-                fallsShort(name + ": energy gained, in what it may fall", gained, 5, 0.01));
-            continue;
-        }
-        rows.push_back(atMost(name + ": largest strain", course.strain, 0.02));
+        rows.push_back(atMost(name + ": largest strain", course.strain, 0.01));
         rows.push_back(atMost(name + ": energy gained, in what it may fall", gained, 0.01));
     }
     World world(awake(setup));

@@ -69,6 +69,21 @@ Blueprint lattice(const LatticeOptions& o) {
     return body;
 }
 
+Blueprint net(const NetOptions& o) {
+    Blueprint plan;
+    for (std::uint32_t i = 0; i < o.side * o.side; ++i) {
+        const bool middle = i == o.side / 2 * o.side + o.side / 2;
+        plan.particles.push_back({.position = vec2(0.1 * (i % o.side), -0.1 * (i / o.side)),
+                                  .mass = real(middle ? 0.01 * o.load : 0.01),
+                                  .pinned = i == 0 || (o.secondCorner && i + 1 == o.side)});
+    }
+    for (std::uint32_t i = 0; i < o.side * o.side; ++i) {
+        if (i % o.side + 1 < o.side) plan.joints.push_back({.a = i, .b = i + 1});
+        if (i + o.side < o.side * o.side) plan.joints.push_back({.a = i, .b = i + o.side});
+    }
+    return plan;
+}
+
 double Random::uniform(double low, double high) {
     state_ += 0x9e3779b97f4a7c15u;
     std::uint64_t z = state_;

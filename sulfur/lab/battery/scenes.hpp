@@ -53,6 +53,15 @@ struct LatticeOptions {
 };
 Blueprint lattice(const LatticeOptions& options);
 
+/// A square net of rigid joints of 0.1 m between nodes of 10 g, row by row from the top left,
+/// pinned at the upper corners.
+struct NetOptions {
+    std::uint32_t side = 10;   ///< nodes
+    double load = 1;           ///< mass of the node in the middle, in that of the others
+    bool secondCorner = true;  ///< whether it hangs by two corners, or by the left one only
+};
+Blueprint net(const NetOptions& options);
+
 /// Numbers that are the same everywhere (SplitMix64).
 class Random {
 public:

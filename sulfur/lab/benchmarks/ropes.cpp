@@ -52,21 +52,12 @@ BENCHMARK(chains)->ArgNames({"n", "links"})->ArgsProduct({{1, 8, 1000}, {1, 10, 
 /// Nets of rigid joints that hang by two corners, solved as a whole. Arguments: nodes a side; mass
 /// of the one in the middle, in that of the others.
 void nets(benchmark::State& state) {
-    const auto side = static_cast<std::uint32_t>(state.range(0));
-    Blueprint plan;
-    for (std::uint32_t i = 0; i < side * side; ++i) {
-        const bool middle = i == side / 2 * side + side / 2;
-        plan.particles.push_back({.position = Real(0.1) * Vec2(Real(i % side), -Real(i / side)),
-                                  .mass = Real(0.01) * Real(middle ? state.range(1) : 1),
-                                  .pinned = i == 0 || i + 1 == side});
-    }
-    for (std::uint32_t i = 0; i < side * side; ++i) {
-        if (i % side + 1 < side) plan.joints.push_back({.a = i, .b = i + 1});
-        if (i + side < side * side) plan.joints.push_back({.a = i, .b = i + side});
-    }
+    const NetOptions options{.side = static_cast<std::uint32_t>(state.range(0)),
+                             .load = static_cast<double>(state.range(1))};
     World world(still({}, standardGravity));
-    world.add(plan);
-    stepAndCount(state, world, {"node", static_cast<double>(side) * side}, false, {});
+    world.add(net(options));
+    stepAndCount(state, world, {"node", static_cast<double>(options.side) * options.side}, false,
+                 {});
     state.counters["factors"] = world.statistics().networkFactors;
 }
 BENCHMARK(nets)->ArgNames({"side", "load"})->ArgsProduct({{10, 40}, {1, 10000}});

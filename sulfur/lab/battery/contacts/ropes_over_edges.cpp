@@ -38,16 +38,6 @@ Blueprint ropeAlong(const std::vector<Point>& corners, bool pinFirst, double loa
 }
 
 /// Largest change of length of a body's joints, share.
-double distortion(const World& world, const Body& body) {
-    double most = 0;
-    for (const JointId id : body.joints()) {
-        const JointInfo joint = world.info(id);
-        const double length = (world.position(joint.b) - world.position(joint.a)).norm();
-        most = worst(most, std::abs(length / static_cast<double>(joint.restLength) - 1));
-    }
-    return most;
-}
-
 /// A rope over a crate and what it carries, watched for 20 s.
 struct Hanging {
     std::string name, picture;
@@ -66,8 +56,8 @@ Rows hang(World& world, const Hanging& h, const Setup& setup) {
         world.step();
         if (i % 5 != 0) continue;
         deep = worst(deep, overlapOf(world, h.rope.id(), h.crate.id()));
-        stretch = worst(stretch, distortion(world, h.rope));
-        bent = worst(bent, distortion(world, h.crate));
+        stretch = worst(stretch, largestStrain(world, h.rope));
+        bent = worst(bent, largestStrain(world, h.crate));
     }
     keepPicture(setup, h.picture, world);
     const double way = (loadPlace() - start).norm();
