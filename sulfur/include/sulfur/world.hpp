@@ -288,7 +288,8 @@ public:
     Point interpolated(ParticleId particle, double alpha) const;
     /// Mean velocity over the last step (displacement divided by duration), which is the velocity
     /// at the middle of that step; after setVelocity, what was set. A step is a tick, below 480 Hz
-    /// an equal part of one; ropes and what hangs on them take more steps when they need to.
+    /// an equal part of one; ropes and what hangs on them take more steps when they need to. Each
+    /// axis is at most 2000 m/s either way: forces, impulses and constraints give no more.
     Vec2 velocity(ParticleId particle) const;
     /// Contacts that push, in a fixed order: those of the last tick, and those of sleepers. Sensors
     /// have none.
