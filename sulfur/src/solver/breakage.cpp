@@ -32,7 +32,21 @@ Real loadOf(const Joints& joints, std::uint32_t j) {
     return std::abs(joints.force[j]) / joints.strength[j];
 }
 
-/// Joints that break in this step.
+/// The tree or network that a joint is a link of, or none.
+std::uint32_t treeOf(const State& state, std::uint32_t j) {
+    const Joints& joints = state.joints;
+    if (joints.inCluster[j] != 0) return none;
+    for (const auto end : {joints.a[j], joints.b[j]}) {
+        const auto cluster = state.particles.cluster[end];
+        const auto tree =
+            cluster == none ? state.trees.ofParticle[end] : state.trees.ofCluster[cluster];
+        if (tree != none) return tree;
+    }
+    return none;
+}
+
+/// Joints that break in this step. What is tied in a row bears the same load everywhere, and is
+/// relieved by the first that breaks: of a tree or network it is the worst one alone.
 std::pmr::vector<std::uint32_t> breaking(State& state) {
     const Joints& joints = state.joints;
     std::pmr::vector<std::uint32_t> overloaded(&state.arena);
@@ -40,10 +54,17 @@ std::pmr::vector<std::uint32_t> breaking(State& state) {
         if (loadOf(joints, j) > 1) overloaded.push_back(j);
     if (overloaded.empty()) return overloaded;
     std::pmr::vector<Real> worst(state.bodies.size(), 0, &state.arena);
-    for (const auto j : overloaded)
+    std::pmr::vector<std::uint32_t> weakest(state.trees.list.size(), none, &state.arena);
+    for (const auto j : overloaded) {
         if (const auto b = joints.body[j]; b != none)
             worst[b] = std::max(worst[b], loadOf(joints, j));
+        const auto tree = treeOf(state, j);
+        if (tree == none) continue;
+        if (weakest[tree] == none || loadOf(joints, j) > loadOf(joints, weakest[tree]))
+            weakest[tree] = j;
+    }
     std::erase_if(overloaded, [&](std::uint32_t j) {
+        if (const auto tree = treeOf(state, j); tree != none) return weakest[tree] != j;
         return joints.body[j] != none && loadOf(joints, j) < opens * worst[joints.body[j]];
     });
     return overloaded;

@@ -42,6 +42,28 @@ TEST(Breakage, ARopeBecomesTwoBodies) {
         for (const JointId joint : world.joints(id)) EXPECT_EQ(world.info(joint).body, id);
 }
 
+/// All of its links are overloaded in the same tick, and one that breaks relieves the others: they
+/// all went, and the rope with them.
+TEST(Breakage, ARopeTearsAtOnePlace) {
+    for (const bool pinLast : {false, true}) {
+        World world;
+        Blueprint plan = shapes::rope(
+            {.from = {0, 0}, .to = {2, Real(pinLast ? -0.2 : 0)}, .links = 20, .pinFirst = true});
+        for (auto& joint : plan.joints) joint.strength = 300;
+        plan.particles.back().pinned = pinLast;
+        if (!pinLast) plan.particles.back().mass = 20;
+        world.add(plan);
+        if (pinLast) world.add(shapes::box({.mass = 50}), {.position = {1, 2}});
+        std::size_t broken = 0;
+        for (int i = 0; i < 1500 && broken == 0; ++i) {
+            world.step();
+            broken = world.events().jointsBroken.size();
+        }
+        EXPECT_EQ(broken, 1u) << pinLast;
+        EXPECT_EQ(world.validate(), "");
+    }
+}
+
 TEST(Breakage, AParticleWithoutJointsGoesUnlessItIsADisc) {
     for (const Real radius : {Real(0), Real(0.1)}) {
         World world;
