@@ -3,12 +3,14 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <utility>
 
 namespace sulfur::detail {
 
-void BlockPattern::analyse(std::uint32_t nodes, const std::vector<Edge>& edges) {
-    order(nodes, edges);
-    fillIn(edges);
+void BlockPattern::analyse(std::uint32_t nodes, std::vector<Edge> edges) {
+    edges_ = std::move(edges);
+    order(nodes);
+    fillIn();
     listRows();
 }
 
@@ -26,14 +28,14 @@ bool BlockPattern::hasEntry(std::uint32_t a, std::uint32_t b) const {
 std::size_t BlockPattern::bytes() const {
     return (column_.size() + start_.size() + row_.size() + rowStart_.size()) *
                sizeof(std::uint32_t) +
-           inRow_.size() * sizeof(InRow);
+           inRow_.size() * sizeof(InRow) + edges_.size() * sizeof(Edge);
 }
 
-void BlockPattern::order(std::uint32_t nodes, const std::vector<Edge>& edges) {
+void BlockPattern::order(std::uint32_t nodes) {
     std::vector<Eigen::Triplet<double>> places;
-    places.reserve(nodes + 2 * edges.size());
+    places.reserve(nodes + 2 * edges_.size());
     for (std::uint32_t i = 0; i < nodes; ++i) places.emplace_back(i, i, 1.0);
-    for (const auto& [a, b] : edges) {
+    for (const auto& [a, b] : edges_) {
         places.emplace_back(a, b, 1.0);
         places.emplace_back(b, a, 1.0);
     }
@@ -48,10 +50,10 @@ void BlockPattern::order(std::uint32_t nodes, const std::vector<Edge>& edges) {
 
 /// A column has the rows of its own edges and those of the columns whose first row it is (its
 /// children in the elimination tree; Davis, Direct Methods for Sparse Linear Systems, 2006, 4.1).
-void BlockPattern::fillIn(const std::vector<Edge>& edges) {
+void BlockPattern::fillIn() {
     const std::size_t count = size();
     std::vector<std::vector<std::uint32_t>> rows(count), children(count);
-    for (const auto& [a, b] : edges)
+    for (const auto& [a, b] : edges_)
         rows[std::min(column_[a], column_[b])].push_back(std::max(column_[a], column_[b]));
     start_.assign(1, 0);
     row_.clear();

@@ -16,7 +16,11 @@ public:
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
     /// `edges`: pairs of different nodes, each below `nodes`.
-    void analyse(std::uint32_t nodes, const std::vector<Edge>& edges);
+    void analyse(std::uint32_t nodes, std::vector<Edge> edges);
+    /// Whether it is the pattern of these.
+    bool isOf(std::uint32_t nodes, const std::vector<Edge>& edges) const {
+        return nodes == size() && edges == edges_;
+    }
 
     std::size_t size() const { return column_.size(); }
     std::size_t entries() const { return row_.size(); }
@@ -46,10 +50,11 @@ public:
     std::size_t bytes() const;
 
 private:
-    void order(std::uint32_t nodes, const std::vector<Edge>& edges);
-    void fillIn(const std::vector<Edge>& edges);
+    void order(std::uint32_t nodes);
+    void fillIn();
     void listRows();
 
+    std::vector<Edge> edges_;
     std::vector<std::uint32_t> column_;    // of each node
     std::vector<std::uint32_t> start_{0};  // first entry of each column
     std::vector<std::uint32_t> row_;       // of each entry, in order within a column

@@ -5,6 +5,7 @@
 // every long path through vertices of two edges is a line that is solved as a whole in each sweep;
 // the rest is swept joint by joint.
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "joints/classify.hpp"
@@ -131,6 +132,15 @@ private:
         finish(tree);
     }
 
+    /// N, as a first guess for a link that was there before.
+    std::array<double, 2> pushedBefore(const Edge& e) const {
+        if (e.kind == LinkKind::joint)
+            return {-static_cast<double>(state_.joints.force[e.link]), 0};
+        const Vec2& force = e.kind == LinkKind::hinge ? state_.clusters.hinges[e.link].force
+                                                      : state_.attachments[e.link].force;
+        return {static_cast<double>(force[0]), static_cast<double>(force[1])};
+    }
+
     /// Breadth first from an edge of a part with cycles. What cannot move is a node of its own for
     /// each of its links, as in trees.
     void startNetwork(std::uint32_t first) {
@@ -156,6 +166,7 @@ private:
             const Edge& e = graph_.edges[i];
             const std::uint32_t here = nodeAt(e, e.a), there = nodeAt(e, e.b);
             trees_.links.push_back({e.kind, e.link, here, there, e.a.end, e.b.end});
+            trees_.links.back().pushed = pushedBefore(e);
         };
         take(first);
         for (std::size_t k = 0; k < vertices.size(); ++k) graph_.forEachEdgeAt(vertices[k], take);
@@ -335,6 +346,7 @@ void dissolveTrees(State& state) {
 
 void buildTrees(State& state) {
     TreeBuilder(state).run();
+    state.trees.earlier.clear();
     state.trees.rows.assign(state.trees.links.size(), {});
 }
 

@@ -134,7 +134,14 @@ bool analyseNetwork(State& state, const Tree& tree) {
     for (auto l = tree.firstLink; l < tree.lastLink; ++l)
         edges.emplace_back(state.trees.links[l].here, state.trees.links[l].there);
     BlockPattern& pattern = state.trees.factors[tree.network].pattern;
-    pattern.analyse(tree.last - tree.first, edges);
+    const std::uint32_t nodes = tree.last - tree.first;
+    auto& earlier = state.trees.earlier;
+    const auto known = std::find_if(earlier.begin(), earlier.end(),
+                                    [&](const BlockPattern& p) { return p.isOf(nodes, edges); });
+    if (known == earlier.end())
+        pattern.analyse(nodes, std::move(edges));
+    else
+        pattern = *known;
     return pattern.products() <= tuned::mostProducts * pattern.size();
 }
 
