@@ -354,7 +354,7 @@ void NetworkEquations::keepBest() {
 }
 
 void NetworkEquations::takeBest(bool useful) {
-    motion_ = scratch_.best;
+    if (useful) motion_ = scratch_.best;  // which may be that of another network otherwise
     couple_ = useful ? bestCouple_ : 0;
     for (Link& data : links_) data.lambda = useful ? data.best : std::array<double, 2>{0, 0};
     for (std::size_t i = 0; i < motion_.size() && !useful; ++i) {
