@@ -7,7 +7,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -81,7 +80,6 @@ public:
     }
 
     bool empty() const { return pivot_.empty(); }
-    void clear() { pivot_.clear(); }
     std::size_t bytes() const {
         return (pivot_.size() + lower_.size()) * sizeof(Block) + inverse_.size() * sizeof(Vector) +
                place_.size() * sizeof(std::uint32_t);

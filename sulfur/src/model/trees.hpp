@@ -81,7 +81,7 @@ struct Trees {
     std::vector<NetworkLink> links;
     std::vector<NetworkRow> rows;  // of each of these
     std::vector<NetworkFactor> factors;
-    std::vector<BlockPattern> earlier;  // of networks that are about to be found anew
+    std::vector<NetworkFactor> earlier;  // of networks that are about to be found anew
 
     // Of the present tick only.
     std::vector<Vec2> predicted;                // m, displacement of each node
@@ -104,7 +104,7 @@ struct Trees {
         nodes.clear();
         links.clear();
         rows.clear();
-        for (NetworkFactor& factor : factors) earlier.push_back(std::move(factor.pattern));
+        if (!factors.empty()) earlier.swap(factors);  // allocates nothing
         factors.clear();
     }
 

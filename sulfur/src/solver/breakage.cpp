@@ -35,14 +35,14 @@ Real loadOf(const Joints& joints, std::uint32_t j) {
 /// The tree or network that a joint is a link of, or none.
 std::uint32_t treeOf(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
-    if (joints.inCluster[j] != 0) return none;
-    for (const auto end : {joints.a[j], joints.b[j]}) {
+    if (joints.inCluster[j] != 0 || joints.kind[j] == JointKind::explicitElastic) return none;
+    const auto at = [&](std::uint32_t end) {
         const auto cluster = state.particles.cluster[end];
-        const auto tree =
-            cluster == none ? state.trees.ofParticle[end] : state.trees.ofCluster[cluster];
-        if (tree != none) return tree;
-    }
-    return none;
+        return cluster == none ? state.trees.ofParticle[end] : state.trees.ofCluster[cluster];
+    };
+    const auto a = at(joints.a[j]), b = at(joints.b[j]);
+    if (a == none || b == none) return a == none ? b : a;
+    return a == b ? a : none;
 }
 
 /// Joints that break in this step. What is tied in a row bears the same load everywhere, and is
@@ -56,9 +56,9 @@ std::pmr::vector<std::uint32_t> breaking(State& state) {
     std::pmr::vector<Real> worst(state.bodies.size(), 0, &state.arena);
     std::pmr::vector<std::uint32_t> weakest(state.trees.list.size(), none, &state.arena);
     for (const auto j : overloaded) {
-        if (const auto b = joints.body[j]; b != none)
-            worst[b] = std::max(worst[b], loadOf(joints, j));
         const auto tree = treeOf(state, j);
+        if (const auto b = joints.body[j]; b != none && tree == none)
+            worst[b] = std::max(worst[b], loadOf(joints, j));
         if (tree == none) continue;
         if (weakest[tree] == none || loadOf(joints, j) > loadOf(joints, weakest[tree]))
             weakest[tree] = j;

@@ -160,6 +160,7 @@ void NetworkEquations::beginLink(std::size_t l, double step) {
 // --- at the present displacements ------------------------------------------------------------
 
 double NetworkEquations::evaluate() {
+    constexpr double endless = std::numeric_limits<double>::infinity();
     const bool solves = way_ != Way::projects;
     double worst = 0;
     auto& residual = scratch_.nodes;
@@ -168,6 +169,7 @@ double NetworkEquations::evaluate() {
         const Motion& m = motion_[i];
         const Freedoms change =
             Freedoms(m.displacement[0], m.displacement[1], m.turning) - scratch_.predicted[i];
+        if (!change.allFinite()) return endless;
         const Freedoms& w = scratch_.inverseMass[i];
         for (int k = 0; k < 3; ++k)
             if (solves && w[k] > 0) residual[i][k] = change[k] / w[k];
@@ -178,6 +180,7 @@ double NetworkEquations::evaluate() {
         const Link& data = links_[l];
         for (int r = 0; r < data.rows; ++r) {
             const auto k = static_cast<std::size_t>(r);
+            if (!std::isfinite(data.value[k])) return endless;
             worst = std::max(worst, std::abs(data.value[k]) / data.size);
             if (!solves) continue;
             residual[link(l).here] -= data.lambda[k] * data.here[k];
@@ -187,7 +190,7 @@ double NetworkEquations::evaluate() {
     for (std::size_t i = 0; i < motion_.size(); ++i) {
         const Freedoms off = scratch_.inverseMass[i].cwiseProduct(residual[i]);
         worst = std::max({worst, off.head<2>().norm() / scratch_.sizes[i], std::abs(off[2])});
-        if (!off.allFinite()) return std::numeric_limits<double>::infinity();
+        if (!off.allFinite()) return endless;
     }
     return worst;
 }
@@ -318,19 +321,19 @@ NetworkRow NetworkEquations::rowOf(std::size_t l) const {
 /// What is projected goes no farther than directions hold.
 void NetworkEquations::advance(const std::vector<Freedoms>& nodes,
                                const std::vector<std::array<double, 2>>& multipliers) {
-    double way = 1;
+    double excess = 1;
     for (std::size_t l = 0; l < links_.size() && way_ == Way::projects; ++l) {
         const Freedoms &here = nodes[link(l).here], &there = nodes[link(l).there];
         const double goes = (here - there).head<2>().norm() / links_[l].size;
         const double turns = std::max(std::abs(here[2]), std::abs(there[2]));
-        way = std::max({way, goes / tuned::projectedTurn, turns / tuned::projectedTurn});
+        excess = std::max({excess, goes / tuned::projectedTurn, turns / tuned::projectedTurn});
     }
     for (std::size_t i = 0; i < motion_.size(); ++i) {
-        motion_[i].displacement += nodes[i].head<2>() / way;
-        motion_[i].turning += nodes[i][2] / way;
+        motion_[i].displacement += nodes[i].head<2>() / excess;
+        motion_[i].turning += nodes[i][2] / excess;
     }
     for (std::size_t l = 0; l < links_.size(); ++l) {
-        const std::array<double, 2> change{multipliers[l][0] / way, multipliers[l][1] / way};
+        const std::array<double, 2> change{multipliers[l][0] / excess, multipliers[l][1] / excess};
         for (int r = 0; r < links_[l].rows; ++r)
             links_[l].lambda[static_cast<std::size_t>(r)] += change[static_cast<std::size_t>(r)];
         couple_ += coupleOf(l, state_.trees.rows[tree_.firstLink + l], change);
@@ -394,21 +397,28 @@ void NetworkEquations::settle() {
 }
 
 /// Directions are not quite those between the ends when the step begins, so that pulls leave a
-/// small couple. Of a network that nothing holds it is given back by turning the whole, which
-/// changes no length.
+/// small couple. Of a network that nothing holds it is given back by turning the whole where it is
+/// when the step ends, which changes no length.
 void NetworkEquations::turnBack() {
-    Point centre(0, 0);
-    for (std::size_t i = 0; i < motion_.size(); ++i)
-        centre += motion_[i].place / (nodes_[i].inverseMass * mass_);
+    const auto mean = [&](auto&& placeOf) {
+        Point sum(0, 0);
+        for (std::size_t i = 0; i < motion_.size(); ++i)
+            sum += placeOf(motion_[i]) / (nodes_[i].inverseMass * mass_);
+        return sum;
+    };
+    const auto start = [](const Motion& m) { return m.place; };
+    const auto end = [](const Motion& m) { return Point(m.place + m.displacement); };
+    const Point startCentre = mean(start), endCentre = mean(end);
     double inertia = 0;
     for (std::size_t i = 0; i < motion_.size(); ++i) {
-        inertia += (motion_[i].place - centre).squaredNorm() / nodes_[i].inverseMass;
+        const Point from = start(motion_[i]) - startCentre, to = end(motion_[i]) - endCentre;
+        inertia += from.dot(to) / nodes_[i].inverseMass;
         if (nodes_[i].inverseInertia > 0) inertia += 1 / nodes_[i].inverseInertia;
     }
     if (!(inertia > 0)) return;
     const double turn = -couple_ / inertia;
     for (std::size_t i = 0; i < motion_.size(); ++i) {
-        motion_[i].displacement += turn * perpendicular(Point(motion_[i].place - centre));
+        motion_[i].displacement += turn * perpendicular(Point(end(motion_[i]) - endCentre));
         if (nodes_[i].inverseInertia > 0) motion_[i].turning += turn;
     }
 }

@@ -1,6 +1,7 @@
 #include "trees/networks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/settings.hpp"
 
@@ -136,12 +137,13 @@ bool analyseNetwork(State& state, const Tree& tree) {
     BlockPattern& pattern = state.trees.factors[tree.network].pattern;
     const std::uint32_t nodes = tree.last - tree.first;
     auto& earlier = state.trees.earlier;
-    const auto known = std::find_if(earlier.begin(), earlier.end(),
-                                    [&](const BlockPattern& p) { return p.isOf(nodes, edges); });
+    const auto known = std::find_if(earlier.begin(), earlier.end(), [&](const NetworkFactor& f) {
+        return f.pattern.isOf(nodes, edges);
+    });
     if (known == earlier.end())
         pattern.analyse(nodes, std::move(edges));
     else
-        pattern = *known;
+        pattern = known->pattern;
     return pattern.products() <= tuned::mostProducts * pattern.size();
 }
 

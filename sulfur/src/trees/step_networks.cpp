@@ -7,8 +7,10 @@
 // the step. What contacts push on pulls along its directions at the end, which brakes. Where that
 // does not converge, the nodes fly and are projected from there, pass after pass, to near places at
 // which the links hold (Goldenthal et al. 2007); at last in shorter steps.
-#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "contacts/touch_rows.hpp"
 #include "core/settings.hpp"
@@ -84,15 +86,19 @@ private:
         before_ = motion_;
         for (Link& data : scratch_.links) data.warm = data.lambda;
         const bool brakes = pressed_ || equations_.isTorn(step);
-        if (makeStep(kick, step, brakes ? Way::brakes : Way::keeps)) return true;
+        if (tryWay(kick, step, brakes ? Way::brakes : Way::keeps)) return true;
         calm_ = false;
         ++state_.statistics.chainFallbacks;
         motion_ = before_;
         for (Link& data : scratch_.links) data.lambda = data.warm = {0, 0};
-        return makeStep(kick, step, Way::projects);
+        // Its matrix has no tension.
+        if (tree_.factorStep != 0) tree_.factorStep = Tree::stale;
+        const bool made = tryWay(kick, step, Way::projects);
+        tree_.factorStep = Tree::stale;
+        return made;
     }
 
-    bool makeStep(double kick, double step, Way way) {
+    bool tryWay(double kick, double step, Way way) {
         equations_.begin(step, way);
         scratch_.guess = motion_;
         predictNodes(state_, nodes_, kick, step, motion_);
@@ -129,7 +135,8 @@ private:
                 return true;
             }
             const bool ends = pass == most || (!projects && stalled == 2);
-            if (ends || !(worst < 1e2 * best)) break;
+            const bool diverges = !(worst < 1e2 * best) && (fresh || !std::isfinite(worst));
+            if (ends || diverges) break;
             const bool stale = tree_.factorStep != step || equations_.hasTurned();
             const bool slow = pass > 0 && isSlow(worst, last, tuned::networkTolerance);
             fresh = projects || pass == 0 ? stale || slow : slow && !fresh;

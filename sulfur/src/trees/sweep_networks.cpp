@@ -72,11 +72,12 @@ public:
         for (int pass = 0;; ++pass) {
             const double worst = evaluate();
             if (pass == 0 && worst == 0 && work_.contacts.empty()) return;
-            if (pass == 0 || worst < best) {
-                best = worst;
+            // What contacts press is no part of the first error.
+            const bool done = pass > 0 && worst <= tuned::sweptTolerance;
+            if (pass == 0 || worst < best || done) {
+                best = std::max(worst, tuned::sweptTolerance);
                 keepBest();
             }
-            const bool done = pass > 0 && worst <= tuned::sweptTolerance;
             if (done || pass == tuned::networkPasses || !(worst < 1e2 * best)) break;
             if (pass == 0 ? isStale() : isSlow(worst, last, tuned::sweptTolerance)) factorise();
             last = worst;

@@ -112,10 +112,11 @@ MemoryUse ofNetworks(const State& state) {
     const auto& t = state.trees;
     Sum sum;
     sum.add(t.links, t.rows, t.linkMet, t.linkLambda, t.networkTouches);
-    for (const auto& f : t.factors) {
-        sum.add(f.rows, f.pressing, f.given);
-        sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes());
-    }
+    for (const auto* factors : {&t.factors, &t.earlier})
+        for (const auto& f : *factors) {
+            sum.add(f.rows, f.pressing, f.given);
+            sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes());
+        }
     return sum.as("networks: links and factors", t.links.size(), true);
 }
 
