@@ -53,7 +53,10 @@ void listClusters(State& state, const Counts& before) {
 }
 
 bool isAwake(const State& state, const TreeNode& node) {
-    if (node.cluster != none) return state.awake(state.clusters.list[node.cluster].body);
+    if (node.cluster != none) {
+        const Cluster& c = state.clusters.list[node.cluster];
+        return c.inverseMass > 0 || c.inverseInertia > 0;
+    }
     return node.particle != none && state.particles.inverseMass[node.particle] > 0;
 }
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <bit>
 
-#include "joints/classify.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "trees/networks.hpp"
 #include "trees/stiff_graph.hpp"
@@ -95,10 +94,10 @@ private:
             const TreeNode& n = trees_.nodes[k];
             if (n.cluster != none) tree.points = 0;
             if (tree.network != none || !continuesChain(tree, k)) tree.chain = 0;
-            if (!tree.alone) continue;
+            if (!tree.alone || !canMove(state_, n)) continue;
             if (n.cluster != none)
                 trees_.ofCluster[n.cluster] = index;
-            else if (n.particle != none && inverseMassAwake(state_, n.particle) > 0)
+            else
                 trees_.ofParticle[n.particle] = index;
         }
         trees_.list.push_back(tree);

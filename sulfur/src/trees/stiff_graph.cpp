@@ -8,10 +8,6 @@ namespace sulfur::detail {
 
 namespace {
 
-bool clusterMoves(const Cluster& c) {
-    return c.freeInverseMass > 0 || c.freeInverseInertia > 0;
-}
-
 /// Place of a member in the frame of its cluster.
 Point placeOf(const State& state, std::uint32_t particle) {
     const Clusters& clusters = state.clusters;
@@ -22,6 +18,13 @@ Point placeOf(const State& state, std::uint32_t particle) {
 }
 
 }  // namespace
+
+bool canMove(const State& state, const TreeNode& node) {
+    if (node.cluster == none)
+        return node.particle != none && inverseMassAwake(state, node.particle) > 0;
+    const Cluster& c = state.clusters.list[node.cluster];
+    return c.freeInverseMass > 0 || c.freeInverseInertia > 0;
+}
 
 StiffGraph::StiffGraph(const State& state)
     : state_(state), particles_(static_cast<std::uint32_t>(state.particles.size())) {
@@ -38,26 +41,23 @@ std::uint32_t StiffGraph::vertexCount() const {
 
 TreeNode StiffGraph::nodeFor(const EdgeEnd& e) const {
     TreeNode n;
-    if (e.vertex == none)
-        n.particle = e.end.particle;
-    else if (isCluster(e.vertex))
-        n.cluster = e.vertex - particles_;
-    else
-        n.particle = e.vertex;
+    n.cluster = e.cluster;
+    if (e.cluster == none) n.particle = e.end.particle;
     return n;
 }
 
+/// A rigid component of which two particles are pinned cannot move.
+StiffGraph::EdgeEnd StiffGraph::endAt(std::uint32_t cluster, const LinkEnd& end) const {
+    EdgeEnd e{none, cluster, end};
+    if (canMove(state_, nodeFor(e))) e.vertex = particles_ + cluster;
+    return e;
+}
+
 StiffGraph::EdgeEnd StiffGraph::endOf(std::uint32_t particle) const {
-    EdgeEnd e;
-    e.end.particle = particle;
     const auto cluster = state_.particles.cluster[particle];
-    if (cluster != none) {
-        if (!clusterMoves(state_.clusters.list[cluster])) return e;
-        e.vertex = particles_ + cluster;
-        e.end.place = placeOf(state_, particle);
-    } else if (inverseMassAwake(state_, particle) > 0) {
-        e.vertex = particle;
-    }
+    if (cluster != none) return endAt(cluster, {particle, placeOf(state_, particle)});
+    EdgeEnd e{none, none, {particle}};
+    if (canMove(state_, nodeFor(e))) e.vertex = particle;
     return e;
 }
 
@@ -84,17 +84,14 @@ void StiffGraph::addAttachment(std::uint32_t i) {
             place += static_cast<double>(held.weight[k]) * one.end.place;
         }
         support.end = {none, place};
+        if (support.vertex == none) support.cluster = none;  // they may be of several
     }
     add({LinkKind::attachment, i, endOf(held.particle), support});
 }
 
 void StiffGraph::addHinge(std::uint32_t i) {
     const Hinge& hinge = state_.clusters.hinges[i];
-    if (!clusterMoves(state_.clusters.list[hinge.cluster])) return;
-    EdgeEnd here;
-    here.vertex = particles_ + hinge.cluster;
-    here.end.place = hinge.place;
-    add({LinkKind::hinge, i, here, endOf(hinge.particle)});
+    add({LinkKind::hinge, i, endAt(hinge.cluster, {none, hinge.place}), endOf(hinge.particle)});
 }
 
 void StiffGraph::listEdgesAround() {

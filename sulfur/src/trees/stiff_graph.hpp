@@ -10,10 +10,14 @@
 
 namespace sulfur::detail {
 
+/// Whether physics moves it while its body is awake.
+bool canMove(const State& state, const TreeNode& node);
+
 class StiffGraph {
 public:
     struct EdgeEnd {
-        std::uint32_t vertex = none;  // none: it cannot move
+        std::uint32_t vertex = none;   // none: it cannot move
+        std::uint32_t cluster = none;  // of which it is a member
         LinkEnd end;
     };
     struct Edge {
@@ -49,6 +53,7 @@ private:
         return edge.a.vertex != none ? edge.a.vertex : edge.b.vertex;
     }
     EdgeEnd endOf(std::uint32_t particle) const;
+    EdgeEnd endAt(std::uint32_t cluster, const LinkEnd& end) const;
     void add(const Edge& edge);
     void addJoint(std::uint32_t j);
     void addAttachment(std::uint32_t i);

@@ -163,5 +163,54 @@ TEST(Trees, AWeightOnASpringAtARopesEndGainsNoEnergy) {
     }
 }
 
+/// Two pins hold a box, and with it what is tied to its other corners: by a rod, an attachment, two
+/// rods that make a network, and a particle that two rigid components share. It all fell off.
+TEST(Trees, WhatHangsOnABoxWithTwoPinsStaysThere) {
+    World world({.sleeping = false});
+    const auto box = [&](double x) {
+        Blueprint plan = shapes::box({.size = {1, 1}});
+        plan.filter.mask = 0;
+        plan.particles[2].pinned = plan.particles[3].pinned = true;
+        return world.add(plan, {.position = {x, 0}});
+    };
+    const auto below = [&](const Body& body, std::size_t corner) {
+        return Point(world.position(body.particles()[corner]) - Point(0, 0.1));
+    };
+    const Body byRod = box(0), byAttachment = box(10), byTwo = box(20);
+    const Body rope = world.add(shapes::rope({.to = {0, -1}}), {.position = below(byRod, 0)});
+    const JointId rod = world.connect(byRod.particles()[0], rope.front());
+    const Body held =
+        world.add(shapes::rope({.to = {0, -1}}),
+                  {.position = world.position(byAttachment.particles()[0]) - Point(0, 0.1)});
+    world.attach(held.front(), byAttachment, {Real(-0.45), Real(-0.6)});
+    Blueprint loop = shapes::rope({.to = {Real(0.96), 0}, .links = 10});
+    const Body between = world.add(loop, {.position = below(byTwo, 0)});
+    world.connect(byTwo.particles()[0], between.front());
+    world.connect(byTwo.particles()[1], between.back());
+    // A crate on a corner of another that is pinned at two others.
+    Blueprint hinged;
+    hinged.filter.mask = 0;
+    hinged.particles = {{.position = {0, 0}},
+                        {.position = {1, 0}, .pinned = true},
+                        {.position = {1, 1}, .pinned = true},
+                        {.position = {-1, 0}},
+                        {.position = {-1, -1}}};
+    for (const auto& [a, b] : {std::pair(0u, 1u), {1u, 2u}, {2u, 0u}, {0u, 3u}, {3u, 4u}, {4u, 0u}})
+        hinged.joints.push_back({.a = a, .b = b});
+    const Body crates = world.add(hinged, {.position = {30, 0}});
+    test::run(world, 3);
+    EXPECT_NEAR((world.position(rope.front()) - world.position(byRod.particles()[0])).norm(),
+                static_cast<double>(world.info(rod).restLength), 1e-4);
+    EXPECT_LT(test::largestStrain(world, rope), 1e-6);
+    EXPECT_GT(world.position(held.back())[1], -2);
+    EXPECT_GT(world.position(between.front())[1], -2);
+    EXPECT_GT(world.position(between.back())[1], -2);
+    EXPECT_LT((world.position(crates.particles()[0]) - Point(30, 0)).norm(), 1e-5);
+    EXPECT_LT((world.position(crates.particles()[3]) - Point(30, 0)).norm(), 1 + 1e-4);
+    for (const Body& body : {byRod, byAttachment, byTwo})
+        EXPECT_LT(std::abs(world.centreOfMass(body)[1]), 1e-6);
+    EXPECT_EQ(world.validate(), "");
+}
+
 }  // namespace
 }  // namespace sulfur

@@ -37,7 +37,6 @@ Blueprint ropeAlong(const std::vector<Point>& corners, bool pinFirst, double loa
     return plan;
 }
 
-/// Largest change of length of a body's joints, share.
 /// A rope over a crate and what it carries, watched for 20 s.
 struct Hanging {
     std::string name, picture;
