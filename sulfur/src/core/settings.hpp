@@ -188,18 +188,17 @@ inline constexpr double calmWhip = 0.15 * mostWhip, calmTurn = 0.4 * mostTurn;
 /// fallback, which converges more slowly, has more.
 inline constexpr int newtonPasses = 6, chainPasses = 10, fallbackPasses = 2 * chainPasses;
 inline constexpr double worthwhile = 0.05;
-/// Of networks: passes of a step, passes of a step that could be twice as long, and passes that
-/// cost as much as to renew the factors.
-inline constexpr int networkPasses = 2 * newtonPasses, calmPasses = newtonPasses / 2,
-                     factorPasses = calmPasses;
+/// Of networks: passes of a step, passes of projections, which wander where a net snaps straight
+/// (24 were too few for one of 10 x 10 with 10,000 times a node's mass, 48 are enough), and passes
+/// that cost as much as to renew the factors.
+inline constexpr int networkPasses = 2 * newtonPasses, projectionPasses = 4 * networkPasses,
+                     factorPasses = newtonPasses / 2;
 /// Of a link's length: what passes leave, what they leave in the sweeps, what a step may leave at
 /// last that keeps energy, or that brakes, and beyond which its multipliers are of no use.
 inline constexpr double networkTolerance = treeTolerance, sweptTolerance = strainLimit / 100,
                         networkTolerable = 10 * strainLimit,
                         brakingTolerable = 10 * networkTolerable,
                         uselessError = 10 * brakingTolerable;
-/// Steps of a network in a tick, which each have a bounded price.
-inline constexpr std::uint32_t mostNetworkSteps = 8;
 /// Turn of a link, rad, beyond which factors are renewed.
 inline constexpr double factorTurn = 0.02;
 /// Compliance of what is rigid in a network, as a share of what its ends answer a push with: a

@@ -137,18 +137,15 @@ struct NetworkScratch {
     using Freedoms = Eigen::Vector3d;
 
     struct Link {
-        Point armHere{0, 0}, armThere{0, 0};  // when the tick began
-        double rest = 0, size = 1;            // m, its length, and what its errors are relative to
-        double stiffness = 0, damping = 0;    // of the part that is no force
-        Elastic elastic;                      // of one step
-        int rows = 0;                         // a distance 1, a meeting 2
-        std::array<double, 2> guess{0, 0};    // N, that were seen last
-        Span before, start, now;              // a step earlier, at its start, at its end
-        double length = 0;                    // when the step began
-        std::array<double, 2> left{0, 0};     // of the error, what this step need not close
-        double mobility = 0;                  // 1/kg, of both ends together
-        double least = 0;                     // compliance, 1/kg
-        double turnHere = 0, turnThere = 0;   // 1/(kg m^2)
+        double rest = 0, size = 1;           // m, its length, and what its errors are relative to
+        Elastic elastic;                     // of the part that is no force
+        int rows = 0;                        // a distance 1, a meeting 2
+        Span before, start, now;             // a step earlier, at its start, at its end
+        double length = 0;                   // when the step began
+        std::array<double, 2> left{0, 0};    // of the error, what this step need not close
+        double mobility = 0;                 // 1/kg, of both ends together
+        double least = 0;                    // compliance, 1/kg
+        double turnHere = 0, turnThere = 0;  // 1/(kg m^2)
         double share = 0, shareHere = 0, shareThere = 0;  // of the averages of what follows
         Point direction{1, 0};
         Point meanHere{0, 0}, meanThere{0, 0};  // arms
@@ -158,14 +155,13 @@ struct NetworkScratch {
         double compliance = 0;
         std::array<double, 2> lambda{0, 0};  // of this step
         std::array<double, 2> warm{0, 0}, best{0, 0};
-        std::array<double, 2> impulse{0, 0};  // sum of lambda / step, kg m/s
     };
 
     std::vector<Link> links;
     std::vector<Freedoms> inverseMass, predicted, nodes;
     std::vector<double> sizes;  // m, of each node: its shortest link
     std::vector<Point> turned;  // of each node: unit vector of an angle
-    std::vector<StepScratch::Motion> guess, best;
+    std::vector<StepScratch::Motion> best;
     std::vector<std::array<double, 2>> values;  // of each link
     std::vector<Eigen::Vector2d> points;
     std::vector<Eigen::Vector3d> bodies;

@@ -27,9 +27,10 @@ NetworkEquations::NetworkEquations(State& state, const Tree& tree)
       scratch_(state.trees.scratch.network),
       nodes_(state.trees.scratch.step.nodes),
       motion_(state.trees.scratch.step.motion),
-      links_(scratch_.links) {}
+      links_(scratch_.links),
+      step_(static_cast<double>(state.h)) {}
 
-// --- the tick's start ------------------------------------------------------------------------
+// --- the step's start ------------------------------------------------------------------------
 
 void NetworkEquations::load() {
     const std::size_t count = tree_.last - tree_.first;
@@ -40,12 +41,17 @@ void NetworkEquations::load() {
     scratch_.sizes.assign(count, 1);
     for (std::size_t i = 0; i < count; ++i) {
         loadNode(state_, node(i), nodes[i]);
+        motion_[i] = nodes[i].start;
         scratch_.inverseMass[i] = inverseMassOf(state_, node(i));
         if (nodes[i].inverseMass > 0) mass_ += 1 / nodes[i].inverseMass;
         free_ &= nodes[i].inverseMass > 0;
     }
+    scratch_.turned.assign(count, Point(1, 0));
+    for (std::size_t i = 0; i < count && !tree_.points; ++i)
+        scratch_.turned[i] = unitVector(-step_ * motion_[i].spin);
     links_.resize(tree_.lastLink - tree_.firstLink);
     for (std::size_t l = 0; l < links_.size(); ++l) loadLink(l);
+    for (std::size_t l = 0; l < links_.size(); ++l) limitPull(l);
 }
 
 Point NetworkEquations::armOf(std::size_t i, const LinkEnd& end) const {
@@ -58,32 +64,49 @@ void NetworkEquations::loadLink(std::size_t l) {
     const NetworkLink& n = link(l);
     Link& data = links_[l];
     data = {};
-    data.guess = n.pushed;
-    data.armHere = armOf(n.here, n.atHere);
-    data.armThere = armOf(n.there, n.atThere);
+    data.start.armHere = armOf(n.here, n.atHere);
+    data.start.armThere = armOf(n.there, n.atThere);
     if (n.kind == LinkKind::joint) {
         loadJoint(n.link, data);
     } else {
         data.rows = 2;
-        data.size = std::max({data.armHere.norm(), data.armThere.norm(), 1e-3});
+        data.size = std::max({data.start.armHere.norm(), data.start.armThere.norm(), 1e-3});
     }
     for (const auto i : {n.here, n.there})
         scratch_.sizes[i] = std::min(scratch_.sizes[i], data.size);
-    data.mobility = mobilityOf(n.here, data.armHere) + mobilityOf(n.there, data.armThere);
+    data.mobility =
+        mobilityOf(n.here, data.start.armHere) + mobilityOf(n.there, data.start.armThere);
     data.turnHere = scratch_.inverseMass[n.here][2];
     data.turnThere = scratch_.inverseMass[n.there][2];
     if (data.mobility == 0) data.rows = 0;
     // What can only turn has a mass for its links as well.
     if (data.mobility > 0) mass_ = std::max(mass_, 1 / data.mobility);
+    const double perNewton = step_ * step_ / resistance(state_, step_);
+    data.warm = {n.pushed[0] * perNewton, n.pushed[1] * perNewton};
+    lookBack(n, data);
+}
+
+/// Where the link is, and where it was a step earlier.
+void NetworkEquations::lookBack(const NetworkLink& n, Link& data) const {
+    const Motion &here = motion_[n.here], &there = motion_[n.there];
+    data.start.apart = (here.place - there.place) + (data.start.armHere - data.start.armThere);
+    data.before.armHere = turned(scratch_.turned[n.here], data.start.armHere);
+    data.before.armThere = turned(scratch_.turned[n.there], data.start.armThere);
+    data.before.apart = data.start.apart - step_ * (here.velocity - there.velocity) +
+                        (data.before.armHere - data.start.armHere) -
+                        (data.before.armThere - data.start.armThere);
+    data.length = data.start.apart.norm();
 }
 
 void NetworkEquations::loadJoint(std::uint32_t j, Link& data) const {
     const Joints& joints = state_.joints;
     data.rest = static_cast<double>(joints.restLength[j]);
     data.elastic.rigid = joints.kind[j] == JointKind::rigid;
-    data.stiffness =
-        static_cast<double>(joints.stiffness[j]) - static_cast<double>(joints.explicitStiffness[j]);
-    data.damping = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]);
+    const double perPush = step_ / resistance(state_, step_);
+    data.elastic.hk = (static_cast<double>(joints.stiffness[j]) -
+                       static_cast<double>(joints.explicitStiffness[j])) *
+                      step_ * perPush;
+    data.elastic.hb = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]) * perPush;
     data.rows = 1;
     data.size = std::max(data.rest, 1e-3);
 }
@@ -94,67 +117,31 @@ double NetworkEquations::mobilityOf(std::size_t i, const Point& arm) const {
     return w[0] + w[2] * arm.squaredNorm();
 }
 
-void NetworkEquations::prepare(double step) {
-    const double perPush = step / resistance(state_, step);
-    for (Link& data : links_) {
-        data.elastic.hk = data.stiffness * step * perPush;
-        data.elastic.hb = data.damping * perPush;
-        data.impulse = {0, 0};
-        for (std::size_t r = 0; r < 2; ++r) data.lambda[r] = data.guess[r] * step * perPush;
-    }
-}
-
-// --- a step's start --------------------------------------------------------------------------
-
-bool NetworkEquations::isTorn(double step) const {
-    for (std::size_t l = 0; l < links_.size(); ++l) {
-        const NetworkLink& n = link(l);
-        const Link& data = links_[l];
-        if (n.kind == LinkKind::joint && !data.elastic.rigid) continue;
-        const Motion &here = motion_[n.here], &there = motion_[n.there];
-        const Point apart = (here.place - there.place) + turned(here.heading, data.armHere) -
-                            turned(there.heading, data.armThere);
-        if (errorLeft(apart.norm() - data.rest, step) != 0) return true;
-    }
-    return false;
-}
-
-void NetworkEquations::begin(double step, Way way) {
-    way_ = way;
-    couple_ = 0;
-    scratch_.turned.assign(motion_.size(), Point(1, 0));
-    for (std::size_t i = 0; i < motion_.size() && !tree_.points; ++i)
-        scratch_.turned[i] = unitVector(-step * motion_[i].spin);
-    for (std::size_t l = 0; l < links_.size(); ++l) beginLink(l, step);
-}
-
-/// The link at the step's start, and where it was a step earlier.
-void NetworkEquations::beginLink(std::size_t l, double step) {
-    const NetworkLink& n = link(l);
+/// What cannot hold pulls no harder than would stop all masses at once at the speed at which it
+/// closes, times by how much it is too long, so that in the end all are stretched alike.
+void NetworkEquations::limitPull(std::size_t l) {
     Link& data = links_[l];
-    const Motion &here = motion_[n.here], &there = motion_[n.there];
-    data.start.armHere = turned(here.heading, data.armHere);
-    data.start.armThere = turned(there.heading, data.armThere);
-    data.start.apart = (here.place - there.place) + (data.start.armHere - data.start.armThere);
-    data.before.armHere = turned(scratch_.turned[n.here], data.start.armHere);
-    data.before.armThere = turned(scratch_.turned[n.there], data.start.armThere);
-    data.before.apart = data.start.apart - step * (here.velocity - there.velocity) +
-                        (data.before.armHere - data.start.armHere) -
-                        (data.before.armThere - data.start.armThere);
-    data.length = data.start.apart.norm();
-    const bool joint = n.kind == LinkKind::joint;
+    const bool joint = link(l).kind == LinkKind::joint;
     const double error = joint ? data.length - data.rest : data.length;
-    const double left = joint && !data.elastic.rigid ? 0 : errorLeft(error, step);
+    const double left = joint && !data.elastic.rigid ? 0 : errorLeft(error, step_);
+    torn_ |= left != 0;
     data.left = {left, 0};
     if (!joint && left > 0)
         data.left = {left / data.length * data.start.apart[0],
                      left / data.length * data.start.apart[1]};
-    // What cannot hold pulls no harder than would stop all masses at once at that speed, times by
-    // how much it is too long, so that in the end all are stretched alike.
     const double asked = std::abs(error) - std::abs(left);
     const double share = joint ? data.rest / std::max(data.length, data.rest) : 1;
     data.least = std::max(tuned::networkCompliance * data.mobility,
-                          share * asked / (mass_ * closingSpeed * step));
+                          share * asked / (mass_ * closingSpeed * step_));
+}
+
+void NetworkEquations::begin(Way way) {
+    way_ = way;
+    couple_ = 0;
+    for (Link& data : links_) {
+        if (way == Way::projects) data.warm = {0, 0};
+        data.lambda = data.warm;
+    }
 }
 
 // --- at the present displacements ------------------------------------------------------------

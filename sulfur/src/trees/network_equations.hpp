@@ -21,14 +21,11 @@ public:
 
     NetworkEquations(State& state, const Tree& tree);
 
-    /// When the tick begins.
+    /// When the step begins: nodes and links as they are, with velocities that are not kicked yet.
     void load();
-    /// When a try with steps of this duration (s) begins: first guesses.
-    void prepare(double step);
-    /// Whether, at a step's start, a link is wrong by more than a step closes.
-    bool isTorn(double step) const;
-    /// When a step begins, with velocities that are not kicked yet: what the links are then.
-    void begin(double step, Way way);
+    /// Whether a link is wrong by more than a step closes.
+    bool isTorn() const { return torn_; }
+    void begin(Way way);
 
     /// Links and residuals at the present displacements; the largest error, relative to lengths.
     double evaluate();
@@ -54,7 +51,8 @@ private:
     void loadLink(std::size_t l);
     void loadJoint(std::uint32_t j, Link& data) const;
     double mobilityOf(std::size_t i, const Point& arm) const;
-    void beginLink(std::size_t l, double step);
+    void lookBack(const NetworkLink& n, Link& data) const;
+    void limitPull(std::size_t l);
 
     double shareOf(double pushed, double mobility) const;
     Point average(const Point& before, const Point& start, const Point& now, double share) const;
@@ -73,8 +71,10 @@ private:
     const std::vector<StepScratch::Node>& nodes_;
     std::vector<Motion>& motion_;
     std::vector<Link>& links_;
+    double step_;        // s
     double mass_ = 0;    // kg, of all that moves
     bool free_ = true;   // no node is held fast
+    bool torn_ = false;  // isTorn()
     double couple_ = 0;  // kg m^2, of the pulls of passes so far
     double bestCouple_ = 0;
     Way way_ = Way::keeps;

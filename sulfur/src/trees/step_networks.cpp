@@ -1,12 +1,12 @@
-// A network goes through the tick, in one step if it can.
+// A network goes through the tick in one step.
 //
-// Each step solves for the places at its end and for the multipliers together, by Newton's method
+// It solves for the places at its end and for the multipliers together, by Newton's method
 // with factors that are kept until directions have turned. Links pull along an average of their
 // directions before, at the start and at the end of the step, 1/4, 1/2 and 1/4 (Newmark 1959):
 // that keeps energy as SHAKE does, and light links under great tension do not whip, however long
 // the step. What contacts push on pulls along its directions at the end, which brakes. Where that
 // does not converge, the nodes fly and are projected from there, pass after pass, to near places at
-// which the links hold (Goldenthal et al. 2007); at last in shorter steps.
+// which the links hold (Goldenthal et al. 2007).
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -31,17 +31,15 @@ public:
           equations_(state, tree),
           scratch_(state.trees.scratch.network),
           nodes_(state.trees.scratch.step.nodes),
-          motion_(state.trees.scratch.step.motion),
-          before_(state.trees.scratch.step.before) {}
+          motion_(state.trees.scratch.step.motion) {}
 
     void run() {
         equations_.load();
-        pressed_ = isPressed();
-        while (!attempt(tree_.steps) && tree_.steps < tuned::mostNetworkSteps) tree_.steps *= 2;
+        makeStep();
+        for (std::size_t i = 0; i < nodes_.size(); ++i) moveNode(nodes_[i], tick(), motion_[i]);
         store();
-        state_.statistics.chainSteps += tree_.steps;
-        tree_.lastStep = tick() / tree_.steps;
-        if (calm_ && tree_.steps > 1) tree_.steps /= 2;
+        ++state_.statistics.chainSteps;
+        tree_.lastStep = tick();
     }
 
 private:
@@ -66,59 +64,38 @@ private:
         return false;
     }
 
-    /// One try with a number of steps. With the most that there are it always goes on.
-    bool attempt(std::uint32_t steps) {
-        const double step = tick() / steps;
-        for (std::size_t i = 0; i < nodes_.size(); ++i) motion_[i] = nodes_[i].start;
-        equations_.prepare(step);
-        calm_ = true;
-        for (std::uint32_t s = 0; s < steps; ++s) {
-            const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
-            const bool made = makeStep(kick, step);
-            if (!made && steps < tuned::mostNetworkSteps) return false;
-            finishStep(step);
-        }
-        return true;
-    }
-
-    /// A step in one way, or, if that does not lead to a solution, by projecting.
-    bool makeStep(double kick, double step) {
-        before_ = motion_;
-        for (Link& data : scratch_.links) data.warm = data.lambda;
-        const bool brakes = pressed_ || equations_.isTorn(step);
-        if (tryWay(kick, step, brakes ? Way::brakes : Way::keeps)) return true;
-        calm_ = false;
+    /// In one way, or, if that does not lead to a solution, by projecting.
+    void makeStep() {
+        const bool brakes = isPressed() || equations_.isTorn();
+        if (tryWay(brakes ? Way::brakes : Way::keeps)) return;
         ++state_.statistics.chainFallbacks;
-        motion_ = before_;
-        for (Link& data : scratch_.links) data.lambda = data.warm = {0, 0};
         // Its matrix has no tension.
         if (tree_.factorStep != 0) tree_.factorStep = Tree::stale;
-        const bool made = tryWay(kick, step, Way::projects);
+        tryWay(Way::projects);
         tree_.factorStep = Tree::stale;
-        return made;
     }
 
-    bool tryWay(double kick, double step, Way way) {
-        equations_.begin(step, way);
-        scratch_.guess = motion_;
-        predictNodes(state_, nodes_, kick, step, motion_);
+    bool tryWay(Way way) {
+        equations_.begin(way);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) motion_[i] = nodes_[i].start;
+        predictNodes(state_, nodes_, (tree_.lastStep + tick()) / 2, tick(), motion_);
         scratch_.predicted.resize(nodes_.size());
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             Motion& m = motion_[i];
             scratch_.predicted[i] = {m.displacement[0], m.displacement[1], m.turning};
             if (way == Way::projects) continue;
-            m.displacement = step * scratch_.guess[i].velocity;
-            m.turning = step * scratch_.guess[i].spin;
+            m.displacement = tick() * nodes_[i].start.velocity;
+            m.turning = tick() * nodes_[i].start.spin;
         }
-        const bool made = converge(step, way);
-        if (tree_.factorStep == 0) factorise(step);  // the sweeps need it
+        const bool made = converge(way);
+        if (tree_.factorStep == 0) factorise();  // the sweeps need it
         return made;
     }
 
     /// Newton's method, or projections. Returns whether what is left can be tolerated.
-    bool converge(double step, Way way) {
+    bool converge(Way way) {
         const bool projects = way == Way::projects;
-        const int most = (projects ? 2 : 1) * tuned::networkPasses;
+        const int most = projects ? tuned::projectionPasses : tuned::networkPasses;
         double last = 0, best = std::numeric_limits<double>::infinity();
         bool fresh = false;
         int stalled = 0;
@@ -130,32 +107,30 @@ private:
                 equations_.keepBest();
             }
             if (worst <= tuned::networkTolerance) {
-                calm_ &= pass <= tuned::calmPasses;
                 equations_.settle();
                 return true;
             }
             const bool ends = pass == most || (!projects && stalled == 2);
             const bool diverges = !(worst < 1e2 * best) && (fresh || !std::isfinite(worst));
             if (ends || diverges) break;
-            const bool stale = tree_.factorStep != step || equations_.hasTurned();
+            const bool stale = tree_.factorStep != tick() || equations_.hasTurned();
             const bool slow = pass > 0 && isSlow(worst, last, tuned::networkTolerance);
             fresh = projects || pass == 0 ? stale || slow : slow && !fresh;
-            if (fresh) factorise(step);
+            if (fresh) factorise();
             correct();
             last = worst;
         }
-        calm_ = false;
         equations_.takeBest(best <= tuned::uselessError);
         return best <= (way == Way::keeps ? tuned::networkTolerable : tuned::brakingTolerable);
     }
 
     /// Makes the matrix of the links as they are.
-    void factorise(double step) {
+    void factorise() {
         for (std::size_t l = 0; l < scratch_.links.size(); ++l)
             state_.trees.rows[tree_.firstLink + l] = equations_.rowOf(l);
         factoriseNetwork(state_, tree_, stepRows(state_, tree_),
                          state_.trees.factors[tree_.network].step);
-        tree_.factorStep = step;
+        tree_.factorStep = tick();
         ++state_.statistics.networkFactors;
     }
 
@@ -168,27 +143,20 @@ private:
         equations_.advance(scratch_.nodes, values);
     }
 
-    void finishStep(double step) {
-        for (std::size_t i = 0; i < nodes_.size(); ++i) moveNode(nodes_[i], step, motion_[i]);
-        const double newtons = resistance(state_, step) / step;
-        for (Link& data : scratch_.links)
-            for (std::size_t r = 0; r < 2; ++r) data.impulse[r] += newtons * data.lambda[r];
-    }
-
     void store() {
         if (!allFinite(motion_)) stop();
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             state_.trees.predicted[tree_.first + i] =
                 storeNode(state_, node(i), nodes_[i], motion_[i]);
-        const double perNewton = tick() / resistance(state_, tick());
+        const double newtons = resistance(state_, tick()) / tick() / tick();
         for (std::size_t l = 0; l < scratch_.links.size(); ++l) {
             NetworkLink& n = state_.trees.links[tree_.firstLink + l];
-            const auto& impulse = scratch_.links[l].impulse;
-            n.pushed = {impulse[0] / tick(), impulse[1] / tick()};
+            const auto& lambda = scratch_.links[l].lambda;
+            n.pushed = {newtons * lambda[0], newtons * lambda[1]};
             if (n.kind == LinkKind::joint)
-                state_.joints.lambda[n.link] = static_cast<Real>(impulse[0] * perNewton);
+                state_.joints.lambda[n.link] = static_cast<Real>(lambda[0]);
             else
-                forceOf(state_, n) = (Point(impulse[0], impulse[1]) / tick()).cast<Real>();
+                forceOf(state_, n) = Point(n.pushed[0], n.pushed[1]).cast<Real>();
         }
     }
 
@@ -199,7 +167,7 @@ private:
             motion_[i].velocity = Point(0, 0);
             motion_[i].spin = 0;
         }
-        for (Link& data : scratch_.links) data.impulse = {0, 0};
+        for (Link& data : scratch_.links) data.lambda = {0, 0};
         tree_.factorStep = Tree::stale;
     }
 
@@ -208,9 +176,7 @@ private:
     NetworkEquations equations_;
     NetworkScratch& scratch_;
     std::vector<StepScratch::Node>& nodes_;
-    std::vector<Motion>&motion_, &before_;
-    bool pressed_ = false;  // isPressed()
-    bool calm_ = true;      // whether all steps converged at once
+    std::vector<Motion>& motion_;
 };
 
 }  // namespace

@@ -172,8 +172,8 @@ MemoryUse ofScratch(const State& state) {
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
-        .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.guess, n.best,
-             n.values, n.points, n.bodies, w.rows, w.contacts, w.pressing, w.inverseMass, w.moved,
+        .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.best, n.values,
+             n.points, n.bodies, w.rows, w.contacts, w.pressing, w.inverseMass, w.moved,
              w.bestMoved, w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
         .add(state.young)

@@ -39,9 +39,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 13174689980976905729u);
+    EXPECT_EQ(world.hash(), 16895935747689850108u);
 #else
-    EXPECT_EQ(world.hash(), 8658320382084906276u);
+    EXPECT_EQ(world.hash(), 4159230469085073715u);
 #endif
 }
 
