@@ -103,7 +103,9 @@ private:
         shape.bX[lane] = b.x;
         shape.bY[lane] = b.y;
         shape.sameBody[lane] = same ? Real(1) : Real(0);
-        shape.free[lane] = core_.movers.bodies[corner.mover].inverseInertia > 0 ? Real(0) : Real(1);
+        const SolverBody& moves = core_.movers.bodies[corner.mover];
+        const bool isPoint = moves.inverseMass > 0 && moves.inverseInertia == 0;
+        shape.free[lane] = isPoint ? Real(1) : Real(0);
         shape.share[lane] = corner.radius / shape.thickness[lane];
         shape.outward[lane] = static_cast<Real>(touch.outward);
         shape.endShare[lane] = touch.end == 2 ? Real(1) : Real(0);
