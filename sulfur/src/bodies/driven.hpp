@@ -26,4 +26,16 @@ inline Point goalOf(const State& state, const BodyRecord& body, std::uint32_t pa
            Point(turn[0] * rest[0] - turn[1] * rest[1], turn[1] * rest[0] + turn[0] * rest[1]);
 }
 
+/// rad, by which a kinematic body turns in this step, to first order, as its first and last
+/// particle go.
+inline double turnOf(const State& state, const BodyRecord& body) {
+    const auto first = body.firstParticle;
+    const auto last = first + static_cast<std::uint32_t>(body.particles.size()) - 1;
+    const Particles& p = state.particles;
+    const Point apart = p.position[last] - p.position[first];
+    const Point goes = (p.displacement[last] - p.displacement[first]).cast<double>();
+    const double size = apart.squaredNorm();
+    return size > 0 ? cross(apart, goes) / size : 0;
+}
+
 }  // namespace sulfur::detail

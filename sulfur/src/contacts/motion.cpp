@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bodies/driven.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
@@ -111,6 +112,9 @@ Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
         seen.at = state.particles.position[i];
         seen.way = state.particles.displacement[i];
         seen.inverseMass = state.particles.inverseMass[i];
+        // Its corners rub at their surface, which turns with it.
+        const BodyRecord& body = state.bodies[state.particles.body[i]];
+        if (body.kind == BodyKind::kinematic) seen.turn = static_cast<Real>(turnOf(state, body));
     }
     return seen;
 }
