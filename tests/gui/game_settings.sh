@@ -47,10 +47,17 @@ cat > "$settings" <<'END'
 END
 start_game
 xdotool mousedown 1
-wait_until 60 view_is_still || fail "it goes on to roll; see $PWD/later.png"
-press w w
-take_picture w.png
-(($(changed_pixels rope.png w.png) < 20000)) || fail "W still reels in; see $PWD/w.png"
+# Where processors are busy, seconds of the game pass between two pictures, and the hero rolls: three
+# tries. If W reeled in, it would move the view in each, or leave nothing for I to reel in.
+for try in 1 2 3; do
+    wait_until 60 view_is_still || fail "it goes on to roll; see $PWD/later.png"
+    xdotool keydown w
+    sleep 1.5
+    take_picture w.png
+    xdotool keyup w
+    (($(changed_pixels rope.png w.png) >= 20000)) || break
+    [[ $try -lt 3 ]] || fail "W still reels in; see $PWD/w.png"
+done
 xdotool keydown i
 wait_until 30 view_has_moved || fail "I does not reel in; see $PWD/moved.png"
 xdotool keyup i mouseup 1
