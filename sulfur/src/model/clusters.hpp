@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/slots.hpp"
+#include "core/trigonometry.hpp"
 
 namespace sulfur::detail {
 
@@ -125,11 +126,6 @@ template <class Scalar>
 Eigen::Matrix<Scalar, 2, 1, Eigen::DontAlign> perpendicular(
     const Eigen::Matrix<Scalar, 2, 1, Eigen::DontAlign>& v) {
     return {-v[1], v[0]};
-}
-
-/// `v`, turned by the angle whose (cos, sin) is `heading`.
-inline Point turned(const Point& heading, const Point& v) {
-    return {heading[0] * v[0] - heading[1] * v[1], heading[1] * v[0] + heading[0] * v[1]};
 }
 
 }  // namespace sulfur::detail

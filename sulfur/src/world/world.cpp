@@ -291,7 +291,7 @@ ParticleInfo World::info(ParticleId id) const {
     double angle = 0, spin = 0;
     if (p.cluster[i] != none && isDisc(state.clusters.list[p.cluster[i]])) {
         const detail::Cluster& disc = state.clusters.list[p.cluster[i]];
-        angle = std::atan2(disc.heading[1], disc.heading[0]);
+        angle = detail::angleOf(disc.heading);
         spin = disc.spin;
     }
     return {state.bodies[p.body[i]].id,
