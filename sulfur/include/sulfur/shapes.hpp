@@ -70,8 +70,8 @@ struct PolygonOptions {
 /// Makes a polygon; see PolygonOptions. Complexity: cubic in the number of points.
 Blueprint polygon(const PolygonOptions& options);
 
-/// One particle with a radius. A particle has no orientation, so that a ball slides and never
-/// rolls, and has no moment of inertia; what rolls is a wheel.
+/// One particle with a radius: a solid disc, which turns and rolls, with the moment of inertia
+/// m r^2 / 2. (With Friction::sliding, or pinned, it does not turn.)
 struct BallOptions {
     Real radius = Real(0.25);  ///< metres, > 0
     Real mass = 1;             ///< kilograms, > 0
