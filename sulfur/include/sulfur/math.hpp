@@ -35,6 +35,12 @@ struct Pose {
     double angle = 0;      ///< radians, counter-clockwise
 };
 
+/// An upright rectangle.
+struct Bounds {
+    Point low{0, 0};   ///< metres, lower left corner
+    Point high{0, 0};  ///< metres, upper right corner
+};
+
 /// The z component of the cross product.
 template <class A, class B>
 auto cross(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {

@@ -138,6 +138,42 @@ public:
     /// The last particle.
     ParticleId back() const { return particles().back(); }
 
+    /// Where its own frame is; see World::pose.
+    Pose pose() const;
+    /// The same for drawing; see World::interpolatedPose.
+    Pose interpolatedPose(double alpha) const;
+    /// Radians; see World::angle.
+    double angle() const;
+    /// Metres; see World::centreOfMass.
+    Point centreOfMass() const;
+    /// m/s; see World::meanVelocity.
+    Vec2 meanVelocity() const;
+    /// rad/s; see World::angularVelocity.
+    double angularVelocity() const;
+    /// kg; see World::mass.
+    Real mass() const;
+    /// kg m^2; see World::inertia.
+    Real inertia() const;
+    /// What it covers; see World::bounds.
+    Bounds bounds() const;
+
+    // A handle stays the same when what it refers to changes.
+
+    /// Puts it elsewhere; see World::setPose.
+    void setPose(const Pose& pose) const;
+    /// m/s of all of its particles; see World::setVelocity.
+    void setVelocity(Vec2 velocity) const;
+    /// m/s and rad/s about its centre of mass; see World::setVelocity.
+    void setVelocity(Vec2 linear, double angular) const;
+    /// Newtons at a point of the world during the next tick; see World::applyForce.
+    void applyForce(Vec2 force, Point at) const;
+    /// N s at a point of the world, at once; see World::applyImpulse.
+    void applyImpulse(Vec2 impulse, Point at) const;
+    /// N m during the next tick; see World::applyTorque.
+    void applyTorque(Real torque) const;
+    /// N m s, at once; see World::applyAngularImpulse.
+    void applyAngularImpulse(Real impulse) const;
+
 private:
     World* world_ = nullptr;
     BodyId id_ = {};
@@ -263,12 +299,46 @@ public:
     const std::optional<Skin>& skin(BodyId body) const;
     /// What setUserData() left there; 0 at first.
     std::uint64_t userData(BodyId body) const;
+
+    // A body as a whole. Rotation is what its particles do together; each of them counts by its
+    // mass, pinned ones by the mass that they have when they are let go. A disc that turns by
+    // itself (see ParticleInfo::spin) counts with its own spin and its moment of inertia,
+    // m r^2 / 2. Complexity: linear in the body; before the first tick after a change of its rigid
+    // joints or pins, that of finding what of it is rigid, where it has particles with a radius.
+
+    /// Where the frame of its blueprint is: after add(blueprint, pose) that pose, with an angle of
+    /// -pi to pi. For a rigid body it is exact within rounding. For any other one it is the rigid
+    /// motion of the blueprint that comes nearest to its particles, by the sum of mass times
+    /// distance squared: both centres of mass meet, and the angle is that of the sums of
+    /// m (q . x) and m (q x x), with the places q in the blueprint and x now, from there (polar
+    /// decomposition: Mueller et al. 2005, shape matching). So it is also for what has changed for
+    /// good, by rest lengths or by places: places in the blueprint stay what they were. Pieces
+    /// that break off keep the frame of their body, as their particles show it. Where both sums
+    /// vanish (a single particle, a body pressed into one point or turned inside out), the angle
+    /// is the one that it was placed with last, by add() or setPose(), or had when it broke;
+    /// that of a disc has rolled on from there.
+    Pose pose(BodyId body) const;
+    /// Where to draw its frame when `alpha` (0..1) of the next tick has already passed on the
+    /// clock: between the poses of the last two ticks. Its centre of mass goes straight, its angle
+    /// evenly and the shorter way. Throws Error when `alpha` is not in 0..1.
+    Pose interpolatedPose(BodyId body, double alpha) const;
+    /// The angle of pose(), -pi to pi.
+    double angle(BodyId body) const;
     /// The mass-weighted mean place of its particles, metres.
     Point centreOfMass(BodyId body) const;
     /// The mass-weighted mean velocity of its particles, m/s.
     Vec2 meanVelocity(BodyId body) const;
-    /// The mass of all its particles, kg, pinned ones included.
+    /// Angular momentum about the centre of mass over inertia(), rad/s; for a rigid body its spin.
+    /// 0 for a single particle that is no disc.
+    double angularVelocity(BodyId body) const;
+    /// The mass of all its particles, kg.
     Real mass(BodyId body) const;
+    /// The moment of inertia of all its particles as they are now, about the centre of mass, kg
+    /// m^2.
+    Real inertia(BodyId body) const;
+    /// The upright rectangle around its particles, discs and capsules; those of joints between
+    /// bodies are left out. Where the last tick left them, or the last call.
+    Bounds bounds(BodyId body) const;
     /// Whether a body sleeps: it rests and costs nothing until something wakes it.
     bool asleep(BodyId body) const;
 
@@ -354,10 +424,48 @@ public:
     void setVelocity(ParticleId particle, Vec2 velocity);
     /// The same for all particles of a body.
     void setVelocity(BodyId body, Vec2 velocity);
+    /// Gives a body the motion of a rigid one: `linear` m/s of its centre of mass, and `angular`
+    /// rad/s about it, -1e6 to 1e6, of all its particles and discs. None of them, nor the rim of a
+    /// disc, may come to more than 2000 m/s on an axis. Pinned particles stay, and a rigid body
+    /// that is pinned keeps of it what its pin allows. A kinematic body goes on like that, turning
+    /// about its centre of mass, until a velocity is set or it is moved to a pose; its particles
+    /// keep to their places in the blueprint meanwhile. Not for fixed bodies.
+    void setVelocity(BodyId body, Vec2 linear, double angular);
+    /// Puts a body elsewhere: its frame (see pose()) is at `pose` then. It keeps its shape, also
+    /// what it is bent by, the velocity of its centre of mass and its angular velocity, so both
+    /// momenta; its velocities relative to the centre of mass turn with it. (Where a particle is
+    /// pinned, all velocities turn with it.) It does not go the way between: nothing on it is
+    /// pushed or sensed, and interpolated() does not show it. What it is put into is led apart
+    /// slowly. Pinned particles come along and are held at their new places. Attachments, joints
+    /// to other bodies and grabs go on to hold: what they hold on to stays where it is, and both
+    /// come together again at up to 5 m/s. A kinematic body forgets where moveTo() would have it
+    /// go. Any kind of body; none of its particles may come to be beyond 1e9 m on an axis. Wakes
+    /// it, what touched or is tied to it, and what a fixed or kinematic body now overlaps.
+    void setPose(BodyId body, const Pose& pose);
     /// Adds a force, in newtons, that acts during the next tick only.
     void applyForce(ParticleId particle, Vec2 force);
     /// Changes the velocity at once by impulse / mass; N s. Does nothing to what cannot move.
     void applyImpulse(ParticleId particle, Vec2 impulse);
+
+    // Pushing a body as a whole. The push acts as on a rigid body: its particles get
+    // m_i (F/M + T/I x r_i), its discs a share of the torque T that goes with their own inertia,
+    // where M is mass(), I inertia() and r_i the place from centreOfMass(). So the sums of force
+    // and torque are exact, a rigid body does what rigid mechanics says, also about a pin, and a
+    // soft one is not deformed by the push itself. What falls to pinned particles their pins bear.
+    // Where there is no inertia (a single particle that is no disc) torques do nothing. None of
+    // this does anything to fixed and kinematic bodies, nor does a push of 0; any other wakes.
+    // Each component is up to 1e12 either way, that of each particle and disc too, points up to
+    // 1e9 m.
+
+    /// Adds a force, in newtons, at a point of the world, that acts during the next tick only.
+    void applyForce(BodyId body, Vec2 force, Point at);
+    /// Adds a torque, in N m, counter-clockwise, that acts during the next tick only.
+    void applyTorque(BodyId body, Real torque);
+    /// Changes velocity and angular velocity at once, by an impulse (N s) at a point of the world.
+    /// No particle, nor the rim of a disc, gets faster than 2000 m/s on an axis.
+    void applyImpulse(BodyId body, Vec2 impulse, Point at);
+    /// Changes the angular velocity at once, by an angular impulse (N m s); likewise limited.
+    void applyAngularImpulse(BodyId body, Real impulse);
     /// Moves a kinematic body so that it is at `pose` after the next tick, pushing what is in its
     /// way. It then stands still unless it is moved again.
     void moveTo(BodyId body, const Pose& pose);
@@ -457,6 +565,54 @@ inline std::span<const ParticleId> Body::particles() const {
 }
 inline std::span<const JointId> Body::joints() const {
     return world_->joints(id_);
+}
+inline Pose Body::pose() const {
+    return world_->pose(id_);
+}
+inline Pose Body::interpolatedPose(double alpha) const {
+    return world_->interpolatedPose(id_, alpha);
+}
+inline double Body::angle() const {
+    return world_->angle(id_);
+}
+inline Point Body::centreOfMass() const {
+    return world_->centreOfMass(id_);
+}
+inline Vec2 Body::meanVelocity() const {
+    return world_->meanVelocity(id_);
+}
+inline double Body::angularVelocity() const {
+    return world_->angularVelocity(id_);
+}
+inline Real Body::mass() const {
+    return world_->mass(id_);
+}
+inline Real Body::inertia() const {
+    return world_->inertia(id_);
+}
+inline Bounds Body::bounds() const {
+    return world_->bounds(id_);
+}
+inline void Body::setPose(const Pose& pose) const {
+    world_->setPose(id_, pose);
+}
+inline void Body::setVelocity(Vec2 velocity) const {
+    world_->setVelocity(id_, velocity);
+}
+inline void Body::setVelocity(Vec2 linear, double angular) const {
+    world_->setVelocity(id_, linear, angular);
+}
+inline void Body::applyForce(Vec2 force, Point at) const {
+    world_->applyForce(id_, force, at);
+}
+inline void Body::applyImpulse(Vec2 impulse, Point at) const {
+    world_->applyImpulse(id_, impulse, at);
+}
+inline void Body::applyTorque(Real torque) const {
+    world_->applyTorque(id_, torque);
+}
+inline void Body::applyAngularImpulse(Real impulse) const {
+    world_->applyAngularImpulse(id_, impulse);
 }
 
 }  // namespace sulfur

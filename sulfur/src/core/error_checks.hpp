@@ -33,6 +33,12 @@ void requireFinite(const Eigen::MatrixBase<Derived>& value, const Subject& what)
 
 /// Throws unless `value` is finite and in [low, high].
 void requireRange(double value, double low, double high, const Subject& what);
+/// Throws unless every component is finite and at most `most` either way.
+template <class Derived>
+void requireWithin(const Eigen::MatrixBase<Derived>& value, double most, const Subject& what) {
+    for (Eigen::Index i = 0; i < value.size(); ++i)
+        requireRange(static_cast<double>(value[i]), -most, most, what);
+}
 /// Throws unless `value` is finite and above 0.
 void requirePositive(double value, const Subject& what);
 /// Throws unless `value` is in [0, infinity], infinity included.

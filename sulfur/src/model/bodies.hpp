@@ -36,6 +36,13 @@ struct BodyRecord {
     bool sensor = false;
     std::uint64_t userData = 0;
     Pose target;
+    // Kinematic, where spin is not 0: it turns about its centre of mass, which goes with `drift`;
+    // the target is then where it is.
+    double spin = 0;    // rad/s
+    Point drift{0, 0};  // m/s
+    // Of its own frame where particles do not show it, which is that of a disc before it has
+    // rolled; now, and when the last tick began. No step asks for them.
+    Point turn{1, 0}, turnBefore{1, 0};  // (cos, sin)
     std::string name;
     std::optional<Skin> skin;
     std::vector<ParticleId> particles;
@@ -62,6 +69,10 @@ struct BodyRecord {
         a(userData);
         a(target.position);
         a(target.angle);
+        a(spin);
+        a(drift);
+        a(turn);
+        a(turnBefore);
         a(name);
         bool skinned = skin.has_value();
         a(skinned);

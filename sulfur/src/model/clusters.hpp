@@ -36,13 +36,15 @@ struct alignas(64) Cluster {
     std::uint8_t stirred = 1;                  // somebody changed the velocities of its particles
     std::uint8_t watched = 0;                  // has joints that may break
 
-    Point massCentre{0, 0};                         // m, from the centre, in its own frame
-    double mass = 0;                                // kg
-    double reach = 0;                               // m, from the centre to its farthest member
-    double freeInverseMass = 0;                     // 1/kg while awake; 0 with a pinned particle
-    double freeInverseInertia = 0;                  // 1/(kg m^2) while awake; 0 with two of them
-    Point centreBefore{0, 0}, headingBefore{1, 0};  // when the last step began; never archived
-    Real sine = 0, versine = 0;                     // of angle; 1 - cos, which keeps small angles
+    Point massCentre{0, 0};         // m, from the centre, in its own frame
+    double mass = 0;                // kg
+    double reach = 0;               // m, from the centre to its farthest member
+    double freeInverseMass = 0;     // 1/kg while awake; 0 with a pinned particle
+    double freeInverseInertia = 0;  // 1/(kg m^2) while awake; 0 with two of them
+    // When the last step began; of discs, between ticks, when the last tick did. Only that of discs
+    // is archived, with the bodies.
+    Point centreBefore{0, 0}, headingBefore{1, 0};
+    Real sine = 0, versine = 0;          // of angle; 1 - cos, which keeps small angles
     std::shared_ptr<const Truss> truss;  // of a watched one, once it was needed; never archived
 
     template <class Archive>

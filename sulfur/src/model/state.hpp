@@ -17,6 +17,7 @@
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
 #include "model/contact_load.hpp"
+#include "model/disc_turns.hpp"
 #include "model/explicit_joints.hpp"
 #include "model/influences.hpp"
 #include "model/joints.hpp"
@@ -201,6 +202,7 @@ struct State {
     /// which is where a scheme that keeps velocities at half ticks must start.
     std::vector<std::uint32_t> fresh;
     std::vector<std::uint32_t> young;  // of this step: what was fresh when it began
+    std::vector<DiscTurn> discTurns;   // of the caller, by handle, until the next tick has ended
 
     Structure structure;
     WorkLists work;
@@ -243,6 +245,11 @@ struct State {
 inline std::uint64_t stepNumber(const State& state) {
     const std::uint64_t count = stepsPerTick(state.settings.tickRate);
     return count * state.tick + count - static_cast<std::uint64_t>(state.stepsLeft);
+}
+
+/// Whether the present step is the first of its tick.
+inline bool isFirstStep(const State& state) {
+    return static_cast<std::uint32_t>(state.stepsLeft) == stepsPerTick(state.settings.tickRate);
 }
 
 inline Counts countsOf(const State& state) {

@@ -9,6 +9,7 @@
 #include "core/pieces.hpp"
 #include "core/trigonometry.hpp"
 #include "kernels/cluster_motion.hpp"
+#include "rigid/disc_turns.hpp"
 #include "rigid/grip.hpp"
 
 namespace sulfur::detail {
@@ -121,8 +122,9 @@ MemberView membersOf(State& state) {
             state.clusters.places.data()->data()};
 }
 
-/// Headings at the end of the tick.
-void turn(const Block& block) {
+/// Headings at the end of the tick. Discs remember the one at its beginning: they have no members
+/// that could tell how they turned.
+void turn(const Block& block, bool isFirst) {
     PerCluster<double> angle{}, x{}, y{};
     for (std::size_t k = 0; k < block.size(); ++k) {
         const Cluster& c = block[k];
@@ -132,7 +134,7 @@ void turn(const Block& block) {
     }
     clusterKernels().turn(angle.data(), x.data(), y.data(), block.size());
     for (std::size_t k = 0; k < block.size(); ++k) {
-        block[k].headingBefore = block[k].heading;
+        if (isFirst || !isDisc(block[k])) block[k].headingBefore = block[k].heading;
         block[k].heading = Point(x[k], y[k]);
         block[k].twist = 0;
     }
@@ -183,6 +185,7 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
         force += f;
         torque += cross(p.arm[i].cast<double>(), f);
     }
+    if (state.anyForced && isDisc(c)) torque += torqueOn(state, c);
     // What turns about its centre of mass falls as gravity has it; what is pinned only turns.
     const bool isFree = c.freeInverseMass > 0;
     if (!isFree) torque += cross(turned(c.heading, c.massCentre), Point(c.mass * gravity));
@@ -258,8 +261,9 @@ bool mayAskForMembers(const State& state) {
 }  // namespace
 
 void moveClusters(State& state) {
+    const bool isFirst = isFirstStep(state);
     forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
-        turn(block);
+        turn(block, isFirst);
         move(block);
     });
     state.membersBehind = true;

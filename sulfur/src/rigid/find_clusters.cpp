@@ -65,6 +65,18 @@ bool isDisc(const State& state, std::uint32_t particle) {
            state.settings.friction == Friction::coulomb;
 }
 
+/// By rigid joint of a body, to which rigid component it belongs, or none. Nothing where there can
+/// be none, or where the body is strained.
+std::vector<std::uint32_t> labelsOf(const State& state, const BodyRecord& body,
+                                    const Framework& frame, bool& strained) {
+    const bool isRod = isLoneRod(state, body, frame);
+    if (!isRod && frame.bars.size() < 3) return {};
+    strained = std::any_of(frame.joints.begin(), frame.joints.end(),
+                           [&](std::uint32_t j) { return isStrained(state, j); });
+    if (strained) return {};
+    return isRod ? std::vector<std::uint32_t>{0} : findRigidSets(frame.positions, frame.bars);
+}
+
 /// What a cluster of these particles turns about, and how heavy it is.
 struct Measures {
     Point centre{0, 0}, massCentre{0, 0};  // m, in the world
@@ -154,18 +166,14 @@ private:
         if (body.kind != BodyKind::dynamic) return;
         const Framework frame(state_, index);
         std::vector<std::uint8_t> taken(frame.positions.size(), 0);
-        const bool isRod = isLoneRod(state_, body, frame);
-        if (isRod || frame.bars.size() >= 3) {
-            body.strained = std::any_of(frame.joints.begin(), frame.joints.end(),
-                                        [&](std::uint32_t j) { return isStrained(state_, j); });
-            if (!body.strained)
-                addSets(index, frame,
-                        isRod ? std::vector<std::uint32_t>{0}
-                              : findRigidSets(frame.positions, frame.bars),
-                        taken);
+        addSets(index, frame, labelsOf(state_, body, frame, body.strained), taken);
+        for (std::uint32_t k = 0; k < taken.size(); ++k) {
+            const auto i = frame.first + k, old = state_.particles.cluster[i];
+            if (!taken[k] && isDisc(state_, i))
+                addDisc(index, i);
+            else if (old != none)
+                keepTurn(body, state_.clusters.list[old]);
         }
-        for (std::uint32_t k = 0; k < taken.size(); ++k)
-            if (!taken[k] && isDisc(state_, frame.first + k)) addDisc(index, frame.first + k);
     }
 
     /// One that has been a disc before keeps how it turns.
@@ -176,6 +184,7 @@ private:
         if (!isDisc(before)) return;
         next_.list.back().spin = before.spin;
         next_.list.back().heading = before.heading;
+        next_.list.back().headingBefore = before.headingBefore;
     }
 
     void addSets(std::uint32_t body, const Framework& frame,
@@ -267,6 +276,36 @@ void updateClusters(State& state, const Counts& before) {
     for (auto i = before.bodies; i < state.bodies.size(); ++i) restoreClusterMasses(state, i);
 }
 
+void keepTurn(BodyRecord& body, const Cluster& cluster) {
+    if (!isDisc(cluster) || body.particles.size() != 1) return;
+    body.turn = turned(body.turn, cluster.heading);
+    body.turnBefore = turned(body.turnBefore, cluster.headingBefore);
+}
+
+std::vector<std::uint32_t> discsOf(const State& state, std::uint32_t index) {
+    const BodyRecord& body = state.bodies[index];
+    const Particles& p = state.particles;
+    const auto first = body.firstParticle;
+    std::vector<std::uint32_t> discs;
+    for (auto i = first; i < first + body.particles.size(); ++i)
+        if (body.kind == BodyKind::dynamic && isDisc(state, i)) discs.push_back(i);
+    if (discs.empty()) return discs;
+    if (!body.clustersStale) {
+        std::erase_if(discs, [&](std::uint32_t i) {
+            return p.cluster[i] == none || !isDisc(state.clusters.list[p.cluster[i]]);
+        });
+        return discs;
+    }
+    const Framework frame(state, index);
+    bool strained = false;
+    const auto label = labelsOf(state, body, frame, strained);
+    for (std::size_t k = 0; k < label.size(); ++k)
+        if (label[k] != none)
+            for (const auto i : {first + frame.bars[k].a, first + frame.bars[k].b})
+                std::erase(discs, i);
+    return discs;
+}
+
 bool strainIsGone(const State& state, std::uint32_t body) {
     const BodyRecord& record = state.bodies[body];
     return std::none_of(record.joints.begin(), record.joints.end(), [&](JointId id) {
@@ -286,6 +325,7 @@ void restoreClusterMasses(State& state, std::uint32_t body) {
         if (moves) continue;
         at->velocity = Point(0, 0);
         at->spin = 0;
+        at->headingBefore = at->heading;
     }
 }
 

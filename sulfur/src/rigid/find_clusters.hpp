@@ -1,6 +1,8 @@
 // Finding the rigid components of bodies.
 #pragma once
 
+#include <vector>
+
 #include "model/state.hpp"
 
 namespace sulfur::detail {
@@ -9,6 +11,12 @@ namespace sulfur::detail {
 /// others, and marks the joints that need no solving because they are inside one. Where bodies were
 /// added to what was there `before`, and nothing else changed, only theirs are looked for.
 void updateClusters(State& state, const Counts& before);
+
+/// A body of a single particle that is no disc any more keeps how it was turned.
+void keepTurn(BodyRecord& body, const Cluster& cluster);
+
+/// The particles of a body that turn by themselves, or will from the next tick on.
+std::vector<std::uint32_t> discsOf(const State& state, std::uint32_t body);
 
 /// Whether a body was too strained to have its rigid components found, and no longer is.
 bool strainIsGone(const State& state, std::uint32_t body);

@@ -12,6 +12,7 @@
 #include "core/room.hpp"
 #include "joints/classify.hpp"
 #include "model/state.hpp"
+#include "rigid/find_clusters.hpp"
 #include "solver/compact.hpp"
 #include "solver/work_lists.hpp"
 #include "trees/tree_solver.hpp"
@@ -180,7 +181,12 @@ void squeezeClusters(State& state, Removal& removal) {
         removal.newCluster[c] = none;
         if (removal.bodies[cluster.body]) continue;
         cluster.body = removal.newBody[cluster.body];
-        if (state.bodies[cluster.body].clustersStale) continue;
+        if (state.bodies[cluster.body].clustersStale) {
+            const auto owner =
+                removal.newBody[state.particles.body[clusters.members[cluster.first]]];
+            if (owner != none) keepTurn(state.bodies[owner], cluster);
+            continue;
+        }
         const auto from = std::exchange(cluster.first, members);
         for (auto k = from; k < cluster.last; ++k, ++members) {
             clusters.members[members] = clusters.members[k];

@@ -1,10 +1,14 @@
 // Stage: velocities and displacements that forces alone would give.
 #include <algorithm>
+#include <cmath>
 
 #include "bodies/driven.hpp"
+#include "bodies/pose.hpp"
 #include "core/limits.hpp"
+#include "core/trigonometry.hpp"
 #include "particles/motion.hpp"
 #include "rigid/cluster_motion.hpp"
+#include "rigid/disc_turns.hpp"
 #include "rigid/find_clusters.hpp"
 #include "rigid/loads.hpp"
 #include "solver/stages.hpp"
@@ -14,26 +18,42 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Displaces the particles of a kinematic body so that they arrive at its target with the last step
-/// of the tick. Each step goes its share of the way that is left.
-void driveTowardsTarget(State& state, const BodyRecord& body) {
+/// Displaces the particles of a kinematic body so that they arrive at its target after so many
+/// steps. Each of these goes its share of the way that is left.
+void driveTowardsTarget(State& state, const BodyRecord& body, double steps) {
     Particles& particles = state.particles;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
-        const Point way = (goalOf(state, body, i) - particles.position[i]) / state.stepsLeft;
+        const Point way = (goalOf(state, body, i) - particles.position[i]) / steps;
         particles.displacement[i] = way.cast<Real>();
         // Not of what has just been rounded: GCC 12 leaves that rounding out, other builds do not.
         particles.velocity[i] = way / static_cast<double>(state.h);
     }
 }
 
-/// Kinematic bodies follow their target, stop after it, or move on as their velocities say.
+/// The target of a kinematic body that turns by itself goes on by a step.
+void advanceTarget(const State& state, BodyRecord& body) {
+    const double h = static_cast<double>(state.h);
+    const Point middle = restCentreOf(state, body);
+    Pose& target = body.target;
+    const Point centre = target.position + turned(unitVector(target.angle), middle);
+    target.angle = std::remainder(target.angle + h * body.spin, fullTurn);
+    target.position = centre + h * body.drift - turned(unitVector(target.angle), middle);
+    target.position = target.position.cwiseMax(-maxCoordinate / 2).cwiseMin(maxCoordinate / 2);
+}
+
+/// Kinematic bodies follow their target, turn by themselves, stop after it, or move on as their
+/// velocities say.
 void driveKinematicBodies(State& state) {
     Particles& particles = state.particles;
     for (const auto index : state.work.kinematic) {
         BodyRecord& body = state.bodies[index];
+        if (isFirstStep(state)) body.turnBefore = body.turn;
         if (body.moving) {
-            driveTowardsTarget(state, body);
+            driveTowardsTarget(state, body, state.stepsLeft);
+        } else if (body.spin != 0) {
+            advanceTarget(state, body);
+            driveTowardsTarget(state, body, 1);
         } else {
             for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
                 const auto i = body.firstParticle + k;
@@ -42,6 +62,7 @@ void driveKinematicBodies(State& state) {
                     (static_cast<double>(state.h) * particles.velocity[i]).cast<Real>();
             }
         }
+        if (body.moving || body.spin != 0) body.turn = unitVector(body.target.angle);
         if (state.stepsLeft > 1) continue;
         body.stopping = body.moving;
         body.moving = false;
@@ -63,6 +84,10 @@ void startFreshParticles(State& state) {
         const Point acceleration = state.settings.gravity.cast<double>() + w * particles.force[i];
         particles.velocity[i] -= lastStepOf(state, i) / 2 * acceleration;
         stirClusters(state, i);
+        if (state.discTurns.empty() || particles.cluster[i] == none) continue;
+        Cluster& c = state.clusters.list[particles.cluster[i]];
+        if (isDisc(c))
+            c.spin -= lastStepOf(state, i) / 2 * torqueOn(state, c) * c.freeInverseInertia;
     }
 }
 
@@ -82,6 +107,7 @@ void predictParticles(State& state) {
 void predict(State& state) {
     state.looked(Stage::predict, state.work.kinematic.size() + state.work.awakeClusters.size() +
                                      state.work.lonelyTrees.size());
+    if (!state.discTurns.empty()) takeSpins(state);
     startFreshParticles(state);
     adoptStirredClusters(state);
     predictParticles(state);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
+#include "bodies/pose.hpp"
 #include "bodies/skins.hpp"
 #include "core/disjoint_sets.hpp"
+#include "core/trigonometry.hpp"
 #include "solver/compact.hpp"
 
 namespace sulfur::detail {
@@ -150,6 +153,36 @@ void reorderParticles(State& state) {
     renumberParticles(state, newIndex);
 }
 
+/// Takes away particles, and bodies that have lost all of theirs.
+void forgetLost(State& state, const std::vector<ParticleId>& lost) {
+    Removal gone(state);
+    for (const ParticleId id : lost) gone.particles[state.particleSlots.dense(id)] = true;
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        const BodyRecord& body = state.bodies[i];
+        const auto from = gone.particles.begin() + body.firstParticle;
+        const auto to = from + static_cast<std::ptrdiff_t>(body.particles.size());
+        gone.bodies[i] = std::find(from, to, false) == to;
+    }
+    compact(state, gone);
+}
+
+/// Bodies by their handles, with the headings of their frames when something broke.
+using Frames = std::vector<std::pair<BodyId, Point>>;
+
+/// What breaks keeps the frame of the body that it was of, also a single particle, which does not
+/// show it.
+void keepFrames(State& state, const Frames& frames) {
+    for (const auto& [id, heading] : frames) {
+        if (!state.bodySlots.contains(id)) continue;
+        BodyRecord& body = state.bodies[state.bodySlots.dense(id)];
+        body.turn = body.turnBefore = heading;
+        const auto cluster = state.particles.cluster[body.firstParticle];
+        if (body.particles.size() > 1 || cluster == none) continue;
+        const Cluster& c = state.clusters.list[cluster];
+        if (isDisc(c)) body.turn = body.turnBefore = turnedBack(c.heading, heading);
+    }
+}
+
 }  // namespace
 
 bool isAttached(const State& state, std::uint32_t particle) {
@@ -171,15 +204,21 @@ void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
         list->erase(std::unique(list->begin(), list->end()), list->end());
     }
     Removal removal(state);
+    Frames frames;
     bool anyLost = false, anySplit = false;
     for (const auto body : broken) {
         const Breakup result = breakUp(state, body, ends);
+        const Point heading = frameOf(state, state.bodies[body]).heading;
+        frames.emplace_back(state.bodies[body].id, heading);
         for (const auto i : result.lost) {
             removal.particles[i] = anyLost = true;
             state.events.particlesLost.push_back(
                 {state.particles.id[i], state.bodies[body].id, state.particles.position[i]});
         }
-        for (const auto& group : result.pieces) makePiece(state, body, group);
+        for (const auto& group : result.pieces) {
+            makePiece(state, body, group);
+            frames.emplace_back(state.bodies.back().id, heading);
+        }
         anySplit |= !result.pieces.empty();
         if (!result.pieces.empty()) shrink(state, body);
     }
@@ -187,16 +226,8 @@ void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
     for (std::size_t i = 0; i < removal.particles.size(); ++i)
         if (removal.particles[i]) lost.push_back(state.particles.id[i]);
     if (anySplit) reorderParticles(state);
-    if (!anyLost) return;
-    Removal gone(state);
-    for (const ParticleId id : lost) gone.particles[state.particleSlots.dense(id)] = true;
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        const BodyRecord& body = state.bodies[i];
-        const auto from = gone.particles.begin() + body.firstParticle;
-        const auto to = from + static_cast<std::ptrdiff_t>(body.particles.size());
-        gone.bodies[i] = std::find(from, to, false) == to;
-    }
-    compact(state, gone);
+    if (anyLost) forgetLost(state, lost);
+    keepFrames(state, frames);
 }
 
 }  // namespace sulfur::detail

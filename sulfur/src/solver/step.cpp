@@ -168,6 +168,7 @@ void step(State& state) {
     } else {
         runSteps(state, count);
     }
+    state.discTurns.clear();
     ++state.tick;
     if (state.tasks) state.tasks->rest();
 }

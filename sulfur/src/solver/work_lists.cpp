@@ -11,17 +11,6 @@ namespace sulfur::detail {
 
 namespace {
 
-/// Clusters [first, last) of a body.
-Range clustersOf(const State& state, std::uint32_t body) {
-    const auto& list = state.clusters.list;
-    const auto from = std::partition_point(list.begin(), list.end(),
-                                           [&](const Cluster& c) { return c.body < body; });
-    const auto to =
-        std::find_if(from, list.end(), [&](const Cluster& c) { return c.body != body; });
-    return {static_cast<std::uint32_t>(from - list.begin()),
-            static_cast<std::uint32_t>(to - list.begin())};
-}
-
 bool hasHinges(const State& state, Range clusters) {
     const auto& hinges = state.clusters.hinges;
     const auto at = std::partition_point(hinges.begin(), hinges.end(), [&](const Hinge& hinge) {
@@ -78,6 +67,16 @@ void enter(std::vector<Range>& ranges, std::uint32_t particle) {
 }
 
 }  // namespace
+
+Range clustersOf(const State& state, std::uint32_t body) {
+    const auto& list = state.clusters.list;
+    const auto from = std::partition_point(list.begin(), list.end(),
+                                           [&](const Cluster& c) { return c.body < body; });
+    const auto to =
+        std::find_if(from, list.end(), [&](const Cluster& c) { return c.body != body; });
+    return {static_cast<std::uint32_t>(from - list.begin()),
+            static_cast<std::uint32_t>(to - list.begin())};
+}
 
 bool isInTree(const State& state, std::uint32_t index) {
     const Range clusters = clustersOf(state, index);

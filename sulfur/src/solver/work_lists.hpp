@@ -7,7 +7,11 @@
 namespace sulfur::detail {
 
 struct BodyRecord;
+struct Range;
 struct State;
+
+/// Its rigid components [first, last).
+Range clustersOf(const State& state, std::uint32_t body);
 
 /// Whether any part of a body, by dense index, belongs to a tree. How bodies are solved must be
 /// derived.

@@ -21,15 +21,6 @@ using detail::State;
 
 namespace {
 
-void requireVector(Vec2 value, double limit, const char* what) {
-    for (int axis = 0; axis < 2; ++axis)
-        requireRange(static_cast<double>(value[axis]), -limit, limit, what);
-}
-
-void requireSpeed(Vec2 velocity) {
-    requireVector(velocity, maxSpeed, "velocity");
-}
-
 void wakeAll(State& state) {
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) detail::wakeBody(state, i);
 }
@@ -44,10 +35,20 @@ void wakeOwner(State& state, std::uint32_t particle) {
     detail::wakeBody(state, state.particles.body[particle]);
 }
 
-void setParticleVelocity(State& state, std::uint32_t i, Vec2 velocity) {
+/// The lists of contacts count what bounces.
+void changeMaterial(State& state, Material& material, const Material& to) {
+    if ((material.restitution > 0) != (to.restitution > 0)) state.core.listsStale = true;
+    material = to;
+}
+
+}  // namespace
+
+namespace detail {
+
+void setParticleVelocity(State& state, std::uint32_t i, const Point& velocity) {
     if (state.particles.pinned[i]) return;
-    state.particles.velocity[i] = velocity.cast<double>();
-    detail::stirClusters(state, i);
+    state.particles.velocity[i] = velocity;
+    stirClusters(state, i);
     if (state.bodies[state.particles.body[i]].kind == BodyKind::dynamic) state.fresh.push_back(i);
 }
 
@@ -57,16 +58,10 @@ void refuseFixed(const State& state, std::uint32_t body) {
                     "a fixed body cannot have a velocity; allowed are dynamic and kinematic ones");
 }
 
-/// The lists of contacts count what bounces.
-void changeMaterial(State& state, Material& material, const Material& to) {
-    if ((material.restitution > 0) != (to.restitution > 0)) state.core.listsStale = true;
-    material = to;
-}
-
-}  // namespace
+}  // namespace detail
 
 void World::setGravity(Vec2 gravity) {
-    requireVector(gravity, detail::maxAcceleration, "gravity");
+    detail::requireWithin(gravity, detail::maxAcceleration, "gravity");
     if (gravity == impl_->data.settings.gravity) return;
     State& state = impl_->changing();
     state.settings.gravity = gravity;
@@ -240,8 +235,7 @@ void World::setMass(ParticleId id, Real mass) {
 void World::setPosition(ParticleId id, Point position) {
     State& state = impl_->changing();
     const auto i = indexOf(state, id);
-    for (int axis = 0; axis < 2; ++axis)
-        requireRange(position[axis], -maxCoordinate, maxCoordinate, "position");
+    detail::requireWithin(position, maxCoordinate, "position");
     detail::wakeTouching(state, state.particles.body[i]);
     if (state.particles.position[i] == position) return;
     state.particles.position[i] = position;
@@ -256,29 +250,31 @@ void World::setPosition(ParticleId id, Point position) {
 void World::setVelocity(ParticleId id, Vec2 velocity) {
     State& state = impl_->changing();
     const auto i = indexOf(state, id);
-    requireSpeed(velocity);
-    refuseFixed(state, state.particles.body[i]);
+    detail::requireWithin(velocity, maxSpeed, "velocity");
+    detail::refuseFixed(state, state.particles.body[i]);
     detail::makeRoom(state.fresh, 1);
     wakeOwner(state, i);
-    setParticleVelocity(state, i, velocity);
+    state.bodies[state.particles.body[i]].spin = 0;
+    detail::setParticleVelocity(state, i, velocity.cast<double>());
 }
 
 void World::setVelocity(BodyId id, Vec2 velocity) {
     State& state = impl_->changing();
     const auto index = indexOf(state, id);
-    requireSpeed(velocity);
-    refuseFixed(state, index);
-    const auto& body = state.bodies[index];
+    detail::requireWithin(velocity, maxSpeed, "velocity");
+    detail::refuseFixed(state, index);
+    auto& body = state.bodies[index];
     detail::makeRoom(state.fresh, body.particles.size());
     detail::wakeBody(state, index);
+    body.spin = 0;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k)
-        setParticleVelocity(state, body.firstParticle + k, velocity);
+        detail::setParticleVelocity(state, body.firstParticle + k, velocity.cast<double>());
 }
 
 void World::applyForce(ParticleId id, Vec2 force) {
     State& state = impl_->changing();
     const auto i = indexOf(state, id);
-    requireVector(force, maxForce, "force");
+    detail::requireWithin(force, maxForce, "force");
     if (force.isZero(0)) return;
     wakeOwner(state, i);
     const Point sum = state.particles.force[i] + force.cast<double>();
@@ -289,7 +285,7 @@ void World::applyForce(ParticleId id, Vec2 force) {
 void World::applyImpulse(ParticleId id, Vec2 impulse) {
     State& state = impl_->changing();
     const auto i = indexOf(state, id);
-    requireVector(impulse, maxForce, "impulse");
+    detail::requireWithin(impulse, maxForce, "impulse");
     if (impulse.isZero(0)) return;
     wakeOwner(state, i);
     const Vec2 change = state.particles.inverseMass[i] * impulse;
@@ -301,9 +297,7 @@ void World::applyImpulse(ParticleId id, Vec2 impulse) {
 void World::moveTo(BodyId id, const Pose& pose) {
     State& state = impl_->changing();
     const auto index = indexOf(state, id);
-    for (int axis = 0; axis < 2; ++axis)
-        requireRange(pose.position[axis], -maxCoordinate / 2, maxCoordinate / 2, "pose: position");
-    requireRange(pose.angle, -1e6, 1e6, "pose: angle");
+    detail::validatePose(pose);
     detail::BodyRecord& body = state.bodies[index];
     if (body.kind != BodyKind::kinematic)
         throw Error(ErrorCode::degenerate,
@@ -311,6 +305,7 @@ void World::moveTo(BodyId id, const Pose& pose) {
                     "one is dynamic or fixed");
     body.target = pose;
     body.moving = true;
+    body.spin = 0;
 }
 
 void World::wake(BodyId id) {

@@ -11,6 +11,13 @@ std::uint32_t indexOf(const State& state, JointId id);
 std::uint32_t indexOf(const State& state, BodyId id);
 std::uint32_t indexOf(const State& state, AttachmentId id);
 
+/// Throws unless a pose is in its range.
+void validatePose(const Pose& pose);
+/// Throws Error{degenerate} where nobody may give a body a velocity.
+void refuseFixed(const State& state, std::uint32_t body);
+/// Gives a particle a velocity (m/s) unless it is pinned; State::fresh has room for it.
+void setParticleVelocity(State& state, std::uint32_t particle, const Point& velocity);
+
 /// The particles of a body that hold a point of its blueprint's frame best, with their weights; the
 /// attachment's own particle and id are left open.
 Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point);

@@ -18,12 +18,6 @@ namespace detail {
 
 namespace {
 
-void validatePose(const Pose& pose) {
-    for (int axis = 0; axis < 2; ++axis)
-        requireRange(pose.position[axis], -maxCoordinate / 2, maxCoordinate / 2, "pose: position");
-    requireRange(pose.angle, -1e6, 1e6, "pose: angle");
-}
-
 void validateMasses(const Blueprint& plan) {
     for (const auto& p : plan.particles)
         requireRange(static_cast<double>(p.mass), minMass, maxMass, "particle mass");
@@ -47,8 +41,7 @@ void addParticle(State& state, const ParticleSpec& spec, const Pose& pose, const
     Particles& p = state.particles;
     const auto index = static_cast<std::uint32_t>(p.size());
     const Point rest = spec.position.cast<double>();
-    p.position.push_back(pose.position + Point(turn[0] * rest[0] - turn[1] * rest[1],
-                                               turn[1] * rest[0] + turn[0] * rest[1]));
+    p.position.push_back(pose.position + turned(turn, rest));
     p.displacement.emplace_back(0, 0);
     p.velocity.emplace_back(0, 0);
     p.force.emplace_back(0, 0);
@@ -137,6 +130,11 @@ void validateConnection(const ConnectOptions& options, Real rest) {
 }
 
 }  // namespace
+
+void validatePose(const Pose& pose) {
+    requireWithin(pose.position, maxCoordinate / 2, "pose: position");
+    requireRange(pose.angle, -1e6, 1e6, "pose: angle");
+}
 
 /// The three particles of a body that hold a point best, with its weights: the two nearest to the
 /// point, and that third one which makes the triangle with them the least flat.
@@ -254,6 +252,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     body.id = state.bodySlots.insert(index);
     body.firstParticle = static_cast<std::uint32_t>(state.particles.size());
     const Point turn = detail::unitVector(pose.angle);
+    body.turn = body.turnBefore = turn;
     for (const ParticleSpec& spec : plan.particles)
         detail::addParticle(state, spec, pose, turn, body, index);
     for (const JointSpec& spec : plan.joints) {

@@ -76,10 +76,11 @@ MemoryUse ofWorkLists(const State& state) {
         .add(w.awake, w.points, w.free, w.awakeClusters, w.clusters, w.watchedClusters,
              w.lonelyTrees, w.tiedTrees, w.lines, w.explicitJoints, w.implicitJoints, w.rigidJoints,
              w.stiffJoints, w.stiffRuns, w.breakableJoints, w.attachments, w.hinges, w.heldNodes,
-             w.bodies, w.kinematic, w.strained, w.turned, state.turned, state.placed, w.tiedJoints,
-             w.springs, w.springStart, w.explicitBatches.batches, w.explicitBatches.joint,
-             w.explicitBatches.a, w.explicitBatches.b, w.explicitBatches.rest,
-             w.explicitBatches.stiffness, w.explicitBatches.damping, state.starts)
+             w.bodies, w.kinematic, w.strained, w.turned, state.turned, state.placed,
+             state.discTurns, w.tiedJoints, w.springs, w.springStart, w.explicitBatches.batches,
+             w.explicitBatches.joint, w.explicitBatches.a, w.explicitBatches.b,
+             w.explicitBatches.rest, w.explicitBatches.stiffness, w.explicitBatches.damping,
+             state.starts)
         .as("lists of what is awake", w.awakeParticles, true);
 }
 

@@ -12,7 +12,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x38735f7266756c53u;  // "Slfr_s8", little-endian
+constexpr std::uint64_t snapshotMark = 0x39735f7266756c53u;  // "Slfr_s9", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>
@@ -48,6 +48,9 @@ void archiveAll(Archive& a, State& state) {
     archiveDecisive(a, state);
     state.structure.archiveAdded(a);
     a(state.bodies);
+    for (Cluster& c : state.clusters.list)
+        if (isDisc(c)) a(c.headingBefore);
+    a(state.discTurns);
     a(state.bodyIds);
     a(state.gone);
     a(state.particleSlots);
@@ -74,6 +77,9 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         if (body.sensor) hasher(body.sensor);
         hasher(body.target.position);
         hasher(body.target.angle);
+        if (body.spin == 0) continue;
+        hasher(body.spin);
+        hasher(body.drift);
     }
 }
 
@@ -122,6 +128,7 @@ std::uint64_t World::hash() const {
     detail::archiveDecisive(hasher, state);
     if (state.structure.onlyAdded) state.structure.archiveAdded(hasher);
     detail::archiveBodyMotion(hasher, state);
+    if (!state.discTurns.empty()) hasher(state.discTurns);
     if (!state.influences.empty()) {
         hasher(state.influences.fields);
         hasher(state.influences.grabs);

@@ -107,6 +107,9 @@ std::string validateBodies(const State& state) {
             gone.particles += body.gone;
             continue;
         }
+        if (!body.turn.allFinite() || !body.turnBefore.allFinite() || !body.drift.allFinite() ||
+            !std::isfinite(body.spin))
+            return problem("turn of a body is not finite", i);
         for (const JointId id : body.joints)
             if (!state.jointSlots.contains(id)) return problem("body with a joint that is gone", i);
         if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)
@@ -125,6 +128,17 @@ std::string validateVisits(const State& state) {
         std::adjacent_find(visits.begin(), visits.end(),
                            [](const Visit& a, const Visit& b) { return !(a < b); }) == visits.end();
     return sorted ? "" : "visits of sensors out of order";
+}
+
+std::string validateDiscTurns(const State& state) {
+    for (std::size_t i = 0; i < state.discTurns.size(); ++i) {
+        const DiscTurn& turn = state.discTurns[i];
+        if (!std::isfinite(turn.spin) || !std::isfinite(turn.torque))
+            return problem("turn of a disc is not finite", i);
+        if (i > 0 && !(state.discTurns[i - 1].disc < turn.disc))
+            return "turns of discs out of order";
+    }
+    return {};
 }
 
 std::string validateClusters(const State& state) {
@@ -265,9 +279,10 @@ std::string validateStructure(const State& state) {
 }  // namespace
 
 std::string findBroken(const State& state) {
-    for (const auto check : {validateArrays, validateParticles, validateJoints, validateAttachments,
-                             validateBodies, validateSleepers, validateVisits, validateContacts,
-                             validateClusters, validateTrees, validateStructure, validateAdded})
+    for (const auto check :
+         {validateArrays, validateParticles, validateJoints, validateAttachments, validateBodies,
+          validateSleepers, validateVisits, validateContacts, validateDiscTurns, validateClusters,
+          validateTrees, validateStructure, validateAdded})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }
