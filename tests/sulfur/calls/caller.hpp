@@ -111,6 +111,7 @@ private:
     void changeJoint();
     void changeParticle();
     void push();
+    void pushBody();
     void influence();
     void changeWorld();
     void drive();

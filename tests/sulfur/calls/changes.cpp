@@ -32,7 +32,7 @@ void Caller::tie() {
 
 void Caller::changeBody() {
     const BodyId id = body();
-    switch (numbers_->below(8)) {
+    switch (numbers_->below(10)) {
         case 0:
             return world_->setMaterial(id, material());
         case 1:
@@ -49,6 +49,14 @@ void Caller::changeBody() {
             return world_->setUserData(id, numbers_->bits());
         case 6:
             return world_->wake(id);
+        case 7: {
+            const Point to = place();
+            return world_->setPose(id, {to, real()});
+        }
+        case 8: {
+            const Vec2 linear = vector();
+            return world_->setVelocity(id, linear, real());
+        }
         default:
             return world_->setVelocity(id, vector());
     }
@@ -85,9 +93,26 @@ void Caller::changeParticle() {
 }
 
 void Caller::push() {
+    if (either()) return pushBody();
     const ParticleId id = particle();
     if (either()) return world_->applyForce(id, 100 * vector());
     world_->applyImpulse(id, vector());
+}
+
+void Caller::pushBody() {
+    const BodyId id = body();
+    const Vec2 push = vector();
+    const Point at = place();
+    switch (numbers_->below(4)) {
+        case 0:
+            return world_->applyForce(id, 100 * push, at);
+        case 1:
+            return world_->applyImpulse(id, push, at);
+        case 2:
+            return world_->applyTorque(id, 100 * number());
+        default:
+            return world_->applyAngularImpulse(id, number());
+    }
 }
 
 Zone Caller::zone() {

@@ -45,6 +45,21 @@ void checkOverlaps(const World& world, const std::vector<Overlap>& found) {
     }
 }
 
+void askWhole(const World& world, BodyId id, double alpha) {
+    const Pose now = world.pose(id), drawn = world.interpolatedPose(id, alpha);
+    require(now.position.allFinite() && std::abs(now.angle) < 3.15 && now.angle == world.angle(id),
+            "a body has a pose");
+    require(drawn.position.allFinite() && std::abs(drawn.angle) < 3.15, "a pose is interpolated");
+    require(std::isfinite(world.angularVelocity(id)) && world.inertia(id) >= 0,
+            "a body has a spin and an inertia");
+    const Bounds bounds = world.bounds(id);
+    const Point centre = world.centreOfMass(id);
+    const double within = 1e-9 * (1 + centre.norm());
+    require((centre.array() >= bounds.low.array() - within).all() &&
+                (centre.array() <= bounds.high.array() + within).all(),
+            "a body is within its bounds");
+}
+
 }  // namespace
 
 /// Who does not ask has drawn the same numbers.
@@ -189,7 +204,7 @@ void Caller::askThings() {
                 require(w.centreOfMass(id).allFinite() && w.meanVelocity(id).allFinite() &&
                             w.mass(id) > 0,
                         "a body has a place, a velocity and a mass");
-                return;
+                return askWhole(w, id, alpha);
             case 1:
                 for (const BodyId visitor : w.visitors(id))
                     require(w.contains(visitor), "visitors are bodies");

@@ -290,6 +290,25 @@ TEST_P(ExhaustedMemory, ChangingBodies) {
     expectAllOrNothing([=](World& w) { w.setUserData(id, 7); });
     expectAllOrNothing([=](World& w) { w.setVelocity(id, {1, 2}); });
     expectAllOrNothing([=](World& w) { w.wake(id); });
+    expectAllOrNothing([=](World& w) { w.setVelocity(id, {1, 2}, 3); });
+    expectAllOrNothing([=](World& w) { w.setPose(id, {.position = {3, 5}, .angle = 1}); });
+    expectAllOrNothing([fixed = body(0)](World& w) { w.setPose(fixed, {.angle = 1}); });
+}
+
+TEST_P(ExhaustedMemory, PushingBodies) {
+    for (const BodyId id : {body(2), body(3), world_->bodies().back()}) {
+        expectAllOrNothing([=](World& w) { w.applyForce(id, {1, 2}, {0, 1}); });
+        expectAllOrNothing([=](World& w) { w.applyImpulse(id, {1, 2}, {0, 1}); });
+        expectAllOrNothing([=](World& w) { w.applyTorque(id, 2); });
+        expectAllOrNothing([=](World& w) { w.applyAngularImpulse(id, 2); });
+    }
+    // A disc that no tick has found yet.
+    World other;
+    const BodyId ball = other.add(shapes::ball());
+    const auto saved = other.snapshot();
+    sulfur::expectAllOrNothing(saved, [=](World& w) { w.applyAngularImpulse(ball, 2); });
+    sulfur::expectAllOrNothing(saved, [=](World& w) { w.applyTorque(ball, 2); });
+    sulfur::expectAllOrNothing(saved, [=](World& w) { w.setVelocity(ball, {1, 0}, 2); });
 }
 
 TEST_P(ExhaustedMemory, ChangingJoints) {
@@ -376,6 +395,9 @@ TEST_P(ExhaustedMemory, Looking) {
     expectAllOrNothing([](World& w) { w.nearestParticle({0, 1}, 3); });
     expectAllOrNothing([](World& w) { w.contacts(); });
     expectAllOrNothing([=](World& w) { w.visitors(id); });
+    expectAllOrNothing([](World& w) {
+        for (const BodyId each : w.bodies()) w.angularVelocity(each);
+    });
     expectAllOrNothing([](World& w) {
         DebugDraw nobody;
         w.draw(nobody);
