@@ -33,6 +33,13 @@ bool isDriving(const State& state, std::uint32_t index) {
                        [](const Point& v) { return v.squaredNorm() > 0; });
 }
 
+/// Whether the rim of a disc moves, although it goes nowhere.
+bool spinsInPlace(const State& state, const Cluster& c) {
+    if (!isDisc(c) || c.spin == 0) return false;
+    const auto radius = state.particles.radius[state.clusters.members[c.first]];
+    return std::abs(c.spin) * static_cast<double>(radius) >= restingSpeed;
+}
+
 /// Returns whether any body has been at rest for long enough. Not in a step that has changed
 /// bodies: the lists are of those before.
 bool measureRest(State& state) {
@@ -41,7 +48,8 @@ bool measureRest(State& state) {
     for (const auto index : state.work.awakeClusters) {
         const Cluster& c = state.clusters.list[index];
         const double rest = restingSpeed - std::abs(c.spin) * c.reach;
-        if (rest <= 0 || c.velocity.squaredNorm() >= rest * rest) isMoved(c.body);
+        if (spinsInPlace(state, c) || rest <= 0 || c.velocity.squaredNorm() >= rest * rest)
+            isMoved(c.body);
     }
     for (const Range range : state.work.points)
         for (auto i = range.first; i < range.last; ++i)

@@ -59,6 +59,17 @@ TEST(Disc, SlidesUntilItRolls) {
     EXPECT_NEAR(speedOf(world, disc), 2, 0.01);
 }
 
+TEST(Disc, SpinningInPlaceItDoesNotFallAsleep) {
+    World world({.gravity = {0, 0}});
+    const Body disc = world.add(shapes::ball({.radius = Real(radius)}));
+    const Body other = world.add(shapes::ball(), {.position = {9, 9}});
+    disc.setVelocity({0, 0}, 0.1);
+    other.setVelocity({0, 0}, 0.01);
+    test::run(world, 3);
+    EXPECT_EQ(spinOf(world, disc), 0.1);
+    EXPECT_TRUE(world.asleep(other)) << "its rim goes 2.5 mm/s";
+}
+
 /// N m s, of discs about the origin.
 double angularMomentum(const World& world, const std::vector<Body>& discs) {
     double sum = 0;
