@@ -173,6 +173,10 @@ public:
     void applyTorque(Real torque) const;
     /// N m s, at once; see World::applyAngularImpulse.
     void applyAngularImpulse(Real impulse) const;
+    /// How much of gravity acts on it; see World::setGravityScale.
+    Real gravityScale() const;
+    /// Changes that.
+    void setGravityScale(Real scale) const;
 
 private:
     World* world_ = nullptr;
@@ -339,6 +343,8 @@ public:
     /// The upright rectangle around its particles, discs and capsules; those of joints between
     /// bodies are left out. Where the last tick left them, or the last call.
     Bounds bounds(BodyId body) const;
+    /// How much of gravity() acts on a body; see setGravityScale().
+    Real gravityScale(BodyId body) const;
     /// Whether a body sleeps: it rests and costs nothing until something wakes it.
     bool asleep(BodyId body) const;
 
@@ -405,6 +411,10 @@ public:
     /// sensors. Who comes and goes is told at the end of each tick in events(); where a sensor is
     /// removed, or made an ordinary body, nothing is told. Wakes what is near.
     void setSensor(BodyId body, bool sensor);
+    /// How much of gravity() acts on a dynamic body, -1000 to 1000, 1 at first: 0 floats, below 0
+    /// rises. Pieces that break off inherit it; scene files do not hold it. Wakes it and what
+    /// touches it.
+    void setGravityScale(BodyId body, Real scale);
     /// Leaves a number with a body, for the caller's use; it is no part of hash().
     void setUserData(BodyId body, std::uint64_t data);
     /// N/m, 0 to `infinite`.
@@ -613,6 +623,12 @@ inline void Body::applyTorque(Real torque) const {
 }
 inline void Body::applyAngularImpulse(Real impulse) const {
     world_->applyAngularImpulse(id_, impulse);
+}
+inline Real Body::gravityScale() const {
+    return world_->gravityScale(id_);
+}
+inline void Body::setGravityScale(Real scale) const {
+    world_->setGravityScale(id_, scale);
 }
 
 }  // namespace sulfur

@@ -227,8 +227,13 @@ private:
         s.falls = 0;
         const Vec2 fall = h_ * h_ * state_.settings.gravity;
         for (std::size_t k = 0; k < 3; ++k)
-            if (movers_.bodies[s.body[k]].inverseMass > 0) s.falls += s.linear[k].dot(fall);
+            if (movers_.bodies[s.body[k]].inverseMass > 0)
+                s.falls += gravityScaleOf(s.body[k]) * s.linear[k].dot(fall);
         return s;
+    }
+    Real gravityScaleOf(std::uint32_t mover) const {
+        if (!state_.gravityScaled) return 1;
+        return state_.bodies[state_.bodySlots.denseOf(movers_.body[mover])].gravityScale;
     }
     Real gapNow(const Strike& s, Real gap) const {
         for (std::size_t k = 0; k < 3; ++k) {

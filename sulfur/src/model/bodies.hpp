@@ -35,6 +35,7 @@ struct BodyRecord {
     Filter filter;
     bool sensor = false;
     std::uint64_t userData = 0;
+    Real gravityScale = 1;
     Pose target;
     // Kinematic, where spin is not 0: it turns about its centre of mass, which goes with `drift`;
     // the target is then where it is.
@@ -67,6 +68,7 @@ struct BodyRecord {
         a(filter);
         a(sensor);
         a(userData);
+        a(gravityScale);
         a(target.position);
         a(target.angle);
         a(spin);

@@ -226,6 +226,7 @@ struct State {
     Tasks* tasks = nullptr;      // threads that the host lends; null: the caller's alone
     bool anyStirred = true;      // some cluster is stirred
     bool anyForced = true;       // members of awake clusters may have forces that are still to act
+    bool gravityScaled = false;  // some body has had another BodyRecord::gravityScale than 1
     bool membersBehind = false;  // those of awake clusters have not followed them yet
     /// What follows from who is awake, found at the end of a tick and void after any change: no
     /// tick would change anything.
@@ -245,6 +246,12 @@ struct State {
 inline std::uint64_t stepNumber(const State& state) {
     const std::uint64_t count = stepsPerTick(state.settings.tickRate);
     return count * state.tick + count - static_cast<std::uint64_t>(state.stepsLeft);
+}
+
+/// What of the world's gravity acts on a body besides itself, m/s^2.
+inline Point moreGravity(const State& state, std::uint32_t body) {
+    const double more = static_cast<double>(state.bodies[body].gravityScale) - 1;
+    return more * state.settings.gravity.cast<double>();
 }
 
 /// Whether the present step is the first of its tick.

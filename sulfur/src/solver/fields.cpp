@@ -76,6 +76,20 @@ void drag(State& state, const WindField& field) {
     });
 }
 
+/// Where the gravity of a body is not the world's, the difference is a force.
+void scaleGravity(State& state) {
+    for (const auto index : state.work.bodies) {
+        const BodyRecord& body = state.bodies[index];
+        if (body.kind != BodyKind::dynamic || body.gravityScale == 1) continue;
+        state.anyForced = true;
+        const Point more = moreGravity(state, index);
+        const auto last = body.firstParticle + static_cast<std::uint32_t>(body.particles.size());
+        for (auto i = body.firstParticle; i < last; ++i)
+            if (state.particles.inverseMass[i] != 0)
+                state.particles.force[i] += static_cast<double>(state.particles.mass[i]) * more;
+    }
+}
+
 }  // namespace
 
 bool actsOn(const State& state, const Field& field, std::uint32_t index) {
@@ -91,6 +105,7 @@ bool actsOn(const State& state, const Field& field, std::uint32_t index) {
 }
 
 void applyFields(State& state) {
+    if (state.gravityScaled) scaleGravity(state);
     const auto& fields = state.influences.fields;
     if (!fields.empty()) state.anyForced = true;
     for (const FieldRecord& record : fields) {

@@ -174,6 +174,16 @@ void World::setSensor(BodyId id, bool sensor) {
     detail::bodyChanged(state);
 }
 
+void World::setGravityScale(BodyId id, Real scale) {
+    State& state = impl_->changing();
+    const auto index = indexOf(state, id);
+    requireRange(static_cast<double>(scale), -1000, 1000, "gravity scale");
+    if (scale == state.bodies[index].gravityScale) return;
+    detail::wakeTouching(state, index);
+    state.bodies[index].gravityScale = scale;
+    state.gravityScaled = true;
+}
+
 void World::setUserData(BodyId id, std::uint64_t data) {
     impl_->state().bodies[indexOf(impl_->state(), id)].userData = data;
 }

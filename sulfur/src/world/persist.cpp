@@ -51,6 +51,7 @@ void archiveAll(Archive& a, State& state) {
     for (Cluster& c : state.clusters.list)
         if (isDisc(c)) a(c.headingBefore);
     a(state.discTurns);
+    a(state.gravityScaled);
     a(state.bodyIds);
     a(state.gone);
     a(state.particleSlots);
@@ -75,6 +76,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.material);
         hasher(body.filter);
         if (body.sensor) hasher(body.sensor);
+        if (body.gravityScale != 1) hasher(body.gravityScale);
         hasher(body.target.position);
         hasher(body.target.angle);
         if (body.spin == 0) continue;

@@ -244,6 +244,9 @@ const std::optional<Skin>& World::skin(BodyId id) const {
 std::uint64_t World::userData(BodyId id) const {
     return record(impl_->known(), id).userData;
 }
+Real World::gravityScale(BodyId id) const {
+    return record(impl_->known(), id).gravityScale;
+}
 bool World::asleep(BodyId id) const {
     return record(impl_->known(), id).asleep;
 }
@@ -364,9 +367,10 @@ double World::energy() const {
     for (std::uint32_t i = 0; i < p.size(); ++i) {
         if (state.bodies[p.body[i]].kind != BodyKind::dynamic || p.pinned[i]) continue;
         const auto v = p.velocity[i];
+        Point gravity = state.settings.gravity.cast<double>();
+        if (state.gravityScaled) gravity += detail::moreGravity(state, p.body[i]);
         sum += static_cast<double>(p.mass[i]) *
-               (v.squaredNorm() / 2 -
-                state.settings.gravity.cast<double>().dot(positionOfVelocity(state, i)));
+               (v.squaredNorm() / 2 - gravity.dot(positionOfVelocity(state, i)));
     }
     for (const detail::Cluster& c : state.clusters.list)
         if (isDisc(c)) sum += c.spin * c.spin / (2 * c.freeInverseInertia);

@@ -32,7 +32,7 @@ void Caller::tie() {
 
 void Caller::changeBody() {
     const BodyId id = body();
-    switch (numbers_->below(10)) {
+    switch (numbers_->below(11)) {
         case 0:
             return world_->setMaterial(id, material());
         case 1:
@@ -57,6 +57,8 @@ void Caller::changeBody() {
             const Vec2 linear = vector();
             return world_->setVelocity(id, linear, real());
         }
+        case 9:
+            return world_->setGravityScale(id, number());
         default:
             return world_->setVelocity(id, vector());
     }
