@@ -337,8 +337,7 @@ public:
     double angularVelocity(BodyId body) const;
     /// The mass of all its particles, kg.
     Real mass(BodyId body) const;
-    /// The moment of inertia of all its particles as they are now, about the centre of mass, kg
-    /// m^2.
+    /// The moment of inertia of its particles as they are now, about its centre of mass, kg m^2.
     Real inertia(BodyId body) const;
     /// The upright rectangle around its particles, discs and capsules; those of joints between
     /// bodies are left out. Where the last tick left them, or the last call.
