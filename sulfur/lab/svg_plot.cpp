@@ -104,6 +104,9 @@ private:
     }
 
     void legend() {
+        // Many lines are set closer, so that the last one is within the picture.
+        const double step =
+            std::min(26.0, (height - top - 24) / static_cast<double>(plot_.series.size()));
         double y = top + 12;
         for (const Series& series : plot_.series) {
             const double x = right + 18;
@@ -111,7 +114,7 @@ private:
                 out_ += fmt::format("<path d=\"M{} {}h30\" {}/>\n", x, y, stroke(series));
             if (!series.points.empty()) mark(series, x + 15, y);
             text(x + 40, y + 5, "start", series.title);
-            y += 26;
+            y += step;
         }
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "battery/measure.hpp"
 #include "battery/scenes.hpp"
 
 namespace sulfur::lab {
@@ -10,6 +11,16 @@ namespace sulfur::lab {
 bool AccuracyScene::hasRigidJoints() const {
     return std::any_of(joints.begin(), joints.end(),
                        [](const SceneJoint& joint) { return std::isinf(joint.stiffness); });
+}
+
+double AccuracyScene::largestStrain(const Vecs& places) const {
+    double largest = 0;
+    for (const SceneJoint& joint : joints)
+        if (std::isinf(joint.stiffness))
+            largest =
+                worst(largest,
+                      std::abs((places[joint.b] - places[joint.a]).norm() / joint.restLength - 1));
+    return largest;
 }
 
 SpringSystem AccuracyScene::springs() const {

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "accuracy/nets.hpp"
 #include "accuracy/scene.hpp"
 #include "integrators/integrator.hpp"
 #include "references/chain.hpp"
@@ -15,7 +15,6 @@ namespace sulfur::lab {
 
 namespace {
 
-constexpr double rigid = std::numeric_limits<double>::infinity();
 constexpr double g = 9.81;
 
 /// Samples a path that is known in closed form.
@@ -65,7 +64,7 @@ AccuracyScene linked(const Vecs& places, const std::vector<double>& masses, doub
     scene.masses.insert(scene.masses.end(), masses.begin(), masses.end());
     scene.start = {places, Vecs(places.size(), Vec::Zero())};
     for (std::size_t i = 0; i + 1 < places.size(); ++i)
-        scene.joints.push_back({i, i + 1, rigid, 0, length});
+        scene.joints.push_back({i, i + 1, rigidStiffness, 0, length});
     scene.watched = {places.size() - 1};
     return scene;
 }
@@ -193,7 +192,7 @@ AccuracyScene crate(const SceneOptions&) {
         scene.masses.push_back(mass);
         scene.watched.push_back(i);
         for (std::size_t j = 0; j < i; ++j)
-            scene.joints.push_back({j, i, rigid, 0, (corners[i] - corners[j]).norm()});
+            scene.joints.push_back({j, i, rigidStiffness, 0, (corners[i] - corners[j]).norm()});
     }
     scene.rigidStandIn = 1e6;  // stretched by some 1e-5
     sample(scene, 2, [=](double t) {
@@ -225,18 +224,28 @@ AccuracyScene stack(const SceneOptions&) {
 struct Entry {
     std::string key;
     AccuracyScene (*make)(const SceneOptions&);
+    bool loaded = false;
 };
 
 const std::vector<Entry>& entries() {
     static const std::vector<Entry> all{{"fall", fall},
                                         {"spring", spring},
                                         {"pendulum", pendulum},
-                                        {"rope", rope},
+                                        {"rope", rope, true},
                                         {"double", doublePendulum},
                                         {"lattice", lattice},
                                         {"crate", crate},
-                                        {"stack", stack}};
+                                        {"stack", stack},
+                                        {"net", swingingNet, true},
+                                        {"cloth", strickenCloth, true},
+                                        {"grid", pinnedGrid, true}};
     return all;
+}
+
+const Entry& entryOf(const std::string& key) {
+    for (const Entry& entry : entries())
+        if (entry.key == key) return entry;
+    throw std::out_of_range("there is no scene " + key);
 }
 
 }  // namespace
@@ -250,14 +259,14 @@ const std::vector<std::string>& sceneKeys() {
     return keys;
 }
 
+bool isLoaded(const std::string& key) {
+    return entryOf(key).loaded;
+}
+
 AccuracyScene makeScene(const std::string& key, const SceneOptions& options) {
-    for (const Entry& entry : entries()) {
-        if (entry.key != key) continue;
-        AccuracyScene scene = entry.make(options);
-        scene.key = key;
-        return scene;
-    }
-    throw std::out_of_range("there is no scene " + key);
+    AccuracyScene scene = entryOf(key).make(options);
+    scene.key = key;
+    return scene;
 }
 
 }  // namespace sulfur::lab

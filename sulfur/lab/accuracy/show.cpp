@@ -17,6 +17,15 @@ std::string cell(const WorkPoint& point) {
     return fmt::format("{:.1e}@{:.1e}", point.error, point.cost);
 }
 
+std::string strainCell(const WorkPoint& point) {
+    return std::isfinite(point.strain) ? fmt::format("{:.1e}", point.strain) : "exploded";
+}
+
+/// What strain is measured of, and its unit.
+std::string strainOf(const AccuracyScene& scene) {
+    return scene.pins.empty() ? "strain of a rigid joint" : "opening of a pin (m)";
+}
+
 /// The rates of the longest curve.
 std::vector<int> ratesOf(const WorkPrecision& scene) {
     std::vector<int> rates;
@@ -26,6 +35,18 @@ std::vector<int> ratesOf(const WorkPrecision& scene) {
         for (const WorkPoint& point : curve.points) rates.push_back(point.rate);
     }
     return rates;
+}
+
+/// A line for each curve, in columns of rates.
+template <class Cell>
+std::string table(const WorkPrecision& work, Cell&& cellOf) {
+    std::string out = fmt::format("{:<22}", "rate (Hz)");
+    for (const int rate : ratesOf(work)) out += fmt::format("{:>16}", rate);
+    for (const WorkCurve& curve : work.curves) {
+        out += fmt::format("\n{:<22}", curve.title);
+        for (const WorkPoint& point : curve.points) out += fmt::format("{:>16}", cellOf(point));
+    }
+    return out + '\n';
 }
 
 /// The cheapest run of each kind that is no further off than `error`.
@@ -72,13 +93,11 @@ std::string asText(const std::vector<WorkPrecision>& scenes, const CostOptions& 
                 "The World's joints are rigid; for the integrators, which know "
                 "springs only, springs of {:.3g} N/m stand for them.\n",
                 scene.rigidStandIn);
-        out += fmt::format("{:<22}", "rate (Hz)");
-        for (const int rate : ratesOf(work)) out += fmt::format("{:>16}", rate);
-        for (const WorkCurve& curve : work.curves) {
-            out += fmt::format("\n{:<22}", curve.title);
-            for (const WorkPoint& point : curve.points) out += fmt::format("{:>16}", cell(point));
-        }
-        out += "\nThe cheapest:\n";
+        out += table(work, cell);
+        if (scene.isTied())
+            out += fmt::format("The largest {} at the end of any tick:\n", strainOf(scene)) +
+                   table(work, strainCell);
+        out += "The cheapest:\n";
         for (const double error : {0.1, 0.01, 0.001, 0.0001}) out += cheapest(work, error);
         out += "Pareto front, from cheap to exact:\n";
         for (const FrontPoint& p : paretoFront(work))
@@ -89,13 +108,13 @@ std::string asText(const std::vector<WorkPrecision>& scenes, const CostOptions& 
 }
 
 std::string asCsv(const std::vector<WorkPrecision>& scenes) {
-    std::string out = "scene,method,rate_hz,error_m,cpu_s,scene_s,reference_error_m\n";
+    std::string out = "scene,method,rate_hz,error_m,cpu_s,scene_s,reference_error_m,strain\n";
     for (const WorkPrecision& work : scenes)
         for (const WorkCurve& curve : work.curves)
             for (const WorkPoint& point : curve.points)
-                out += fmt::format("{},{},{},{},{},{},{}\n", work.scene.key, curve.key, point.rate,
-                                   point.error, point.cost, work.scene.seconds(),
-                                   work.scene.referenceError);
+                out += fmt::format("{},{},{},{},{},{},{},{}\n", work.scene.key, curve.key,
+                                   point.rate, point.error, point.cost, work.scene.seconds(),
+                                   work.scene.referenceError, point.strain);
     return out;
 }
 
@@ -118,8 +137,9 @@ std::string asJson(const std::vector<WorkPrecision>& scenes) {
             for (const WorkPoint& point : curve.points) {
                 out += fmt::format(
                     "{}      {{\"method\": \"{}\", \"rate\": {}, \"error\": {}, "
-                    "\"cpuSeconds\": {}}}",
-                    separator, curve.key, point.rate, number(point.error), number(point.cost));
+                    "\"cpuSeconds\": {}, \"strain\": {}}}",
+                    separator, curve.key, point.rate, number(point.error), number(point.cost),
+                    number(point.strain));
                 separator = ",\n";
             }
         }
@@ -128,7 +148,7 @@ std::string asJson(const std::vector<WorkPrecision>& scenes) {
     return out + "\n  ]\n}\n";
 }
 
-std::string asSvg(const WorkPrecision& work) {
+std::string asSvg(const WorkPrecision& work, Measure by) {
     static const std::map<std::string, const char*> colours{
         {"world-1", "#27ae60"},  {"world-4", "#117a65"}, {"world-16", "#0b3d2e"},
         {"euler", "#c0392b"},    {"suvat", "#d68910"},   {"rk2", "#7d8c1f"},
@@ -137,27 +157,29 @@ std::string asSvg(const WorkPrecision& work) {
     Plot plot;
     plot.title = work.scene.title;
     plot.xTitle = "processor time for the scene (s), stepping only";
-    plot.yTitle = "error (m)";
+    plot.yTitle = by == &WorkPoint::strain ? "largest " + strainOf(work.scene) : "error (m)";
     plot.xLogarithmic = true;
     double least = 1e9, most = 1e-9, low = 1, high = 1e-9;
     for (const WorkCurve& curve : work.curves) {
         Series series{curve.title, curve.colour.empty() ? colours.at(curve.key) : curve.colour,
                       false,       curve.ours,
                       true,        {}};
-        series.dashed = curve.key.find("held") != std::string::npos;
+        series.dashed = curve.key.find("held") != std::string::npos ||
+                        curve.key.find("stiff") != std::string::npos;
         for (const WorkPoint& point : curve.points) {
-            if (!std::isfinite(point.error) || !(point.error > 0)) continue;
-            series.points.emplace_back(point.cost, point.error);
+            const double value = point.*by;
+            if (!std::isfinite(value) || !(value > 0)) continue;
+            series.points.emplace_back(point.cost, value);
             least = std::min(least, point.cost);
             most = std::max(most, point.cost);
-            low = std::min(low, point.error);
-            high = std::max(high, point.error);
+            low = std::min(low, value);
+            high = std::max(high, value);
         }
         plot.series.push_back(std::move(series));
     }
     Series front{"Pareto front", "#f1c40f", true, false, true, {}};
-    for (const FrontPoint& p : paretoFront(work))
-        if (p.point.error > 0) front.points.emplace_back(p.point.cost, p.point.error);
+    for (const FrontPoint& p : paretoFront(work, by))
+        if (p.point.*by > 0) front.points.emplace_back(p.point.cost, p.point.*by);
     plot.series.push_back(std::move(front));
     for (double x = std::floor(std::log10(least)); x <= std::ceil(std::log10(most)); ++x)
         plot.xTicks.push_back(std::pow(10, x));

@@ -11,7 +11,8 @@ namespace sulfur::lab {
 std::string asText(const std::vector<WorkPrecision>& scenes, const CostOptions& options);
 std::string asCsv(const std::vector<WorkPrecision>& scenes);
 std::string asJson(const std::vector<WorkPrecision>& scenes);
-/// Error against run time on logarithmic axes, one line a method, one mark a rate.
-std::string asSvg(const WorkPrecision& scene);
+/// Error, or the measure that is asked for, against run time on logarithmic axes, one line a
+/// method, one mark a rate.
+std::string asSvg(const WorkPrecision& scene, Measure by = &WorkPoint::error);
 
 }  // namespace sulfur::lab

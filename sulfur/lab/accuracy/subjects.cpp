@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sulfur/sulfur.hpp>
 
+#include "accuracy/swept_run.hpp"
+#include "battery/measure.hpp"
 #include "battery/scenes.hpp"
 #include "bench/engine.hpp"
 #include "bench/show.hpp"
@@ -25,7 +27,12 @@ public:
     void advance(long ticks) override {
         for (long i = 0; i < ticks; ++i) world_.step();
     }
-    Vec position(std::size_t particle) const override { return world_.position(body_[particle]); }
+    Vecs places() const override {
+        Vecs all;
+        for (const ParticleId particle : body_.particles())
+            all.push_back(world_.position(particle));
+        return all;
+    }
 
 private:
     World world_;
@@ -44,7 +51,7 @@ public:
     void advance(long ticks) override {
         for (long i = 0; i < ticks; ++i) integrator_->step(system_, state_, h_);
     }
-    Vec position(std::size_t particle) const override { return state_.x[particle]; }
+    Vecs places() const override { return state_.x; }
 
 private:
     SpringSystem system_;
@@ -53,58 +60,11 @@ private:
     double h_;
 };
 
-/// A chain of rigid links, a net of springs, or squares on a floor, as all engines know them.
-class EngineRun final : public Run {
-public:
-    EngineRun(const AccuracyScene& scene, const bench::Setting& setting)
-        : world_(bench::engineOf(setting.engine).make(setting)), squares_(!scene.squares.empty()) {
-        if (squares_) {
-            world_->addFixed(Point(0, -1), Point(20, 1));
-            for (const Vec& centre : scene.squares) world_->addSquare(centre, 0, Point(0, 0));
-            return;
-        }
-        std::vector<Point> points;
-        for (const Vec& x : scene.start.x) points.emplace_back(x);
-        if (scene.hasRigidJoints()) {
-            world_->addRope({std::move(points), scene.masses});
-            return;
-        }
-        bench::NetPlan net{std::move(points), scene.masses, {}};
-        for (const SceneJoint& joint : scene.joints)
-            net.springs.push_back(
-                {joint.a, joint.b, joint.restLength, joint.stiffness, joint.damping});
-        world_->addNet(net);
-    }
-    void advance(long ticks) override {
-        for (long i = 0; i < ticks; ++i) world_->step();
-    }
-    Vec position(std::size_t i) const override {
-        return squares_ ? world_->square(i).first : world_->rope(0)[i];
-    }
-
-private:
-    std::unique_ptr<bench::EngineWorld> world_;
-    bool squares_;
-};
-
-std::unique_ptr<Run> startWorld(const AccuracyScene& scene, int rate, int sweeps) {
-    if (scene.squares.empty()) return std::make_unique<WorldRun>(scene, rate, sweeps);
-    return std::make_unique<EngineRun>(
-        scene, bench::Setting{.engine = "sulfur", .rate = rate, .iterations = sweeps});
-}
-
-/// Whether a scene begins as the other engines' worlds do.
+/// Whether a scene begins as the other engines' chains do.
 bool startsAtRest(const AccuracyScene& scene) {
     return scene.gravity == bench::gravity &&
            std::all_of(scene.start.v.begin(), scene.start.v.end(),
                        [](const Vec& v) { return v.isZero(); });
-}
-
-/// Whether it has springs only.
-bool isNet(const AccuracyScene& scene) {
-    return startsAtRest(scene) && !scene.joints.empty() &&
-           std::none_of(scene.joints.begin(), scene.joints.end(),
-                        [](const SceneJoint& joint) { return std::isinf(joint.stiffness); });
 }
 
 /// Whether it is a chain of rigid links that hangs from particle 0.
@@ -116,6 +76,71 @@ bool isChain(const AccuracyScene& scene) {
             !std::isinf(scene.joints[i].stiffness))
             return false;
     return true;
+}
+
+/// Whether the other engines know it as a net.
+bool isNet(const AccuracyScene& scene) {
+    return scene.gravity == bench::gravity && !scene.joints.empty() && !isChain(scene);
+}
+
+/// A chain of rigid links, a net, pinned bodies, or squares on a floor, as all engines know them.
+class EngineRun final : public Run {
+public:
+    EngineRun(const AccuracyScene& scene, const bench::Setting& setting)
+        : world_(bench::engineOf(setting.engine).make(setting)),
+          squares_(scene.squares.size()),
+          bodies_(scene.bodies.size()) {
+        if (squares_ > 0) world_->addFixed(Point(0, -1), Point(20, 1));
+        for (const Vec& centre : scene.squares) world_->addSquare(centre, 0, Point(0, 0));
+        for (const bench::BodyPlan& plan : scene.bodies) world_->addBody(plan);
+        for (const bench::PinPlan& pin : scene.pins) world_->addPin(pin);
+        if (scene.masses.empty()) return;
+        if (isChain(scene))
+            world_->addRope({{scene.start.x.begin(), scene.start.x.end()}, scene.masses});
+        else
+            addNet(scene);
+    }
+    void advance(long ticks) override {
+        for (long i = 0; i < ticks; ++i) world_->step();
+    }
+    Vecs places() const override {
+        Vecs all;
+        for (std::size_t i = 0; i < squares_; ++i) all.push_back(world_->square(i).first);
+        for (std::size_t i = 0; i < bodies_; ++i) all.push_back(world_->body(i).place);
+        if (!all.empty()) return all;
+        const std::vector<Point> points = world_->rope(0);
+        return {points.begin(), points.end()};
+    }
+    double strain(const AccuracyScene& scene) const override {
+        if (scene.pins.empty()) return Run::strain(scene);
+        double largest = 0;
+        for (std::size_t i = 0; i < scene.pins.size(); ++i) {
+            const auto [a, b] = world_->pin(i);
+            largest = worst(largest, (b - a).norm());
+        }
+        return largest;
+    }
+
+private:
+    void addNet(const AccuracyScene& scene) {
+        bench::NetPlan net{{scene.start.x.begin(), scene.start.x.end()},
+                           {scene.start.v.begin(), scene.start.v.end()},
+                           scene.masses,
+                           {}};
+        for (const SceneJoint& joint : scene.joints)
+            net.springs.push_back(
+                {joint.a, joint.b, joint.restLength, joint.stiffness, joint.damping});
+        world_->addNet(net);
+    }
+
+    std::unique_ptr<bench::EngineWorld> world_;
+    std::size_t squares_, bodies_;
+};
+
+std::unique_ptr<Run> startWorld(const AccuracyScene& scene, int rate, int sweeps) {
+    if (!scene.masses.empty()) return std::make_unique<WorldRun>(scene, rate, sweeps);
+    return std::make_unique<EngineRun>(
+        scene, bench::Setting{.engine = "sulfur", .rate = rate, .iterations = sweeps});
 }
 
 void addPeers(std::vector<Subject>& subjects, const std::vector<int>& rates) {
@@ -136,14 +161,28 @@ void addPeers(std::vector<Subject>& subjects, const std::vector<int>& rates) {
             return std::make_unique<EngineRun>(scene, at);
         };
         const bool nets = engine.offers(bench::Feature::nets);
-        const auto plays = [nets](const AccuracyScene& scene) {
-            return !scene.squares.empty() || isChain(scene) || (nets && isNet(scene));
+        const bool bodies = engine.offers(bench::Feature::bodies);
+        const auto plays = [nets, bodies](const AccuracyScene& scene) {
+            return !scene.squares.empty() || isChain(scene) || (nets && isNet(scene)) ||
+                   (bodies && !scene.bodies.empty());
         };
         subjects.push_back(
             {fmt::format("{}-{}{}", key, iterations, stiff ? "-stiff" : ""),
              fmt::format("{} x {}{}", engine.title, iterations, stiff ? ", stiff" : ""), false,
              rates, start, plays, bench::colourOf(key)});
     }
+}
+
+void addSweeps(std::vector<Subject>& subjects, const std::vector<int>& rates) {
+    for (const auto& [sweeps, colour] :
+         {std::pair{1, "#f06292"}, std::pair{10, "#c2185b"}, std::pair{100, "#880e4f"}})
+        subjects.push_back({fmt::format("xpbd-{}", sweeps),
+                            fmt::format("XPBD, {} sweep{}", sweeps, sweeps == 1 ? "" : "s"), false,
+                            rates,
+                            [sweeps](const AccuracyScene& scene, int rate) {
+                                return makeSweptRun(scene, rate, sweeps);
+                            },
+                            canBeSwept, colour});
 }
 
 }  // namespace
@@ -173,8 +212,9 @@ std::vector<Subject> accuracySubjects(bool quick) {
                             [make = entry.make](const AccuracyScene& scene, int rate) {
                                 return std::make_unique<IntegratorRun>(scene, rate, make());
                             },
-                            [](const AccuracyScene& scene) { return scene.squares.empty(); },
+                            [](const AccuracyScene& scene) { return !scene.masses.empty(); },
                             {}});
+    addSweeps(subjects, theirs);
     addPeers(subjects, ours);
     return subjects;
 }

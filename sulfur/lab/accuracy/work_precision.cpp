@@ -18,15 +18,24 @@ double processorTime() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-double errorOf(const AccuracyScene& scene, Run& run, long ticksPerSample) {
-    double largest = 0;
-    for (const Vecs& places : scene.path) {
-        run.advance(ticksPerSample);
-        for (std::size_t k = 0; k < places.size(); ++k)
-            largest = worst(largest, (run.position(scene.watched[k]) - places[k]).norm());
-        if (!(largest < explosion)) return std::numeric_limits<double>::infinity();
+/// What a run shows, without its cost.
+WorkPoint follow(const AccuracyScene& scene, Run& run, int rate) {
+    const auto ticksPerSample = std::lround(scene.interval * rate);
+    const bool tied = scene.isTied();
+    WorkPoint point{.rate = rate};
+    for (const Vecs& expected : scene.path) {
+        for (long tick = 0; tick < ticksPerSample; ++tick) {
+            run.advance(1);
+            if (tied) point.strain = worst(point.strain, run.strain(scene));
+        }
+        const Vecs places = run.places();
+        for (std::size_t k = 0; k < expected.size(); ++k)
+            point.error = worst(point.error, (places[scene.watched[k]] - expected[k]).norm());
+        if (point.error < explosion) continue;
+        point.error = point.strain = std::numeric_limits<double>::infinity();
+        break;
     }
-    return largest;
+    return point;
 }
 
 /// One measurement: as many runs as fill the least time, all made before the clock starts.
@@ -53,19 +62,18 @@ double medianTime(const AccuracyScene& scene, const Subject& subject, int rate, 
 
 }  // namespace
 
-std::vector<FrontPoint> paretoFront(const WorkPrecision& work) {
+std::vector<FrontPoint> paretoFront(const WorkPrecision& work, Measure by) {
     std::vector<FrontPoint> all, front;
     for (const WorkCurve& curve : work.curves)
         for (const WorkPoint& point : curve.points)
-            if (std::isfinite(point.error) && std::isfinite(point.cost))
+            if (std::isfinite(point.*by) && std::isfinite(point.cost))
                 all.push_back({curve.title, point});
-    std::sort(all.begin(), all.end(), [](const FrontPoint& a, const FrontPoint& b) {
+    std::sort(all.begin(), all.end(), [by](const FrontPoint& a, const FrontPoint& b) {
         return a.point.cost != b.point.cost ? a.point.cost < b.point.cost
-                                            : a.point.error < b.point.error;
+                                            : a.point.*by < b.point.*by;
     });
     for (FrontPoint& p : all)
-        if (front.empty() || p.point.error < front.back().point.error)
-            front.push_back(std::move(p));
+        if (front.empty() || p.point.*by < front.back().point.*by) front.push_back(std::move(p));
     return front;
 }
 
@@ -76,11 +84,11 @@ WorkPrecision measureWorkPrecision(AccuracyScene scene, const std::vector<Subjec
         if (subject.plays && !subject.plays(result.scene)) continue;
         WorkCurve curve{subject.key, subject.title, subject.ours, {}, subject.colour};
         for (const int rate : subject.rates) {
-            const auto ticksPerSample = std::lround(result.scene.interval * rate);
-            const auto ticks = ticksPerSample * static_cast<long>(result.scene.path.size());
+            const auto ticks = std::lround(result.scene.interval * rate) *
+                               static_cast<long>(result.scene.path.size());
             const double begin = processorTime();
             const auto run = subject.start(result.scene, rate);
-            WorkPoint point{.rate = rate, .error = errorOf(result.scene, *run, ticksPerSample)};
+            WorkPoint point = follow(result.scene, *run, rate);
             if (std::isfinite(point.error))
                 point.cost = medianTime(result.scene, subject, rate, ticks, options);
             curve.points.push_back(point);

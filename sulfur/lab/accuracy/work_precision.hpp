@@ -21,6 +21,8 @@ struct WorkPoint {
     double error = 0;  ///< m, as AccuracyScene says; infinite when it exploded (see explosion)
     double cost = std::numeric_limits<double>::quiet_NaN();  ///< s of processor time for the scene,
                                                              ///< stepping only; NaN when exploded
+    double strain = 0;  ///< the largest of a rigid joint, or opening of a pin in metres, at the end
+                        ///< of any tick; infinite when it exploded
 };
 
 /// An error beyond this, m, or one that is not finite, is an explosion: no scene is that large.
@@ -43,9 +45,11 @@ struct FrontPoint {
     std::string title;
     WorkPoint point;
 };
+/// By which error points are compared.
+using Measure = double WorkPoint::*;
 /// From the cheapest point to the most exact one; points that cost as much or more and are no more
 /// exact are left out.
-std::vector<FrontPoint> paretoFront(const WorkPrecision& work);
+std::vector<FrontPoint> paretoFront(const WorkPrecision& work, Measure by = &WorkPoint::error);
 
 WorkPrecision measureWorkPrecision(AccuracyScene scene, const std::vector<Subject>& subjects,
                                    const CostOptions& options);

@@ -38,7 +38,8 @@ enum class Mover : std::uint8_t {
 struct BodyPlan {
     std::vector<Outline> parts;
     std::vector<Point> contour = {};  ///< of a polygon cut into several: its corners, m
-    std::vector<Point> sockets = {};  ///< where pins may hold a disc; their middle is the origin, m
+    std::vector<Point> sockets = {};  ///< where pins may hold a disc or polygon; their
+                                      ///< middle is the origin, m
     Mover mover = Mover::physics;
     Point place{0, 0};       ///< m
     double angle = 0;        ///< rad

@@ -1,6 +1,7 @@
 // A physics engine as the comparison knows it: what the scenes ask of every engine alike.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -38,9 +39,13 @@ struct NetPlan {
     struct Spring {
         std::size_t a = 0, b = 0;
         double length = 0, stiffness = 0, damping = 0;  ///< m, N/m, N s/m
+
+        /// An infinite stiffness is a rigid link.
+        bool isRigid() const { return std::isinf(stiffness); }
     };
-    std::vector<Point> points;   ///< metres
-    std::vector<double> masses;  ///< kg; 0: held where it is
+    std::vector<Point> points;      ///< metres
+    std::vector<Point> velocities;  ///< m/s, of each point
+    std::vector<double> masses;     ///< kg; 0: held where it is
     std::vector<Spring> springs;
 
     /// The mass with which the ends of a spring swing against each other, kg.

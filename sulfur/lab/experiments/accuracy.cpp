@@ -24,11 +24,13 @@ public:
         std::vector<std::string> keys = sceneKeys();
         keys.insert(keys.end(), pileKeys().begin(), pileKeys().end());
         app.add_option("--scene", scenes_, "Only these scenes")->check(CLI::IsMember(keys));
-        app.add_option("--load", loads_, "Loads of the rope, in masses of a link")
+        app.add_option("--load", loads_,
+                       "Loads of rope, net, cloth and grid, in masses of a link, node or square")
             ->delimiter(',')
             ->check(between(1.0, 1e6))
             ->capture_default_str();
-        app.add_flag("--quick", quick_, "Fewer rates and shorter measurements");
+        app.add_flag("--quick", quick_,
+                     "Fewer rates, shorter measurements, nets and grids of 10 x 10");
     }
 
     Report run() override {
@@ -38,18 +40,22 @@ public:
         std::vector<WorkPrecision> results;
         for (const std::string& key : sceneKeys()) {
             if (!wanted(key)) continue;
-            const bool rope = key == "rope";
-            for (const double load : rope ? loads_ : std::vector{1.0}) {
-                AccuracyScene scene = makeScene(key, {.load = load});
-                if (rope) scene.key = fmt::format("rope-{:g}", load);
+            const bool loaded = isLoaded(key);
+            for (const double load : loaded ? loads_ : std::vector{1.0}) {
+                AccuracyScene scene = makeScene(key, {.load = load, .quick = quick_});
+                if (loaded) scene.key = fmt::format("{}-{:g}", key, load);
                 results.push_back(measureWorkPrecision(std::move(scene), subjects, cost));
             }
         }
         for (const std::string& key : pileKeys())
             if (wanted(key)) results.push_back(measurePile(key, quick_));
         Report report{asText(results, cost), asCsv(results), asJson(results)};
-        for (const WorkPrecision& work : results)
-            report.pictures.push_back({"accuracy_" + work.scene.key + ".svg", asSvg(work)});
+        for (const WorkPrecision& work : results) {
+            const std::string name = "accuracy_" + work.scene.key;
+            report.pictures.push_back({name + ".svg", asSvg(work)});
+            if (work.scene.isTied())
+                report.pictures.push_back({name + "_strain.svg", asSvg(work, &WorkPoint::strain)});
+        }
         return report;
     }
 

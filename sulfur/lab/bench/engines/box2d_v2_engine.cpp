@@ -43,13 +43,26 @@ public:
         std::vector<b2Body*> bodies;
         for (std::size_t i = 0; i < plan.points.size(); ++i)
             bodies.push_back(addDisc(plan.points[i], radius, plan.masses[i], -1));
-        for (const NetPlan::Spring& spring : plan.springs)
-            addSpring(bodies[spring.a], bodies[spring.b], spring.length, spring.stiffness,
-                      spring.damping);
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            bodies[i]->SetLinearVelocity(vec(plan.velocities[i]));
+        for (const NetPlan::Spring& spring : plan.springs) {
+            if (spring.isRigid())
+                addLink(bodies[spring.a], bodies[spring.b], spring.length);
+            else
+                addSpring(bodies[spring.a], bodies[spring.b], spring.length, spring.stiffness,
+                          spring.damping);
+        }
         keepRope(std::move(bodies));
     }
 
 private:
+    void addLink(b2Body* a, b2Body* b, double length) {
+        b2DistanceJointDef def;
+        def.Initialize(a, b, a->GetPosition(), b->GetPosition());
+        def.length = def.minLength = def.maxLength = static_cast<float>(length);
+        world_.CreateJoint(&def);
+    }
+
     void addSpring(b2Body* a, b2Body* b, double length, double stiffness, double damping) {
         b2DistanceJointDef def;
         def.Initialize(a, b, a->GetPosition(), b->GetPosition());

@@ -55,21 +55,26 @@ public:
                                      /*group=*/-1));
             if (i == 0) continue;
             const double length = (plan.points[i] - plan.points[i - 1]).norm();
-            b2DistanceJointDef def = jointOf(bodies[i - 1], bodies[i], length);
-            if (setting_.stiffJoints) def.base.constraintHertz = 1e5F;
+            const b2DistanceJointDef def = jointOf(bodies[i - 1], bodies[i], length);
             b2CreateDistanceJoint(world_, &def);
         }
         ropes_.push_back(std::move(bodies));
     }
 
-    /// Its springs are given by their frequency and damping ratio.
+    /// Springs are given by their frequency and damping ratio.
     void addNet(const NetPlan& plan) override {
         constexpr double radius = 0.01;
         std::vector<b2BodyId> bodies;
         for (std::size_t i = 0; i < plan.points.size(); ++i)
             bodies.push_back(addDisc(plan.points[i], radius, plan.masses[i], -1));
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            b2Body_SetLinearVelocity(bodies[i], vec(plan.velocities[i]));
         for (const NetPlan::Spring& spring : plan.springs) {
             b2DistanceJointDef def = jointOf(bodies[spring.a], bodies[spring.b], spring.length);
+            if (spring.isRigid()) {
+                b2CreateDistanceJoint(world_, &def);
+                continue;
+            }
             const double omega = std::sqrt(spring.stiffness / plan.reducedMass(spring));
             def.enableSpring = true;
             def.hertz = static_cast<float>(omega / (2 * std::numbers::pi));
@@ -122,6 +127,7 @@ public:
         def.base.bodyIdB = bodies_[plan.b].id;
         def.base.localFrameA.p = vec(bodies_[plan.a].sockets[plan.socketA]);
         def.base.localFrameB.p = vec(bodies_[plan.b].sockets[plan.socketB]);
+        stiffen(def.base);
         b2CreateRevoluteJoint(world_, &def);
         pins_.push_back(plan);
     }
@@ -213,11 +219,16 @@ private:
         return body;
     }
 
-    static b2DistanceJointDef jointOf(b2BodyId a, b2BodyId b, double length) {
+    void stiffen(b2JointDef& def) const {
+        if (setting_.stiffJoints) def.constraintHertz = 1e5F;
+    }
+
+    b2DistanceJointDef jointOf(b2BodyId a, b2BodyId b, double length) const {
         b2DistanceJointDef def = b2DefaultDistanceJointDef();
         def.base.bodyIdA = a;
         def.base.bodyIdB = b;
         def.length = static_cast<float>(length);
+        stiffen(def.base);
         return def;
     }
 

@@ -115,9 +115,19 @@ public:
                 bodies_.push_back(bodies.back());
             }
         }
-        for (const NetPlan::Spring& spring : plan.springs)
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            if (plan.masses[i] > 0) cpBodySetVelocity(bodies[i], vec(plan.velocities[i]));
+        for (const NetPlan::Spring& spring : plan.springs) {
+            if (spring.isRigid()) {
+                cpConstraint* link =
+                    cpPinJointNew(bodies[spring.a], bodies[spring.b], cpvzero, cpvzero);
+                cpPinJointSetDist(link, spring.length);
+                add(link);
+                continue;
+            }
             add(cpDampedSpringNew(bodies[spring.a], bodies[spring.b], cpvzero, cpvzero,
                                   spring.length, spring.stiffness, spring.damping));
+        }
         anchors_.push_back(plan.points.front());
         ropes_.push_back(std::move(bodies));
     }

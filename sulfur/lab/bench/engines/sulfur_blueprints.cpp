@@ -16,8 +16,8 @@ void join(Blueprint& body, std::size_t a, std::size_t b, double radius) {
                            .radius = real(radius)});
 }
 
-/// Core and sockets have the mass and the inertia of the disc.
-Blueprint discWithSockets(const BodyPlan& plan) {
+/// Core and sockets have the mass and the inertia of the outline.
+Blueprint withSockets(const BodyPlan& plan) {
     double reach2 = 0;
     for (const Point& socket : plan.sockets) reach2 += socket.squaredNorm();
     const double mass = plan.inertia() / reach2;
@@ -89,7 +89,7 @@ Blueprint polygon(const BodyPlan& plan) {
 }
 
 Blueprint shapeOf(const BodyPlan& plan) {
-    if (!plan.sockets.empty()) return discWithSockets(plan);
+    if (!plan.sockets.empty()) return withSockets(plan);
     const Outline& part = plan.parts[0];
     if (part.points.size() == 1)
         return shapes::ball({.radius = real(part.radius), .mass = real(plan.mass())});

@@ -8,8 +8,9 @@
 namespace sulfur::lab::bench {
 
 /// Sharp polygons get corners rounded by a hundredth of their shortest side, and have their outer
-/// side where the plan says. A disc is one particle, which does not turn, unless it has sockets:
-/// then particle 0 is its middle and particle 1 + i its socket i. A capsule has its mass in its
+/// side where the plan says. A disc is one particle, which does not turn. What has sockets
+/// is particle 0 in the middle, with the disc's radius and for a polygon without a surface, and
+/// particle 1 + i at socket i. A capsule has its mass in its
 /// ends.
 Blueprint blueprintOf(const BodyPlan& plan);
 
