@@ -4,6 +4,7 @@
 #include <sulfur/shapes.hpp>
 
 #include "core/error_checks.hpp"
+#include "core/trigonometry.hpp"
 #include "parts.hpp"
 
 namespace sulfur::shapes {
@@ -36,6 +37,61 @@ Blueprint floor(Vec2 from, Vec2 to, Real radius) {
     return plan;
 }
 
+namespace {
+
+/// What hangs between two pins is longer than the way between them, unless the caller asks for
+/// something else. A single link cannot bend.
+double slackOf(const RopeOptions& options, int links) {
+    if (!options.slack) return options.pinFirst && options.pinLast && links > 1 ? 0.02 : 0;
+    const double slack = static_cast<double>(*options.slack);
+    requireRange(slack, 0, links > 1 ? 10 : 0, links > 1 ? "slack" : "slack of a single link");
+    return slack;
+}
+
+/// Corners of `links` equal sides along a circle, on the lower side of a way, or to the right of
+/// one that is upright; together they are longer than the way by the share `slack`.
+class Arc {
+public:
+    Arc(const Vec2& from, const Vec2& to, int links, double slack)
+        : from_(from),
+          along_(to - from),
+          across_(along_[1], -along_[0]),
+          links_(links),
+          half_(halfAngle(links, slack)) {
+        if (across_[1] > 0 || (across_[1] == 0 && across_[0] < 0)) across_ = -across_;
+    }
+
+    Vec2 place(int i) const {
+        if (half_ == 0) return from_ + static_cast<Real>(i) / static_cast<Real>(links_) * along_;
+        const Point at = detail::unitVector(half_ * (2.0 * i / links_ - 1));
+        const Point end = detail::unitVector(half_);
+        const double radius = 0.5 / end[1];  // of a circle with a chord of 1
+        return from_ + static_cast<Real>(0.5 + radius * at[1]) * along_ +
+               static_cast<Real>(radius * (at[0] - end[0])) * across_;
+    }
+
+private:
+    /// Half of the angle of the whole arc, from sin(links x) / sin(x) = links / (1 + slack) by
+    /// bisection: the left side falls from `links` to 0 while the angle goes from 0 to pi.
+    static double halfAngle(int links, double slack) {
+        if (slack == 0) return 0;
+        double low = 0, high = 3.14159265358979323846;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = (low + high) / 2;
+            const double ratio =
+                detail::unitVector(middle)[1] / detail::unitVector(middle / links)[1];
+            (ratio * (1 + slack) > links ? low : high) = middle;
+        }
+        return low;
+    }
+
+    Vec2 from_, along_, across_;
+    int links_;
+    double half_;
+};
+
+}  // namespace
+
 Blueprint rope(const RopeOptions& options) {
     requireFinite(options.from, "from");
     requireFinite(options.to, "to");
@@ -47,22 +103,22 @@ Blueprint rope(const RopeOptions& options) {
                           ? options.links
                           : std::clamp(static_cast<int>(std::lround(length / 0.05)), 1, 100000);
     requireRange(links, 1, 100000, "links");
+    const double slack = slackOf(options, links);
     Blueprint plan;
     plan.name = "rope";
     plan.material = options.material;
     const Real mass = options.mass / static_cast<Real>(links + 1);
+    const Arc arc(options.from, options.to, links, slack);
     for (int i = 0; i <= links; ++i) {
-        const Real way = static_cast<Real>(i) / static_cast<Real>(links);
         const bool pinned = (i == 0 && options.pinFirst) || (i == links && options.pinLast);
-        plan.particles.push_back(
-            {.position = options.from + way * span, .mass = mass, .pinned = pinned});
+        plan.particles.push_back({.position = arc.place(i), .mass = mass, .pinned = pinned});
     }
     for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(links); ++i) {
         plan.joints.push_back({.a = i,
                                .b = i + 1,
                                .stiffness = options.stiffness,
                                .damping = options.damping,
-                               .restLength = static_cast<Real>(length / links),
+                               .restLength = static_cast<Real>((1 + slack) * length / links),
                                .radius = options.radius,
                                .strength = options.strength});
     }

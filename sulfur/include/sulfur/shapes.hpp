@@ -11,6 +11,7 @@
 /// Every function throws Error when a number is not finite or not in its range.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <sulfur/blueprint.hpp>
 #include <sulfur/math.hpp>
@@ -95,11 +96,17 @@ struct WheelOptions {
 /// Makes a wheel; see WheelOptions.
 Blueprint wheel(const WheelOptions& options = {});
 
-/// A line of equal links. The first particle is at `from`, the last at `to`.
+/// A line of equal links. The first particle is at `from`, the last at `to`. With slack it is
+/// longer than the way between them, and begins as an arc on the lower side. A rope of weight W
+/// that hangs from one end is stretched by W links / (2 stiffness), a rigid one not at all.
 struct RopeOptions {
-    Vec2 from{0, 0};            ///< metres
-    Vec2 to{0, -2};             ///< metres
-    int links = 0;              ///< 1 to 100000; 0: as many as make links of about 5 cm
+    Vec2 from{0, 0};  ///< metres
+    Vec2 to{0, -2};   ///< metres
+    int links = 0;    ///< 1 to 100000; 0: as many as make links of about 5 cm
+    /// The share by which it is longer, 0 to 10, from two links on. Without a value 0.02 with both
+    /// ends pinned, because what is taut bears a load across it with a hundred times its weight,
+    /// and 0 else.
+    std::optional<Real> slack = {};
     Real mass = Real(0.5);      ///< kilograms in all, > 0, the same in each particle
     Real radius = Real(0.015);  ///< metres; 0: the rope touches nothing
     Real stiffness = infinite;  ///< N/m of a link

@@ -65,7 +65,8 @@ BENCHMARK(nets)->ArgNames({"side", "load"})->ArgsProduct({{10, 40}, {1, 10000}})
 /// A rope of 6 m that is straight between two pins. Argument: crates on it.
 void tautRopes(benchmark::State& state) {
     World world(still({}, standardGravity));
-    world.add(shapes::rope({.from = {-3, 2}, .to = {3, 2}, .pinFirst = true, .pinLast = true}));
+    world.add(shapes::rope(
+        {.from = {-3, 2}, .to = {3, 2}, .slack = Real(0), .pinFirst = true, .pinLast = true}));
     for (int i = 0; i < state.range(0); ++i)
         world.add(shapes::box({.size = {Real(0.5), Real(0.5)}}), {.position = {i - 1.0, 2.4}});
     for (int i = 0; i < 1000; ++i) world.step();

@@ -124,6 +124,7 @@ void describe(Visitor& v, Object& o) {
     v.vec("from", o.from, d.from, Limits::coordinate);
     v.vec("to", o.to, d.to, Limits::coordinate);
     v.integer("links", o.links, d.links, 0, Limits::particles - 1);
+    v.optionalNumber("slack", o.slack, 0, 10);
     v.positive("mass", o.mass, d.mass, Limits::mass);
     v.number("radius", o.radius, d.radius, 0, largestRadius);
     v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");

@@ -28,6 +28,50 @@ TEST(Shapes, GroundClosesAndHasOuterThickness) {
     EXPECT_EQ(open.kind, BodyKind::fixed);
 }
 
+/// What is drawn between two pins hangs a little, however it is turned.
+TEST(Shapes, RopeBetweenTwoPinsHasSlack) {
+    for (const Vec2& to : {Vec2(4, 0), Vec2(-4, 1), Vec2(0, 3), Vec2(0, -3)}) {
+        const Blueprint plan = shapes::rope({.to = to, .pinFirst = true, .pinLast = true});
+        const double way = static_cast<double>(to.norm());
+        Point down = Point(to.y(), -to.x()) / way;
+        if (down[1] > 0 || (down[1] == 0 && down[0] < 0)) down = -down;
+        double length = 0, sag = 0;
+        for (std::size_t i = 0; i + 1 < plan.particles.size(); ++i) {
+            const Vec2 link = plan.particles[i + 1].position - plan.particles[i].position;
+            EXPECT_NEAR(link.norm(), *plan.joints[i].restLength, 1e-6);
+            length += static_cast<double>(link.norm());
+            sag = std::max(sag, down.dot(plan.particles[i].position.cast<double>()));
+        }
+        EXPECT_NEAR(length, 1.02 * way, 1e-5 * way);
+        EXPECT_NEAR(sag, way * std::sqrt(3 * 0.02 / 8), 2e-3 * way);
+        EXPECT_LT((plan.particles.back().position - to).norm(), 1e-6);
+    }
+    const auto isStraight = [](const shapes::RopeOptions& options) {
+        const Blueprint plan = shapes::rope(options);
+        return plan.particles[plan.particles.size() / 2].position[1] == 0;
+    };
+    EXPECT_TRUE(isStraight({.to = {4, 0}}));
+    EXPECT_TRUE(isStraight({.to = {4, 0}, .pinFirst = true}));
+    EXPECT_TRUE(isStraight({.to = {4, 0}, .slack = Real(0), .pinFirst = true, .pinLast = true}));
+    EXPECT_TRUE(isStraight({.to = {4, 0}, .links = 1, .pinFirst = true, .pinLast = true}));
+    EXPECT_FALSE(isStraight({.to = {4, 0}, .slack = Real(0.5)}));
+    EXPECT_THROW(shapes::rope({.slack = Real(-0.1)}), Error);
+    EXPECT_THROW(shapes::rope({.links = 1, .slack = Real(0.1)}), Error);
+}
+
+/// Slack up to ten times the way, which is nearly a circle.
+TEST(Shapes, RopeMayBeMuchLongerThanTheWay) {
+    for (const Real slack : {Real(1e-4), Real(0.5), Real(3), Real(10)}) {
+        const Blueprint plan = shapes::rope({.to = {1, 0}, .links = 40, .slack = slack});
+        for (std::size_t i = 0; i + 1 < plan.particles.size(); ++i) {
+            const Vec2 link = plan.particles[i + 1].position - plan.particles[i].position;
+            const Real wanted = (1 + slack) / 40;
+            EXPECT_NEAR(link.norm(), wanted, 1e-4 * static_cast<double>(wanted)) << slack;
+        }
+        EXPECT_LT((plan.particles.back().position - Vec2(1, 0)).norm(), 1e-5);
+    }
+}
+
 TEST(Shapes, ChainIsARopeOfHeavyRigidLinks) {
     const Blueprint plan = shapes::chain({.from = {0, 0}, .to = {3, 0}, .pinFirst = true});
     EXPECT_EQ(plan.joints.size(), 25u);

@@ -112,8 +112,12 @@ TEST(DisplacedParts, WhatIsPulledFartherThanItReachesIsTautAndRests) {
     for (const int rate : {60, 500, 2000})
         for (const double beyond : {0.2, 4.0}) {
             World world({.tickRate = rate, .sleeping = false});
-            const Body rope = world.add(shapes::rope(
-                {.from = {-1, 0}, .to = {1, 0}, .links = 20, .pinFirst = true, .pinLast = true}));
+            const Body rope = world.add(shapes::rope({.from = {-1, 0},
+                                                      .to = {1, 0},
+                                                      .links = 20,
+                                                      .slack = Real(0),
+                                                      .pinFirst = true,
+                                                      .pinLast = true}));
             const Body bridge = world.add(shapes::bridge(), {.position = {10, 0}});
             world.step();
             for (const Body& body : {rope, bridge})

@@ -199,8 +199,8 @@ TEST(Networks, ANetCatchesACrate) {
 TEST(Networks, ATautRopeBearsCrates) {
     for (const int crates : {0, 1, 3}) {
         World world;
-        const Body rope = world.add(
-            shapes::rope({.from = {-3, 2}, .to = {3, 2}, .pinFirst = true, .pinLast = true}));
+        const Body rope = world.add(shapes::rope(
+            {.from = {-3, 2}, .to = {3, 2}, .slack = Real(0), .pinFirst = true, .pinLast = true}));
         for (int i = 0; i < crates; ++i)
             world.add(shapes::box({.size = {Real(0.5), Real(0.5)}}), {.position = {i - 1.0, 2.4}});
         std::uint32_t steps = 0;

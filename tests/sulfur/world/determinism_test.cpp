@@ -12,7 +12,8 @@ void build(World& world) {
         else
             world.add(shapes::blob({.radius = Real(0.45)}), pose);
     }
-    world.add(shapes::rope({.from = {-4, 8}, .to = {4, 8}, .pinFirst = true, .pinLast = true}));
+    world.add(shapes::rope(
+        {.from = {-4, 8}, .to = {4, 8}, .slack = Real(0), .pinFirst = true, .pinLast = true}));
     const Body load = world.add(shapes::box({.mass = 50}), {.position = {3, 10}});
     const Body tether = world.add(
         shapes::rope({.from = {0, Real(10.5)}, .to = {Real(2.5), Real(10.5)}, .pinFirst = true}));
