@@ -122,7 +122,8 @@ private:
     void collect() {
         const RowKernels& kernels = rowKernels();
         const bool anyBounces = core_.bouncingPairs > 0;
-        const Real slow = slowestRebound * h_ + h_ * h_ * state_.settings.gravity.norm();
+        const Real fall = largestGravityScale() * state_.settings.gravity.norm();
+        const Real slow = slowestRebound * h_ + h_ * h_ * fall;
         if (!anyBounces && 2 * core_.farthest < slow) return;
         const auto look = [&](auto& list, std::uint32_t c, auto&& kernel, auto&& pairOf,
                               auto&& add) {
@@ -230,6 +231,14 @@ private:
             if (movers_.bodies[s.body[k]].inverseMass > 0)
                 s.falls += gravityScaleOf(s.body[k]) * s.linear[k].dot(fall);
         return s;
+    }
+    /// Weight alone is no blow to anybody.
+    Real largestGravityScale() const {
+        Real most = 1;
+        if (!state_.gravityScaled) return most;
+        for (const auto body : state_.work.bodies)
+            most = std::max(most, std::abs(state_.bodies[body].gravityScale));
+        return most;
     }
     Real gravityScaleOf(std::uint32_t mover) const {
         if (!state_.gravityScaled) return 1;

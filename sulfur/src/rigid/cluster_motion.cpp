@@ -254,7 +254,7 @@ namespace {
 bool mayAskForMembers(const State& state) {
     const WorkLists& work = state.work;
     return !work.breakableJoints.empty() || !work.strained.empty() || state.anyForced ||
-           !onlyContactsAsk(state) || !state.influences.fields.empty() ||
+           !onlyContactsAsk(state) || !state.influences.fields.empty() || state.gravityScaled ||
            !state.sensing.bodies.empty();
 }
 

@@ -277,6 +277,7 @@ void World::setVelocity(BodyId id, Vec2 velocity) {
     detail::makeRoom(state.fresh, body.particles.size());
     detail::wakeBody(state, index);
     body.spin = 0;
+    body.stopping = false;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k)
         detail::setParticleVelocity(state, body.firstParticle + k, velocity.cast<double>());
 }

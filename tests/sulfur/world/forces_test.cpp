@@ -407,5 +407,18 @@ TEST(Forces, TheSameCallsGiveTheSameBitsAndARestoreKeepsThem) {
     }
 }
 
+/// Also in the tick after it has come to a pose, in which it would stop.
+TEST(Forces, AKinematicBodyGoesOnAsItsVelocitySays) {
+    World world;
+    Blueprint plan = shapes::box();
+    plan.kind = BodyKind::kinematic;
+    const Body lift = world.add(plan);
+    world.moveTo(lift, {.position = {1, 0}});
+    world.step();
+    world.setVelocity(lift, {1, 0});
+    test::run(world, 1);
+    EXPECT_NEAR(lift.centreOfMass()[0], 2, 1e-4);
+}
+
 }  // namespace
 }  // namespace sulfur

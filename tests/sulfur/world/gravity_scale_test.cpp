@@ -120,5 +120,50 @@ TEST(GravityScale, RefusesWhatIsOutOfRange) {
     test::expectRefused(world, ErrorCode::staleHandle, [&] { gone.gravityScale(); });
 }
 
+/// A box that is pinned at a corner swings, whether anybody looks at it between ticks or not: it
+/// got up to 680,000 J where nobody did.
+TEST(GravityScale, APendulumThatNobodyLooksAtKeepsItsEnergy) {
+    for (const int rate : {60, 500})
+        for (const Real scale : {Real(0), Real(2), Real(30)}) {
+            const auto swing = [&](bool looks) {
+                World world({.tickRate = rate, .sleeping = false});
+                const Body box = world.add(shapes::box());
+                world.setPinned(box[0], true);
+                world.setGravityScale(box, scale);
+                double most = 0;
+                for (int i = 0; i < 5 * rate; ++i) {
+                    world.step();
+                    if (looks) most = std::max(most, std::abs(world.angularVelocity(box)));
+                }
+                return std::pair(world.hash(), std::max(most, std::abs(box.angularVelocity())));
+            };
+            const auto seen = swing(true), unseen = swing(false);
+            EXPECT_EQ(seen.first, unseen.first) << rate << " Hz, " << scale;
+            // It falls from 45 degrees above its pin: m g s (1/2 + l) = I w^2 / 2, l^2 = 1/2, I =
+            // 2/3 m.
+            const double falls = 9.81 * static_cast<double>(scale) * (std::sqrt(0.5) + 0.5);
+            EXPECT_LE(unseen.second, 1.1 * std::sqrt(3 * falls) + 1e-6) << rate << ' ' << scale;
+        }
+}
+
+/// Weight is no blow, however large: a stack stays.
+TEST(GravityScale, AHeavyStackDoesNotJump) {
+    World world({.sleeping = false});
+    world.add(shapes::floor({-5, 0}, {5, 0}));
+    std::vector<Body> boxes;
+    for (int i = 0; i < 4; ++i) {
+        boxes.push_back(world.add(shapes::box(), {.position = {0, 0.55 + 1.0 * i}}));
+        world.setGravityScale(boxes.back(), 100);
+    }
+    test::run(world, 1);
+    double fastest = 0;
+    for (int i = 0; i < 500; ++i) {
+        world.step();
+        for (const Body& box : boxes)
+            fastest = std::max(fastest, static_cast<double>(box.meanVelocity().norm()));
+    }
+    EXPECT_LT(fastest, 0.01);
+}
+
 }  // namespace
 }  // namespace sulfur
