@@ -14,11 +14,12 @@ inline Point limited(const Point& velocity) {
     return velocity.cwiseMax(-maxSpeed).cwiseMin(maxSpeed);
 }
 
+using tuned::attachingSpeed;
 using tuned::closingSpeed;
 
-/// The part of a constraint's error that a step of `duration` seconds leaves.
-inline double errorLeft(double error, double duration) {
-    const double most = closingSpeed * duration;
+/// The part of a constraint's error that a step of `duration` seconds leaves at a speed, m/s.
+inline double errorLeft(double error, double duration, double speed = closingSpeed) {
+    const double most = speed * duration;
     return error > most ? error - most : error < -most ? error + most : 0;
 }
 

@@ -8,10 +8,10 @@ namespace sulfur::detail {
 
 namespace {
 
-/// What this tick closes of a gap at its start.
-Vec2 toClose(const State& state, const Vec2& gap) {
+/// What this tick closes of a gap at its start, at a speed in m/s.
+Vec2 toClose(const State& state, const Vec2& gap, double speed) {
     const double size = static_cast<double>(gap.norm());
-    const double left = errorLeft(size, static_cast<double>(state.h));
+    const double left = errorLeft(size, static_cast<double>(state.h), speed);
     return left > 0 ? Vec2((1 - static_cast<Real>(left / size)) * gap) : gap;
 }
 
@@ -25,7 +25,7 @@ void solve(State& state, Attachment& held) {
         point.add(gripOf(state, held.support[k]), -held.weight[k]);
         error += held.weight[k] * (x[held.particle] - x[held.support[k]]).cast<Real>();
     }
-    error = toClose(state, error) + point.displacement(state);
+    error = toClose(state, error, attachingSpeed) + point.displacement(state);
     const Vec2 impulse = -solve2(point.mobility(state), error);
     held.force += newtonsPerMultiplier(state) * impulse;
     point.push(state, impulse);
@@ -38,7 +38,7 @@ void solve(State& state, Hinge& hinge) {
     point.add({none, hinge.cluster, arm.cast<Real>()}, 1);
     point.add(gripOf(state, hinge.particle), -1);
     const Vec2 apart = (c.centre + arm - state.particles.position[hinge.particle]).cast<Real>();
-    const Vec2 error = toClose(state, apart) + point.displacement(state);
+    const Vec2 error = toClose(state, apart, closingSpeed) + point.displacement(state);
     const Vec2 impulse = -solve2(point.mobility(state), error);
     hinge.force += newtonsPerMultiplier(state) * impulse;
     point.push(state, impulse);

@@ -10,6 +10,7 @@
 #include "particles/motion.hpp"
 #include "trees/geometry.hpp"
 #include "trees/node_motion.hpp"
+#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
@@ -123,7 +124,8 @@ void NetworkEquations::limitPull(std::size_t l) {
     Link& data = links_[l];
     const bool joint = link(l).kind == LinkKind::joint;
     const double error = joint ? data.length - data.rest : data.length;
-    const double left = joint && !data.elastic.rigid ? 0 : errorLeft(error, step_);
+    const double speed = closingSpeedOf(link(l).kind);
+    const double left = joint && !data.elastic.rigid ? 0 : errorLeft(error, step_, speed);
     torn_ |= left != 0;
     data.left = {left, 0};
     if (!joint && left > 0)

@@ -186,7 +186,7 @@ private:
             link.start = spanOf(i, false);
             link.length = link.start.apart.norm();
             if (node(i).kind != LinkKind::joint) {
-                const double left = errorLeft(link.length, step);
+                const double left = errorLeft(link.length, step, closingSpeedOf(node(i).kind));
                 const Point apart =
                     left > 0 ? Point(left / link.length * link.start.apart) : Point(0, 0);
                 link.left = {apart[0], apart[1]};

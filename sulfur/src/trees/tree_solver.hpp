@@ -1,6 +1,7 @@
 // How trees of stiff joints move: by themselves in steps of their own, and against contacts.
 #pragma once
 
+#include "core/limits.hpp"
 #include "model/state.hpp"
 
 namespace sulfur::detail {
@@ -38,6 +39,11 @@ void dissolveTrees(State& state);
 inline Vec2& forceOf(State& state, const TreeNode& node) {
     return node.kind == LinkKind::hinge ? state.clusters.hinges[node.link].force
                                         : state.attachments[node.link].force;
+}
+
+/// m/s, at which comes together what the caller has torn apart there.
+inline double closingSpeedOf(LinkKind kind) {
+    return kind == LinkKind::attachment ? attachingSpeed : closingSpeed;
 }
 
 /// Duration of the last step (s) that moved this particle.

@@ -182,7 +182,8 @@ private:
             if (!tree_.alone) {
                 const Point apart = spanOf(i, false).apart;
                 const double gap = apart.norm();
-                const double left = errorLeft(gap, static_cast<double>(state_.h));
+                const double h = static_cast<double>(state_.h);
+                const double left = errorLeft(gap, h, closingSpeedOf(n.kind));
                 if (left > 0) wanted = {left / gap * apart[0], left / gap * apart[1]};
             }
             for (std::size_t r = 0; r < 2; ++r) link.value[r] -= wanted[r];

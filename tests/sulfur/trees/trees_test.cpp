@@ -105,25 +105,6 @@ TEST(Trees, ANecklaceHolds) {
     EXPECT_EQ(world.validate(), "");
 }
 
-/// A gap over which something is attached closes at walking pace; nothing is thrown.
-TEST(Trees, WhatIsAttachedOverAGapIsNotThrown) {
-    World world({.gravity = {0, 0}, .sleeping = false});
-    const Body crate = world.add(shapes::box());
-    const Body rope =
-        world.add(shapes::rope({.from = {0, 4}, .to = {0, 2}, .links = 20, .radius = 0}));
-    world.attach(rope.back(), crate, {0, Real(0.5)});
-    double fastest = 0;
-    for (int i = 0; i < 1000; ++i) {
-        world.step();
-        for (const auto& body : {crate, rope})
-            for (const ParticleId p : body.particles())
-                fastest = std::max(fastest, static_cast<double>(world.velocity(p).norm()));
-    }
-    EXPECT_LT(fastest, 8);
-    const Point knot = (world.position(crate[2]) + world.position(crate[3])) / 2;
-    EXPECT_NEAR((world.position(rope.back()) - knot).norm(), 0.02, 1e-3);
-}
-
 /// So fast that in one tick it goes farther than it is long: the contact stops its lower end, and
 /// the upper one must not pass it.
 TEST(Trees, ARodThatLandsOnItsEndIsNotTurnedOver) {
