@@ -176,8 +176,8 @@ private:
         options.mass = real(whole * massPerMetre);
         options.pinFirst = !start.pick;
         options.pinLast = !end.pick && pointer.shift;
-        // Held at both ends, by pins or by what it is tied to.
-        if (end.pick || options.pinLast) options.slack = sulfur::Real(0.02);
+        // Between two things it hangs as between two pins. A single link cannot.
+        if (end.pick && options.links > 1) options.slack = sulfur::Real(0.02);
         const auto blueprint = sulfur::shapes::rope(options);
         document().edit("Add rope", [&](sulfur::World& w) {
             const sulfur::Body rope = document().addScaled(blueprint, {.position = first});

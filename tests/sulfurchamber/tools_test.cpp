@@ -135,6 +135,30 @@ TEST(Tools, ARopeTiesItselfToTheBoxBelow) {
     EXPECT_GT(world.centreOfMass(world.bodies()[1]).y(), 1.0) << "the pinned rope holds the box";
 }
 
+/// Between two boxes it hangs a little; one that is short has a single link, which cannot.
+TEST(Tools, ARopeBetweenTwoBoxesHasSlackIfItCan) {
+    for (const double apart : {0.17, 0.2, 0.5, 3.0}) {
+        Workbench bench;
+        const auto& world = bench.document().world();
+        bench.setTool(ToolKind::ball);
+        click(bench, {0, 5});
+        const Point left = world.centreOfMass(newest(bench));
+        click(bench, {apart, 5});
+        const Point right = world.centreOfMass(newest(bench));
+        bench.setTool(ToolKind::rope);
+        drag(bench, left, right);
+        EXPECT_EQ(world.connections().size(), 2u) << apart;
+        const BodyId rope = newest(bench);
+        double length = 0;
+        for (const auto joint : world.joints(rope))
+            length += static_cast<double>(world.info(joint).restLength);
+        const auto ends = world.particles(rope);
+        const double way = (world.position(ends.back()) - world.position(ends.front())).norm();
+        const double slack = world.joints(rope).size() > 1 ? 0.02 : 0;
+        EXPECT_NEAR(length, (1 + slack) * way, 1e-3 * way) << apart;
+    }
+}
+
 TEST(Tools, PinTogglesAndCutDivides) {
     Workbench bench;
     bench.setTool(ToolKind::rope);
