@@ -111,9 +111,8 @@ AccuracyScene strickenCloth(const SceneOptions& options) {
         .side = side, .loaded = side * (side - 1) + side / 2, .speed = 2, .load = options.load};
     AccuracyScene scene = sceneOf(net, 5);
     scene.title = fmt::format(
-        "A cloth of {0} x {0} nodes of 10 g and rigid joints of 0.1 m, load {1:g} nodes, thrown at "
-        "2 "
-        "m/s",
+        "A cloth of {0} x {0} nodes of 10 g and rigid joints of 0.1 m, load {1:g} nodes, thrown "
+        "at 2 m/s",
         side, options.load);
     return scene;
 }

@@ -149,6 +149,7 @@ std::string asJson(const std::vector<WorkPrecision>& scenes) {
 }
 
 std::string asSvg(const WorkPrecision& work, Measure by) {
+    constexpr double rounding = 1e-12;  // m; less is rounding, or the strain of what stands still
     static const std::map<std::string, const char*> colours{
         {"world-1", "#27ae60"},  {"world-4", "#117a65"}, {"world-16", "#0b3d2e"},
         {"euler", "#c0392b"},    {"suvat", "#d68910"},   {"rk2", "#7d8c1f"},
@@ -168,7 +169,7 @@ std::string asSvg(const WorkPrecision& work, Measure by) {
                         curve.key.find("stiff") != std::string::npos;
         for (const WorkPoint& point : curve.points) {
             const double value = point.*by;
-            if (!std::isfinite(value) || !(value > 0)) continue;
+            if (!std::isfinite(value) || !(value >= rounding)) continue;
             series.points.emplace_back(point.cost, value);
             least = std::min(least, point.cost);
             most = std::max(most, point.cost);
@@ -178,16 +179,13 @@ std::string asSvg(const WorkPrecision& work, Measure by) {
         plot.series.push_back(std::move(series));
     }
     Series front{"Pareto front", "#f1c40f", true, false, true, {}};
-    for (const FrontPoint& p : paretoFront(work, by))
-        if (p.point.*by > 0) front.points.emplace_back(p.point.cost, p.point.*by);
+    for (const FrontPoint& p : paretoFront(work, by, rounding))
+        front.points.emplace_back(p.point.cost, p.point.*by);
     plot.series.push_back(std::move(front));
     for (double x = std::floor(std::log10(least)); x <= std::ceil(std::log10(most)); ++x)
         plot.xTicks.push_back(std::pow(10, x));
-    // Below this it is rounding.
-    plot.yLow = std::pow(10, std::floor(std::log10(std::max(low, 1e-12))));
+    plot.yLow = std::pow(10, std::floor(std::log10(low)));
     plot.yHigh = std::pow(10, std::ceil(std::log10(high)));
-    for (Series& series : plot.series)
-        std::erase_if(series.points, [&](const auto& p) { return p.second < plot.yLow; });
     plot.series.push_back({"reference: " + std::string(work.scene.reference.starts_with("analytic")
                                                            ? "analytic"
                                                            : "converged RK4"),
@@ -197,9 +195,8 @@ std::string asSvg(const WorkPrecision& work, Measure by) {
                            false,
                            {}});
     if (work.scene.hasRigidJoints())
-        plot.series.push_back({"springs for rigid joints,", "none", false, false, false, {}});
-    if (work.scene.hasRigidJoints())
-        plot.series.push_back({"except in World", "none", false, false, false, {}});
+        for (const char* line : {"the paper's integrators have", "springs for rigid joints"})
+            plot.series.push_back({line, "none", false, false, false, {}});
     return draw(plot);
 }
 

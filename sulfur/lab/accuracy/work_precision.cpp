@@ -62,11 +62,11 @@ double medianTime(const AccuracyScene& scene, const Subject& subject, int rate, 
 
 }  // namespace
 
-std::vector<FrontPoint> paretoFront(const WorkPrecision& work, Measure by) {
+std::vector<FrontPoint> paretoFront(const WorkPrecision& work, Measure by, double least) {
     std::vector<FrontPoint> all, front;
     for (const WorkCurve& curve : work.curves)
         for (const WorkPoint& point : curve.points)
-            if (std::isfinite(point.*by) && std::isfinite(point.cost))
+            if (std::isfinite(point.*by) && point.*by >= least && std::isfinite(point.cost))
                 all.push_back({curve.title, point});
     std::sort(all.begin(), all.end(), [by](const FrontPoint& a, const FrontPoint& b) {
         return a.point.cost != b.point.cost ? a.point.cost < b.point.cost

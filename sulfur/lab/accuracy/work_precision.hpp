@@ -48,8 +48,9 @@ struct FrontPoint {
 /// By which error points are compared.
 using Measure = double WorkPoint::*;
 /// From the cheapest point to the most exact one; points that cost as much or more and are no more
-/// exact are left out.
-std::vector<FrontPoint> paretoFront(const WorkPrecision& work, Measure by = &WorkPoint::error);
+/// exact are left out, and so are errors below `least`.
+std::vector<FrontPoint> paretoFront(const WorkPrecision& work, Measure by = &WorkPoint::error,
+                                    double least = 0);
 
 WorkPrecision measureWorkPrecision(AccuracyScene scene, const std::vector<Subject>& subjects,
                                    const CostOptions& options);

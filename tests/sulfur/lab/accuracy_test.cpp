@@ -117,6 +117,9 @@ TEST(Accuracy, TheFrontHoldsWhatNothingBeats) {
     ASSERT_EQ(byStrain.size(), 2u);
     EXPECT_EQ(byStrain[0].point.cost, 1);
     EXPECT_EQ(byStrain[1].point.cost, 2);
+    const auto coarse = paretoFront(work, &WorkPoint::error, 5e-3);
+    ASSERT_EQ(coarse.size(), 2u);
+    EXPECT_EQ(coarse[1].point.error, 1e-2);
 }
 
 TEST(Accuracy, OtherEnginesPlayChainsNetsGridsAndStacksOnly) {
