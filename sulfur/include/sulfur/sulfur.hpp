@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sulfur/blueprint.hpp>
+#include <sulfur/body.hpp>
 #include <sulfur/draw.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <sulfur/blueprint.hpp>
+#include <sulfur/body.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>
 #include <sulfur/fields.hpp>
@@ -109,79 +110,8 @@ struct ConnectOptions {
 /// The state of a world as bytes. Opaque; the same build of the library reads it back.
 using Snapshot = std::vector<std::byte>;
 
-class World;
 class DebugDraw;
 struct DrawOptions;
-
-/// A body in a world: a handle with the world beside it. Copy it freely; it stays valid until the
-/// body is removed or the world is gone.
-class Body {
-public:
-    Body() = default;
-    /// A body of `world`, which must outlive it.
-    Body(World& world, BodyId id) : world_(&world), id_(id) {}
-
-    /// Its handle.
-    BodyId id() const { return id_; }
-    /// Its handle: a body is its id wherever an id is wanted.
-    operator BodyId() const { return id_; }  // NOLINT: meant to be implicit
-    /// Its particles; see World::particles.
-    std::span<const ParticleId> particles() const;
-    /// Its joints; see World::joints.
-    std::span<const JointId> joints() const;
-    /// The number of its particles.
-    std::size_t size() const { return particles().size(); }
-    /// The particle at place `i` of its blueprint, less than size().
-    ParticleId operator[](std::size_t i) const { return particles()[i]; }
-    /// The first particle.
-    ParticleId front() const { return particles().front(); }
-    /// The last particle.
-    ParticleId back() const { return particles().back(); }
-
-    /// Where its own frame is; see World::pose.
-    Pose pose() const;
-    /// The same for drawing; see World::interpolatedPose.
-    Pose interpolatedPose(double alpha) const;
-    /// Radians; see World::angle.
-    double angle() const;
-    /// Metres; see World::centreOfMass.
-    Point centreOfMass() const;
-    /// m/s; see World::meanVelocity.
-    Vec2 meanVelocity() const;
-    /// rad/s; see World::angularVelocity.
-    double angularVelocity() const;
-    /// kg; see World::mass.
-    Real mass() const;
-    /// kg m^2; see World::inertia.
-    Real inertia() const;
-    /// What it covers; see World::bounds.
-    Bounds bounds() const;
-
-    // A handle stays the same when what it refers to changes.
-
-    /// Puts it elsewhere; see World::setPose.
-    void setPose(const Pose& pose) const;
-    /// m/s of all of its particles; see World::setVelocity.
-    void setVelocity(Vec2 velocity) const;
-    /// m/s and rad/s about its centre of mass; see World::setVelocity.
-    void setVelocity(Vec2 linear, double angular) const;
-    /// Newtons at a point of the world during the next tick; see World::applyForce.
-    void applyForce(Vec2 force, Point at) const;
-    /// N s at a point of the world, at once; see World::applyImpulse.
-    void applyImpulse(Vec2 impulse, Point at) const;
-    /// N m during the next tick; see World::applyTorque.
-    void applyTorque(Real torque) const;
-    /// N m s, at once; see World::applyAngularImpulse.
-    void applyAngularImpulse(Real impulse) const;
-    /// How much of gravity acts on it; see World::setGravityScale.
-    Real gravityScale() const;
-    /// Changes that.
-    void setGravityScale(Real scale) const;
-
-private:
-    World* world_ = nullptr;
-    BodyId id_ = {};
-};
 
 /// Owns particles, joints and bodies and moves them.
 ///
@@ -453,7 +383,9 @@ public:
     /// beyond 1e9 m on an axis. Wakes it, what touched or is tied to it, and what a fixed or
     /// kinematic body now overlaps.
     void setPose(BodyId body, const Pose& pose);
-    /// Adds a force, in newtons, that acts during the next tick only.
+    /// Adds a force, in newtons, that acts during the next tick only. In the tick
+    /// after a velocity was set it changes that by half as much, because velocities stand in the
+    /// middle of a step.
     void applyForce(ParticleId particle, Vec2 force);
     /// Changes the velocity at once by impulse / mass; N s. Does nothing to what cannot move.
     void applyImpulse(ParticleId particle, Vec2 impulse);
@@ -570,66 +502,5 @@ public:
 private:
     std::unique_ptr<Impl> impl_;
 };
-
-inline std::span<const ParticleId> Body::particles() const {
-    return world_->particles(id_);
-}
-inline std::span<const JointId> Body::joints() const {
-    return world_->joints(id_);
-}
-inline Pose Body::pose() const {
-    return world_->pose(id_);
-}
-inline Pose Body::interpolatedPose(double alpha) const {
-    return world_->interpolatedPose(id_, alpha);
-}
-inline double Body::angle() const {
-    return world_->angle(id_);
-}
-inline Point Body::centreOfMass() const {
-    return world_->centreOfMass(id_);
-}
-inline Vec2 Body::meanVelocity() const {
-    return world_->meanVelocity(id_);
-}
-inline double Body::angularVelocity() const {
-    return world_->angularVelocity(id_);
-}
-inline Real Body::mass() const {
-    return world_->mass(id_);
-}
-inline Real Body::inertia() const {
-    return world_->inertia(id_);
-}
-inline Bounds Body::bounds() const {
-    return world_->bounds(id_);
-}
-inline void Body::setPose(const Pose& pose) const {
-    world_->setPose(id_, pose);
-}
-inline void Body::setVelocity(Vec2 velocity) const {
-    world_->setVelocity(id_, velocity);
-}
-inline void Body::setVelocity(Vec2 linear, double angular) const {
-    world_->setVelocity(id_, linear, angular);
-}
-inline void Body::applyForce(Vec2 force, Point at) const {
-    world_->applyForce(id_, force, at);
-}
-inline void Body::applyImpulse(Vec2 impulse, Point at) const {
-    world_->applyImpulse(id_, impulse, at);
-}
-inline void Body::applyTorque(Real torque) const {
-    world_->applyTorque(id_, torque);
-}
-inline void Body::applyAngularImpulse(Real impulse) const {
-    world_->applyAngularImpulse(id_, impulse);
-}
-inline Real Body::gravityScale() const {
-    return world_->gravityScale(id_);
-}
-inline void Body::setGravityScale(Real scale) const {
-    world_->setGravityScale(id_, scale);
-}
 
 }  // namespace sulfur
