@@ -75,7 +75,7 @@ private:
     /// bisection: the left side falls from `links` to 0 while the angle goes from 0 to pi.
     static double halfAngle(int links, double slack) {
         if (slack == 0) return 0;
-        double low = 0, high = 3.14159265358979323846;
+        double low = 0, high = detail::fullTurn / 2;
         for (int i = 0; i < 60; ++i) {
             const double middle = (low + high) / 2;
             const double ratio =

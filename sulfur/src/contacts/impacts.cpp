@@ -229,7 +229,7 @@ private:
         const Vec2 fall = h_ * h_ * state_.settings.gravity;
         for (std::size_t k = 0; k < 3; ++k)
             if (movers_.bodies[s.body[k]].inverseMass > 0)
-                s.falls += gravityScaleOf(s.body[k]) * s.linear[k].dot(fall);
+                s.falls += gravityScaleOf(state_, s.body[k]) * s.linear[k].dot(fall);
         return s;
     }
     /// Weight alone is no blow to anybody.
@@ -239,10 +239,6 @@ private:
         for (const auto body : state_.work.bodies)
             most = std::max(most, std::abs(state_.bodies[body].gravityScale));
         return most;
-    }
-    Real gravityScaleOf(std::uint32_t mover) const {
-        if (!state_.gravityScaled) return 1;
-        return state_.bodies[state_.bodySlots.denseOf(movers_.body[mover])].gravityScale;
     }
     Real gapNow(const Strike& s, Real gap) const {
         for (std::size_t k = 0; k < 3; ++k) {

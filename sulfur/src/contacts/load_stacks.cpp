@@ -74,19 +74,14 @@ private:
             if (b.inverseMass > 0 && b.inverseInertia > 0) {
                 const bool half = core_.awakeIsCluster[k] != 0 && isYoung[core_.awakeDense[k]];
                 loads_[m].force = (half ? 0.5 : 1) * weight_ / static_cast<double>(b.inverseMass);
-                if (state_.gravityScaled) loads_[m].force *= gravityScaleOf(m);
+                // What is lighter than nothing bears nothing.
+                loads_[m].force *= std::max(0.0, static_cast<double>(gravityScaleOf(state_, m)));
                 order_.push_back(m);
             }
         }
         std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
             return std::pair(loads_[b].height, a) < std::pair(loads_[a].height, b);
         });
-    }
-
-    /// What is lighter than nothing bears nothing.
-    double gravityScaleOf(std::uint32_t m) const {
-        const auto body = state_.bodySlots.denseOf(movers_.body[m]);
-        return std::max(0.0, static_cast<double>(state_.bodies[body].gravityScale));
     }
 
     void findStands() {

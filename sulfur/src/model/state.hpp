@@ -226,7 +226,7 @@ struct State {
     Tasks* tasks = nullptr;      // threads that the host lends; null: the caller's alone
     bool anyStirred = true;      // some cluster is stirred
     bool anyForced = true;       // members of awake clusters may have forces that are still to act
-    bool gravityScaled = false;  // some body has had another BodyRecord::gravityScale than 1
+    bool gravityScaled = false;  // a body has, or had, another BodyRecord::gravityScale than 1
     bool membersBehind = false;  // those of awake clusters have not followed them yet
     /// What follows from who is awake, found at the end of a tick and void after any change: no
     /// tick would change anything.
@@ -252,6 +252,12 @@ inline std::uint64_t stepNumber(const State& state) {
 inline Point moreGravity(const State& state, std::uint32_t body) {
     const double more = static_cast<double>(state.bodies[body].gravityScale) - 1;
     return more * state.settings.gravity.cast<double>();
+}
+
+/// By what share of the world's gravity a mover that is awake falls.
+inline Real gravityScaleOf(const State& state, std::uint32_t mover) {
+    if (!state.gravityScaled) return 1;
+    return state.bodies[state.bodySlots.denseOf(state.core.movers.body[mover])].gravityScale;
 }
 
 /// Whether the present step is the first of its tick.

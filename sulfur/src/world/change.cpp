@@ -181,7 +181,9 @@ void World::setGravityScale(BodyId id, Real scale) {
     if (scale == state.bodies[index].gravityScale) return;
     detail::wakeTouching(state, index);
     state.bodies[index].gravityScale = scale;
-    state.gravityScaled = true;
+    state.gravityScaled =
+        std::any_of(state.bodies.begin(), state.bodies.end(),
+                    [](const detail::BodyRecord& body) { return body.gravityScale != 1; });
 }
 
 void World::setUserData(BodyId id, std::uint64_t data) {

@@ -42,11 +42,6 @@ RigidField answerOf(const RigidMotion& whole, const Point& push, double twist) {
     return {whole.centre, push / whole.mass, whole.inertia > 0 ? twist / whole.inertia : 0};
 }
 
-/// N m, of a force at a place about the centre of mass.
-double leverOf(const RigidMotion& whole, const Vec2& push, const Point& at) {
-    return cross(Point(at - whole.centre), push.cast<double>().eval());
-}
-
 /// Calls f(particle) for all of a body.
 template <class Function>
 void forEachParticle(const State& state, std::uint32_t index, Function&& f) {
@@ -118,6 +113,33 @@ void pushAtOnce(State& state, std::uint32_t index, const RigidMotion& whole,
         detail::setSpin(state, i, detail::spinOf(state, i) + field.turning);
 }
 
+/// How long a push acts, and what it is called then.
+struct PushKind {
+    const char *push, *point, *twist;
+    void (*act)(State&, std::uint32_t body, const RigidMotion&, const RigidField&);
+};
+constexpr PushKind lasting{"force", "point of a force", "torque", pushDuringTick};
+constexpr PushKind sudden{"impulse", "point of an impulse", "angular impulse", pushAtOnce};
+
+void pushBody(State& state, BodyId id, const Vec2& push, const Point& at, const PushKind& kind) {
+    const auto index = indexOf(state, id);
+    requireWithin(push, maxForce, kind.push);
+    requireWithin(at, maxCoordinate, kind.point);
+    if (push.isZero(0)) return;
+    const RigidMotion whole = detail::rigidMotionOf(state, index);
+    const Point exact = push.cast<double>();
+    const double lever = cross(Point(at - whole.centre), exact);
+    kind.act(state, index, whole, answerOf(whole, exact, lever));
+}
+
+void twistBody(State& state, BodyId id, Real twist, const PushKind& kind) {
+    const auto index = indexOf(state, id);
+    requireRange(static_cast<double>(twist), -maxForce, maxForce, kind.twist);
+    if (twist == 0) return;
+    const RigidMotion whole = detail::rigidMotionOf(state, index);
+    kind.act(state, index, whole, answerOf(whole, Point(0, 0), static_cast<double>(twist)));
+}
+
 /// A kinematic body turns about its centre of mass until it is told otherwise.
 void driveByItself(const State& state, BodyRecord& body, const Vec2& linear, double angular) {
     body.moving = body.stopping = false;
@@ -149,43 +171,19 @@ void World::setVelocity(BodyId id, Vec2 linear, double angular) {
 }
 
 void World::applyForce(BodyId id, Vec2 force, Point at) {
-    State& state = impl_->changing();
-    const auto index = indexOf(state, id);
-    requireWithin(force, maxForce, "force");
-    requireWithin(at, maxCoordinate, "point of a force");
-    if (force.isZero(0)) return;
-    const RigidMotion whole = detail::rigidMotionOf(state, index);
-    pushDuringTick(state, index, whole,
-                   answerOf(whole, force.cast<double>(), leverOf(whole, force, at)));
+    pushBody(impl_->changing(), id, force, at, lasting);
 }
 
 void World::applyTorque(BodyId id, Real torque) {
-    State& state = impl_->changing();
-    const auto index = indexOf(state, id);
-    requireRange(static_cast<double>(torque), -maxForce, maxForce, "torque");
-    if (torque == 0) return;
-    const RigidMotion whole = detail::rigidMotionOf(state, index);
-    pushDuringTick(state, index, whole, answerOf(whole, Point(0, 0), static_cast<double>(torque)));
+    twistBody(impl_->changing(), id, torque, lasting);
 }
 
 void World::applyImpulse(BodyId id, Vec2 impulse, Point at) {
-    State& state = impl_->changing();
-    const auto index = indexOf(state, id);
-    requireWithin(impulse, maxForce, "impulse");
-    requireWithin(at, maxCoordinate, "point of an impulse");
-    if (impulse.isZero(0)) return;
-    const RigidMotion whole = detail::rigidMotionOf(state, index);
-    pushAtOnce(state, index, whole,
-               answerOf(whole, impulse.cast<double>(), leverOf(whole, impulse, at)));
+    pushBody(impl_->changing(), id, impulse, at, sudden);
 }
 
 void World::applyAngularImpulse(BodyId id, Real impulse) {
-    State& state = impl_->changing();
-    const auto index = indexOf(state, id);
-    requireRange(static_cast<double>(impulse), -maxForce, maxForce, "angular impulse");
-    if (impulse == 0) return;
-    const RigidMotion whole = detail::rigidMotionOf(state, index);
-    pushAtOnce(state, index, whole, answerOf(whole, Point(0, 0), static_cast<double>(impulse)));
+    twistBody(impl_->changing(), id, impulse, sudden);
 }
 
 }  // namespace sulfur
