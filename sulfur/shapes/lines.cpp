@@ -4,6 +4,7 @@
 #include <sulfur/shapes.hpp>
 
 #include "core/error_checks.hpp"
+#include "core/settings.hpp"
 #include "core/trigonometry.hpp"
 #include "parts.hpp"
 
@@ -90,6 +91,17 @@ private:
     double half_;
 };
 
+void stiffen(Blueprint& plan, const RopeOptions& options, double link) {
+    if (options.bending == 0) return;
+    const double bending = static_cast<double>(options.bending);
+    const double inertia = static_cast<double>(plan.particles[0].mass) * link * link;
+    const double w = detail::tuned::ropeFrequency, z = detail::tuned::ropeDamping;
+    const auto stiffness = static_cast<Real>(bending * inertia * w * w);
+    const auto damping = static_cast<Real>(2 * z * std::sqrt(bending) * inertia * w);
+    for (std::uint32_t i = 1; i + 1 < plan.particles.size(); ++i)
+        plan.angles.push_back({i - 1, i, i + 1, stiffness, damping, Real(0)});
+}
+
 }  // namespace
 
 Blueprint rope(const RopeOptions& options) {
@@ -104,6 +116,7 @@ Blueprint rope(const RopeOptions& options) {
                           : std::clamp(static_cast<int>(std::lround(length / 0.05)), 1, 100000);
     requireRange(links, 1, 100000, "links");
     const double slack = slackOf(options, links);
+    requireRange(static_cast<double>(options.bending), 0, 100, "bending");
     Blueprint plan;
     plan.name = "rope";
     plan.material = options.material;
@@ -122,6 +135,7 @@ Blueprint rope(const RopeOptions& options) {
                                .radius = options.radius,
                                .strength = options.strength});
     }
+    stiffen(plan, options, length / links);
     plan.validate();
     return plan;
 }
@@ -136,6 +150,7 @@ Blueprint chain(const ChainOptions& options) {
                            .links = options.links != 0 ? options.links : usual,
                            .mass = options.mass,
                            .radius = options.radius,
+                           .bending = 0,
                            .strength = options.strength,
                            .pinFirst = options.pinFirst,
                            .pinLast = options.pinLast,

@@ -36,6 +36,25 @@ struct JointSpec {
     std::optional<Material> material = std::nullopt;
 };
 
+/// An elastic angle at a particle between two others of its body. The angle is the turn from the
+/// direction a to b to that from b to c, in radians, positive anticlockwise, -pi to pi: 0 where the
+/// three go straight on. A torque of -stiffness (angle - restAngle) - damping d(angle)/dt acts on
+/// it, where the difference of angles is without whole turns too. What it pushes with follows from
+/// the gradient of the angle, so that momentum and angular momentum stay what they are.
+///
+/// Like elastic joints, soft ones are forces and stiffer ones constraints, without a border. Where
+/// joints lead from a to b or from b to c, the angular joint goes when one of them breaks or is
+/// removed; else it goes when its particles come to be of different bodies.
+struct AngularJointSpec {
+    std::uint32_t a = 0;  ///< index into Blueprint::particles
+    std::uint32_t b = 0;  ///< index into Blueprint::particles, the corner, apart from both others
+    std::uint32_t c = 0;  ///< index into Blueprint::particles; all three differ
+    Real stiffness = 0;   ///< N m/rad, 0 to 1e12
+    Real damping = 0;     ///< N m s/rad, 0 to 1e12
+    std::optional<Real> restAngle =
+        std::nullopt;  ///< radians, -pi to pi (3.1416); as the particles stand when not given
+};
+
 /// A texture worn by a body: mapped at rest, drawn through the live particles.
 struct Skin {
     std::string texture = {};   ///< asset name
@@ -52,23 +71,28 @@ enum class BodyKind : std::uint8_t {
 
 /// Everything that World::add needs to know to make a body.
 struct Blueprint {
-    std::string name = {};                     ///< for people and files
-    BodyKind kind = BodyKind::dynamic;         ///< who moves it
-    std::vector<ParticleSpec> particles = {};  ///< at least one
-    std::vector<JointSpec> joints = {};        ///< between them
-    Material material = {};                    ///< of its surface
-    Filter filter = {};                        ///< what it collides with
-    bool selfCollision = false;                ///< whether its own parts touch each other
-    bool sensor = false;                       ///< whether it only feels; see World::setSensor
-    std::optional<Skin> skin = std::nullopt;   ///< what it wears
+    std::string name = {};                      ///< for people and files
+    BodyKind kind = BodyKind::dynamic;          ///< who moves it
+    std::vector<ParticleSpec> particles = {};   ///< at least one
+    std::vector<JointSpec> joints = {};         ///< between them
+    std::vector<AngularJointSpec> angles = {};  ///< the same
+    Material material = {};                     ///< of its surface
+    Filter filter = {};                         ///< what it collides with
+    bool selfCollision = false;                 ///< whether its own parts touch each other
+    bool sensor = false;                        ///< whether it only feels; see World::setSensor
+    std::optional<Skin> skin = std::nullopt;    ///< what it wears
 
     /// Throws Error, naming the offending particle or joint, unless all of it is usable: at least
     /// one particle, every number finite and in its range, every index in range, no joint from a
-    /// particle to itself, no rigid or capsule joint of length zero, every material in its range.
+    /// particle to itself, no rigid or capsule joint of length zero, no angular joint at a particle
+    /// that stands where a neighbour stands, every material in its range.
     void validate() const;
 
     /// Total mass in kilograms, pinned particles included.
     Real mass() const;
+    /// The rest angle of an angular joint between these particles in radians: what is given, or as
+    /// they stand.
+    Real restAngle(const AngularJointSpec& joint) const;
     /// Mass-weighted mean position in the body's frame.
     Vec2 centreOfMass() const;
 };

@@ -53,6 +53,7 @@ inline shapes::RopeOptions rope(Real stiffness = 100) {
     options.mass = static_cast<Real>(ropeParticles) * ropeParticleMass;
     options.stiffness = stiffness;
     options.damping = damping;
+    options.bending = 0;
     options.pinFirst = true;
     return options;
 }

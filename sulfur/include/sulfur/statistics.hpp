@@ -29,17 +29,20 @@ const char* name(Stage stage);
 
 /// What the last tick did. Times are filled only while World::setProfiling is on.
 struct Statistics {
-    std::uint32_t particles = 0;         ///< in the world
-    std::uint32_t joints = 0;            ///< in the world
-    std::uint32_t bodies = 0;            ///< in the world
-    std::uint32_t awakeParticles = 0;    ///< of bodies that move
-    std::uint32_t explicitJoints = 0;    ///< elastic, integrated by NSV alone
-    std::uint32_t implicitJoints = 0;    ///< elastic, at least in part beyond the explicit range
-    std::uint32_t rigidJoints = 0;       ///< solved as constraints: none inside a rigid component
-    std::uint32_t sweptJoints = 0;       ///< of the implicit and rigid ones, those in no tree
-    std::uint32_t clusters = 0;          ///< rigid components awake, each moved as one
-    std::uint32_t trees = 0;             ///< chains and trees awake that are solved directly
-    std::uint32_t chainSteps = 0;        ///< steps that these took in the last tick, in all
+    std::uint32_t particles = 0;       ///< in the world
+    std::uint32_t joints = 0;          ///< in the world
+    std::uint32_t bodies = 0;          ///< in the world
+    std::uint32_t awakeParticles = 0;  ///< of bodies that move
+    std::uint32_t explicitJoints = 0;  ///< elastic, integrated by NSV alone
+    std::uint32_t implicitJoints = 0;  ///< elastic, at least in part beyond the explicit range
+    std::uint32_t rigidJoints = 0;     ///< solved as constraints: none inside a rigid component
+    std::uint32_t sweptJoints = 0;     ///< of the implicit and rigid ones, those in no tree
+    std::uint32_t explicitAngles = 0;  ///< angular joints that are forces alone
+    std::uint32_t implicitAngles =
+        0;                         ///< those that are constraints of the sweeps, at least in part
+    std::uint32_t clusters = 0;    ///< rigid components awake, each moved as one
+    std::uint32_t trees = 0;       ///< chains and trees awake that are solved directly
+    std::uint32_t chainSteps = 0;  ///< steps that these took in the last tick, in all
     std::uint32_t chainsInLanes = 0;     ///< of these trees, those that went side by side in lanes
     std::uint32_t chainFallbacks = 0;    ///< of these, those that had to give up SHAKE directions
     std::uint32_t networks = 0;          ///< of the trees, those with loops: nets, rings, grids

@@ -79,6 +79,18 @@ struct JointInfo {
     Real force = 0;       ///< N in the last tick, positive when it pulls
 };
 
+/// What an angular joint is at the moment; see AngularJointSpec.
+struct AngleInfo {
+    ParticleId a = {};   ///< one neighbour
+    ParticleId b = {};   ///< the corner
+    ParticleId c = {};   ///< the other neighbour
+    Real stiffness = 0;  ///< N m/rad
+    Real damping = 0;    ///< N m s/rad
+    Real restAngle = 0;  ///< radians
+    Real angle = 0;      ///< radians, -pi to pi: the turn from a to b to that from b to c
+    Real torque = 0;     ///< N m in the last tick, positive where it makes the angle larger
+};
+
 /// What an attachment is: its particle is held at the sum of weight_i times the place of support_i.
 struct AttachmentInfo {
     ParticleId particle = {};                 ///< what is held
@@ -208,6 +220,8 @@ public:
     std::span<const ParticleId> particles(BodyId body) const;
     /// Joints of a body in the order of its blueprint, without those that are gone.
     std::span<const JointId> joints(BodyId body) const;
+    /// Angular joints of a body in the order of its blueprint, without those that are gone.
+    std::vector<AngleInfo> angles(BodyId body) const;
     /// The name of its blueprint. References of this and the next are valid until bodies are
     /// added or removed.
     const std::string& name(BodyId body) const;

@@ -31,6 +31,8 @@ inline constexpr double maxMass = 1e12;                             // kg
 /// Between the masses of what joints or attachments tie together: a tree eliminates one node after
 /// the other in double precision, and a rope whose nodes differ by 1e10 may fly away.
 inline constexpr double maxMassRatio = 1e9;
+/// N m/rad, and rad: pi, also as Real rounds it.
+inline constexpr double maxAngularStiffness = 1e12, maxAngle = 3.1415928;
 inline constexpr double maxAcceleration = 1e6;  // m/s^2, gravity
 
 /// Of an attached or grabbed point, in distances of its supports: a point much farther away would

@@ -147,6 +147,15 @@ inline constexpr double stiffLimit = 1024;
 /// How many times stiffness counts at links of ropes, which may move in shorter steps than the
 /// forces of springs are found in.
 inline constexpr double weightOfLinks = 16;
+/// rad/s, and a ratio: bending of a rope, from link to link. The load of its stiffness in a step,
+/// 16 h^2 w^2, is a quarter at 480 Hz, that of its damping, 64 h z w, is less than one: together
+/// they leave of the limit what stiff elastic links take as forces.
+inline constexpr double ropeFrequency = 60, ropeDamping = 0.1;
+/// How far apart, in the list of a body, angular joints may be that push the same thing, to be
+/// solved as a whole: those of a strip are two apart.
+inline constexpr std::uint32_t widestGroup = 8;
+/// How many times steeper an angle may become, by arms that shorten, until its joint pulls less.
+inline constexpr double mostSteepened = 4;
 /// Of a link's length, beyond which it is strained: a body has no rigid components then, and a tree
 /// needs more sweeps.
 inline constexpr double strainLimit = 1e-4;

@@ -23,14 +23,16 @@ constexpr Real softLimit = Real(tuned::softLimit), forceLimit = Real(tuned::forc
 /// Beyond, a joint is no force at all any more.
 constexpr Real stiffLimit = Real(tuned::stiffLimit);
 
-/// The part of a spring's load `x` that is a force. It leaves x without a kink and stays below
-/// 2 softLimit, so that a spring goes over from explicit to implicit without anybody feeling where.
+}  // namespace
+
 Real explicitLoad(Real x) {
     if (x <= softLimit) return x;
     const Real beyond = (x - softLimit) / softLimit;
     return softLimit * (1 + beyond / (1 + beyond)) *
            std::max<Real>(0, 1 - x / (stiffLimit * softLimit));
 }
+
+namespace {
 
 /// Of a joint between particles of such loads, the shares that are forces.
 struct Shares {

@@ -1,6 +1,7 @@
 // Everything that a world is.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <sulfur/events.hpp>
 #include <sulfur/statistics.hpp>
@@ -12,6 +13,7 @@
 #include "core/frame_arena.hpp"
 #include "core/settings.hpp"
 #include "core/slots.hpp"
+#include "model/angles.hpp"
 #include "model/bodies.hpp"
 #include "model/chain_batches.hpp"
 #include "model/clusters.hpp"
@@ -108,8 +110,10 @@ struct WorkLists {
     std::vector<std::uint32_t> explicitJoints, implicitJoints, rigidJoints;  // the latter two swept
     SweptJoints implicitSweep, rigidSweep;                                   // their batches
     ExplicitJoints explicitBatches;
-    std::vector<std::uint32_t> stiffJoints;  // all that have a multiplier
-    std::vector<StiffRun> stiffRuns;         // the same
+    std::vector<std::uint32_t> explicitAngles, implicitAngles;  // which are partly both
+    SweptAngles sweptAngles;                                    // the latter
+    std::vector<std::uint32_t> stiffJoints;                     // all that have a multiplier
+    std::vector<StiffRun> stiffRuns;                            // the same
     std::vector<std::uint32_t> breakableJoints;
     // All joints that are not rigid, body by body, asleep or not; where those of each body begin.
     std::vector<std::uint32_t> springs, springStart;
@@ -185,6 +189,7 @@ struct State {
 
     Particles particles;
     Joints joints;
+    Angles angles;
     std::vector<Attachment> attachments;
     Clusters clusters;
     Trees trees;
@@ -258,6 +263,14 @@ inline Point moreGravity(const State& state, std::uint32_t body) {
 inline Real gravityScaleOf(const State& state, std::uint32_t mover) {
     if (!state.gravityScaled) return 1;
     return state.bodies[state.bodySlots.denseOf(state.core.movers.body[mover])].gravityScale;
+}
+
+/// The angular joints of a body.
+inline Range anglesOf(const State& state, std::uint32_t body) {
+    const auto& list = state.angles.body;
+    const auto [from, to] = std::equal_range(list.begin(), list.end(), body);
+    return {static_cast<std::uint32_t>(from - list.begin()),
+            static_cast<std::uint32_t>(to - list.begin())};
 }
 
 /// Whether the present step is the first of its tick.

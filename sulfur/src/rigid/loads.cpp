@@ -131,6 +131,14 @@ void loadByJoints(State& state) {
     }
 }
 
+void loadByAngles(State& state) {
+    for (const SweptAngle& swept : state.work.sweptAngles.list)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double push = static_cast<double>(newtonsPerMultiplier(state)) * swept.lambda;
+            load(state, swept.grips[k].particle, (push * swept.start.slopes[k]).cast<Real>());
+        }
+}
+
 void loadByAttachments(State& state) {
     for (const Attachment& held : state.attachments) {
         load(state, held.particle, held.force);
@@ -201,6 +209,7 @@ void recoverLoads(State& state) {
     if (state.work.watchedClusters.empty()) return;
     loadByContacts(state);
     loadByJoints(state);
+    loadByAngles(state);
     loadByAttachments(state);
     loadByGrabs(state);
     std::pmr::vector<double> memory(&state.arena);

@@ -5,6 +5,7 @@
 #include "joints/classify.hpp"
 #include "joints/triangles.hpp"
 #include "rigid/find_clusters.hpp"
+#include "solver/constraint_kinds.hpp"
 #include "solver/stages.hpp"
 #include "solver/work_lists.hpp"
 #include "trees/chain_batches.hpp"
@@ -184,19 +185,39 @@ void listJoints(State& state) {
     batchJoints(state, work.rigidJoints, work.rigidSweep);
 }
 
+void listAngles(State& state) {
+    WorkLists& work = state.work;
+    const Angles& angles = state.angles;
+    work.explicitAngles.clear();
+    work.implicitAngles.clear();
+    for (std::uint32_t i = 0; i < angles.size(); ++i) {
+        if (angles.kind[i] == AngleKind::held || !state.awake(angles.body[i])) continue;
+        const auto moves = [&](std::uint32_t p) { return inverseMassAwake(state, p) > 0; };
+        if (!moves(angles.a[i]) && !moves(angles.b[i]) && !moves(angles.c[i])) continue;
+        if (angles.explicitStiffness[i] > 0 || angles.explicitDamping[i] > 0)
+            work.explicitAngles.push_back(i);
+        if (angles.kind[i] == AngleKind::implicitElastic) work.implicitAngles.push_back(i);
+    }
+    groupAngles(state);
+}
+
 /// A rigid component may have a surface elsewhere.
 void listSweptParticles(State& state) {
     WorkLists& work = state.work;
     work.sweptParticles.clear();
     std::pmr::vector<bool> listed(state.particles.size(), false, &state.arena);
+    const auto add = [&](std::uint32_t i) {
+        if (listed[i]) return;
+        listed[i] = true;
+        if (state.particles.reach[i] > 0 || state.particles.cluster[i] != none)
+            work.sweptParticles.push_back(i);
+    };
     for (const auto* list : {&work.implicitJoints, &work.rigidJoints})
         for (const auto j : *list)
-            for (const auto i : {state.joints.a[j], state.joints.b[j]}) {
-                if (listed[i]) continue;
-                listed[i] = true;
-                if (state.particles.reach[i] > 0 || state.particles.cluster[i] != none)
-                    work.sweptParticles.push_back(i);
-            }
+            for (const auto i : {state.joints.a[j], state.joints.b[j]}) add(i);
+    const Angles& angles = state.angles;
+    for (const auto j : work.implicitAngles)
+        for (const auto i : {angles.a[j], angles.b[j], angles.c[j]}) add(i);
 }
 
 /// Whether a joint or tree that takes part holds a rigid component.
@@ -208,6 +229,10 @@ bool holdsClusters(const State& state) {
     for (const auto* list : {&work.explicitJoints, &work.implicitJoints, &work.rigidJoints})
         for (const auto j : *list)
             if (isHeld(state.joints.a[j]) || isHeld(state.joints.b[j])) return true;
+    for (const auto* list : {&work.explicitAngles, &work.implicitAngles})
+        for (const auto j : *list)
+            for (const auto i : {state.angles.a[j], state.angles.b[j], state.angles.c[j]})
+                if (isHeld(i)) return true;
     const auto hasClusters = [&](std::uint32_t tree) { return state.trees.list[tree].points == 0; };
     return std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), hasClusters) ||
            std::any_of(work.lines.begin(), work.lines.end(), hasClusters);
@@ -273,7 +298,10 @@ bool addedAreRigid(const State& state, const Counts& before) {
         !hinges.empty() && hinges.back().cluster >= firstCluster(state, before.bodies);
     return !hinged && state.trees.list.empty() &&
            std::all_of(state.joints.inCluster.begin() + before.joints, state.joints.inCluster.end(),
-                       [](auto in) { return in != 0; });
+                       [](auto in) { return in != 0; }) &&
+           std::all_of(state.angles.kind.begin() + anglesOf(state, before.bodies).first,
+                       state.angles.kind.end(),
+                       [](AngleKind kind) { return kind == AngleKind::held; });
 }
 
 /// Bodies that were added are tied to nothing, so that all but the trees, whose order is that of
@@ -289,6 +317,7 @@ void deriveStructure(State& state) {
     }
     findTriangles(state);
     classifyJoints(state, before);
+    classifyAngles(state, before);
     if (onlyAdded && addedAreRigid(state, before)) {
         state.trees.ofParticle.resize(state.particles.size(), none);
         state.trees.ofCluster.resize(state.clusters.list.size(), none);
@@ -333,6 +362,10 @@ void countTrees(State& state) {
         if (state.joints.kind[j] == JointKind::explicitElastic) ++statistics.explicitJoints;
         if (state.joints.explicitDamping[j] > 0) ++statistics.dampedJoints;
     }
+    statistics.explicitAngles = statistics.implicitAngles = 0;
+    for (const auto i : work.explicitAngles)
+        if (state.angles.kind[i] == AngleKind::explicitElastic) ++statistics.explicitAngles;
+    statistics.implicitAngles = sizeOf(work.implicitAngles);
     for (const auto j : work.stiffJoints)
         ++(state.joints.kind[j] == JointKind::rigid ? statistics.rigidJoints
                                                     : statistics.implicitJoints);
@@ -371,6 +404,7 @@ void listAnew(State& state) {
         listBreakable(state, before);
     } else {
         listJoints(state);
+        listAngles(state);
         listSweptParticles(state);
         work.holdsClusters = holdsClusters(state);
         listAttachments(state);

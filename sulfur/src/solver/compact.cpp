@@ -51,6 +51,18 @@ void spreadRemoval(const State& state, Removal& removal) {
     }
 }
 
+/// After the handles of joints that go are forgotten.
+void markAngles(const State& state, Removal& removal) {
+    const Angles& angles = state.angles;
+    const auto isGone = [&](JointId id) {
+        return id != JointId{} && !state.jointSlots.contains(id);
+    };
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        if (removal.particles[angles.a[i]] || removal.particles[angles.b[i]] ||
+            removal.particles[angles.c[i]] || isGone(angles.before[i]) || isGone(angles.after[i]))
+            removal.angles[i] = true;
+}
+
 /// Bodies that lose particles or joints of their own have other rigid components now.
 void markChangedBodies(State& state, const Removal& removal) {
     for (std::size_t i = 0; i < state.particles.size(); ++i)
@@ -165,6 +177,12 @@ void squeezeJoints(State& state, const Removal& removal) {
     }
 }
 
+void squeezeAngles(State& state, const Removal& removal) {
+    Angles& angles = state.angles;
+    angles.forEachArray([&](auto& list) { squeeze(list, removal.angles); });
+    for (auto& body : angles.body) body = removal.newBody[body];
+}
+
 void squeezeAttachments(State& state, const Removal& removal) {
     squeeze(state.attachments, removal.attachments);
     for (std::uint32_t i = 0; i < state.attachments.size(); ++i)
@@ -213,7 +231,8 @@ void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex)
     const auto renumber = [&](std::uint32_t& i) {
         if (i != none) i = newIndex[i];
     };
-    for (auto* ends : {&state.joints.a, &state.joints.b})
+    for (auto* ends :
+         {&state.joints.a, &state.joints.b, &state.angles.a, &state.angles.b, &state.angles.c})
         std::for_each(ends->begin(), ends->end(), renumber);
     for (Attachment& held : state.attachments) {
         renumber(held.particle);
@@ -236,11 +255,13 @@ void compact(State& state, Removal& removal) {
         if (removal.bodies[i]) removeShape(state, state.bodies[i].id.index - 1);
     markChangedBodies(state, removal);
     forgetHandles(state, removal);
+    markAngles(state, removal);
     renumber(removal.bodies, removal.newBody);
     renumber(removal.particles, removal.newParticle);
     const bool particlesGo = std::find(removal.particles.begin(), removal.particles.end(), true) !=
                              removal.particles.end();
     squeezeJoints(state, removal);
+    squeezeAngles(state, removal);
     squeezeAttachments(state, removal);
     squeezeBodies(state, removal);
     squeezeClusters(state, removal);

@@ -8,15 +8,16 @@
 namespace sulfur::detail {
 
 /// Drops what is marked (true) and closes the gaps, keeping the order. Joints and attachments
-/// that lose a particle go too.
+/// that lose a particle go too, angular joints also that lose a joint along one of their arms.
 struct Removal {
-    std::vector<bool> particles, joints, attachments, bodies;
+    std::vector<bool> particles, joints, attachments, bodies, angles;
 
     explicit Removal(const State& state)
         : particles(state.particles.size()),
           joints(state.joints.size()),
           attachments(state.attachments.size()),
           bodies(state.bodies.size()),
+          angles(state.angles.size()),
           newParticle(state.particles.size()),
           newBody(state.bodies.size()),
           newCluster(state.clusters.list.size()) {}

@@ -29,8 +29,9 @@ constexpr double mostStrain = tuned::strainLimit;
 bool sweepsJoints(const State& state) {
     const WorkLists& work = state.work;
     const auto isTouched = [&](std::uint32_t tree) { return state.trees.touched[tree] != 0; };
-    return !work.implicitJoints.empty() || !work.rigidJoints.empty() || !work.attachments.empty() ||
-           !work.hinges.empty() || !work.lines.empty() || !state.influences.grabs.empty() ||
+    return !work.implicitJoints.empty() || !work.implicitAngles.empty() ||
+           !work.rigidJoints.empty() || !work.attachments.empty() || !work.hinges.empty() ||
+           !work.lines.empty() || !state.influences.grabs.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
@@ -69,6 +70,7 @@ void sweepAll(State& state) {
     bool stirred = true;
     for (int number = 1; number <= most && (stirred || number <= least); ++number) {
         solveImplicitJoints(state);
+        solveAngles(state);
         solveAreas(state);
         stirred = sweepContacts(state, number);
         sweepRigid(state, number);
@@ -93,6 +95,7 @@ void solveConstraints(State& state) {
     state.contacts.clear();
     countRows(state);
     clearMultipliers(state);
+    startAngles(state);
     startGrabs(state);
     touchTrees(state);
     startAreas(state);
@@ -110,6 +113,7 @@ void solveConstraints(State& state) {
     recoverAreas(state);
     recordTreeForces(state);
     recordForces(state);
+    recordAngles(state);
     recoverLoads(state);
 }
 

@@ -89,13 +89,9 @@ void addForcesOf(State& state, const ForceView& view, std::uint32_t begin, std::
     }
 }
 
-}  // namespace
-
-void gatherForces(State& state) {
+void gatherJoints(State& state) {
     const auto& list = state.work.explicitJoints;
-    state.looked(Stage::forces, list.size());
     if (list.empty()) return;
-    if (state.work.holdsClusters) state.anyForced = true;
     const ForceView view = forceViewOf(state);
     constexpr std::size_t inMicrosecond = 400;
     const std::size_t size = state.particles.size();
@@ -110,6 +106,18 @@ void gatherForces(State& state) {
         addForcesOf(state, view, bodyStart(state, pieceStart(i, pieces, size)),
                     bodyStart(state, pieceStart(i + 1, pieces, size)));
     });
+}
+
+}  // namespace
+
+void gatherForces(State& state) {
+    const WorkLists& work = state.work;
+    const std::size_t count = work.explicitJoints.size() + work.explicitAngles.size();
+    state.looked(Stage::forces, count);
+    if (count == 0) return;
+    if (work.holdsClusters) state.anyForced = true;
+    gatherJoints(state);
+    gatherAngles(state);
 }
 
 }  // namespace sulfur::detail

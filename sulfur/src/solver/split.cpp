@@ -132,6 +132,27 @@ void shrink(State& state, std::uint32_t index) {
     body.clustersStale = true;
 }
 
+/// Angular joints follow their particles, in the order of the bodies. What is torn between two of
+/// them goes.
+void regroupAngles(State& state) {
+    Angles& angles = state.angles;
+    const auto& body = state.particles.body;
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < angles.size(); ++i) {
+        angles.body[i] = body[angles.b[i]];
+        if (body[angles.a[i]] == angles.body[i] && body[angles.c[i]] == angles.body[i])
+            order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
+        return angles.body[i] < angles.body[k];
+    });
+    angles.forEachArray([&](auto& list) {
+        const auto from = list;
+        list.resize(order.size());
+        for (std::size_t i = 0; i < order.size(); ++i) list[i] = from[order[i]];
+    });
+}
+
 /// Puts the particles of every body beside each other again, bodies in their order.
 void reorderParticles(State& state) {
     std::vector<std::uint32_t> order;
@@ -225,7 +246,10 @@ void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
     std::vector<ParticleId> lost;
     for (std::size_t i = 0; i < removal.particles.size(); ++i)
         if (removal.particles[i]) lost.push_back(state.particles.id[i]);
-    if (anySplit) reorderParticles(state);
+    if (anySplit) {
+        regroupAngles(state);
+        reorderParticles(state);
+    }
     if (anyLost) forgetLost(state, lost);
     keepFrames(state, frames);
 }

@@ -10,8 +10,10 @@ namespace sulfur::detail {
 void updateStructure(State& state);
 /// Rebuilds what is derived from bodies and joints, if they changed.
 void applyChanges(State& state);
-/// Gathers the forces of explicit elastic joints into Particles::force.
+/// Gathers the forces of explicit elastic joints into Particles::force, angular ones too.
 void gatherForces(State& state);
+/// The same of angular joints.
+void gatherAngles(State& state);
 /// Adds what force fields do to Particles::force.
 void applyFields(State& state);
 /// v += h (g + w f), air friction, d = h v.

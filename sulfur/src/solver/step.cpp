@@ -53,9 +53,9 @@ void noteItems(State& state) {
     state.looked(Stage::narrowPhase, state.core.watches.size());
     state.looked(Stage::constraints,
                  state.core.rows.size() + work.implicitJoints.size() + work.rigidJoints.size() +
-                     work.attachments.size() + work.hinges.size() + work.lines.size() +
-                     state.triangles.pressed.size() + state.trees.touchedAlone.size() +
-                     state.influences.grabs.size());
+                     work.implicitAngles.size() + work.attachments.size() + work.hinges.size() +
+                     work.lines.size() + state.triangles.pressed.size() +
+                     state.trees.touchedAlone.size() + state.influences.grabs.size());
 }
 
 /// Whether something has been changed by hand since the lists were made.

@@ -93,10 +93,14 @@ bool isPlain(const State& state, std::uint32_t index) {
     if (body.strained || hasLinks(state.core, body.id.index - 1) || isInTree(state, index) ||
         hasHinges(state, clustersOf(state, index)))
         return false;
+    const Range angles = anglesOf(state, index);
     return body.kind != BodyKind::dynamic ||
-           std::all_of(body.joints.begin(), body.joints.end(), [&](JointId id) {
-               return state.joints.inCluster[state.jointSlots.dense(id)] != 0;
-           });
+           (std::all_of(state.angles.kind.begin() + angles.first,
+                        state.angles.kind.begin() + angles.last,
+                        [](AngleKind kind) { return kind == AngleKind::held; }) &&
+            std::all_of(body.joints.begin(), body.joints.end(), [&](JointId id) {
+                return state.joints.inCluster[state.jointSlots.dense(id)] != 0;
+            }));
 }
 
 void unlist(State& state, std::uint32_t index) {

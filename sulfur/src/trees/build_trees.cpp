@@ -267,6 +267,11 @@ private:
             tie(held.particle);
             for (std::uint32_t k = 0; k < held.count; ++k) tie(held.support[k]);
         }
+        const Angles& angles = state_.angles;
+        for (std::uint32_t i = 0; i < angles.size(); ++i) {
+            if (angles.kind[i] != AngleKind::implicitElastic) continue;
+            for (const auto p : {angles.a[i], angles.b[i], angles.c[i]}) tie(p);
+        }
     }
 
     /// Greedily: each joint gets the first colour that no other has at its ends. Then sorts the
@@ -295,7 +300,7 @@ private:
                          [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
     }
 
-    /// A swept attachment pulls on the tree of this particle, if it has one.
+    /// A swept attachment or angular joint pulls on the tree of this particle, if it has one.
     void tie(std::uint32_t particle) {
         const auto cluster = state_.particles.cluster[particle];
         const auto tree = cluster != none ? trees_.ofCluster[cluster] : trees_.ofParticle[particle];

@@ -3,6 +3,7 @@
 
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
+#include "joints/turn.hpp"
 
 namespace sulfur {
 
@@ -55,6 +56,36 @@ void validateJoint(const JointSpec& joint, std::size_t i,
     }
 }
 
+/// From the first of two particles to the second.
+Point apartOf(const std::vector<ParticleSpec>& particles, std::uint32_t a, std::uint32_t b) {
+    return particles[b].position.cast<double>() - particles[a].position.cast<double>();
+}
+
+void validateAngle(const AngularJointSpec& joint, std::size_t i,
+                   const std::vector<ParticleSpec>& particles) {
+    using namespace detail;
+    const auto named = [i](const char* property) { return Subject("angle", i, property); };
+    for (const auto index : {joint.a, joint.b, joint.c}) {
+        if (index < particles.size()) continue;
+        throw Error(ErrorCode::badIndex, named("refers to particle ").text() +
+                                             std::to_string(index) + "; allowed is 0 to " +
+                                             std::to_string(particles.size() - 1));
+    }
+    if (joint.a == joint.b || joint.b == joint.c || joint.a == joint.c)
+        throw Error(ErrorCode::degenerate,
+                    named("names a particle twice; allowed are three different particles").text());
+    requireRange(static_cast<double>(joint.stiffness), 0, maxAngularStiffness, named("stiffness"));
+    requireRange(static_cast<double>(joint.damping), 0, 1e12, named("damping"));
+    if (joint.restAngle)
+        requireRange(static_cast<double>(*joint.restAngle), -maxAngle, maxAngle,
+                     named("rest angle"));
+    if (!hasTurn(apartOf(particles, joint.a, joint.b), apartOf(particles, joint.b, joint.c)))
+        throw Error(ErrorCode::degenerate,
+                    named("has its corner where a neighbour stands; allowed are particles that "
+                          "are apart")
+                        .text());
+}
+
 void validateSkin(const Skin& skin, std::size_t particles) {
     if (skin.uv.size() != particles)
         throw Error(ErrorCode::badIndex,
@@ -79,6 +110,7 @@ void Blueprint::validate() const {
         throw Error(ErrorCode::degenerate, "blueprint has no particles; needed is at least one");
     for (std::size_t i = 0; i < particles.size(); ++i) validateParticle(particles[i], i);
     for (std::size_t i = 0; i < joints.size(); ++i) validateJoint(joints[i], i, particles);
+    for (std::size_t i = 0; i < angles.size(); ++i) validateAngle(angles[i], i, particles);
     detail::validate(material);
     if (skin) validateSkin(*skin, particles.size());
 }
@@ -87,6 +119,13 @@ Real Blueprint::mass() const {
     double sum = 0;
     for (const auto& p : particles) sum += static_cast<double>(p.mass);
     return static_cast<Real>(sum);
+}
+
+Real Blueprint::restAngle(const AngularJointSpec& joint) const {
+    if (joint.restAngle) return *joint.restAngle;
+    const double angle = detail::angleBetween(apartOf(particles, joint.a, joint.b),
+                                              apartOf(particles, joint.b, joint.c));
+    return static_cast<Real>(angle);
 }
 
 Vec2 Blueprint::centreOfMass() const {

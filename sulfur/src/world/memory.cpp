@@ -60,6 +60,17 @@ MemoryUse ofColdJoints(const State& state) {
         .as("joints: surface, strength, owner", j.size(), false);
 }
 
+MemoryUse ofAngles(const State& state) {
+    const auto& a = state.angles;
+    const auto& w = state.work;
+    return Sum()
+        .add(a.a, a.b, a.c, a.restAngle, a.stiffness, a.damping, a.explicitStiffness,
+             a.explicitDamping, a.steepest, a.torque, a.kind, a.before, a.after, a.body,
+             w.explicitAngles, w.implicitAngles, w.sweptAngles.list, w.sweptAngles.groups,
+             w.sweptAngles.factors)
+        .as("angular joints", a.size(), true);
+}
+
 MemoryUse ofSweptJoints(const State& state) {
     Sum sum;
     for (const auto* swept : {&state.work.implicitSweep, &state.work.rigidSweep})
@@ -187,7 +198,7 @@ MemoryUse ofScratch(const State& state) {
 std::vector<MemoryUse> World::memory() const {
     const State& state = impl_->state();
     std::vector<MemoryUse> uses;
-    for (const auto use : {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints,
+    for (const auto use : {ofHotParticles, ofColdParticles, ofHotJoints, ofColdJoints, ofAngles,
                            ofSweptJoints, ofWorkLists, ofTriangles, ofClusters, ofTrees, ofNetworks,
                            ofMovers, ofShapes, ofPairs, ofRows, ofBodies, ofScratch})
         uses.push_back(use(state));

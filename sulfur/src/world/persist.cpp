@@ -52,6 +52,7 @@ void archiveAll(Archive& a, State& state) {
         if (isDisc(c)) a(c.headingBefore);
     a(state.discTurns);
     a(state.gravityScaled);
+    a(state.angles);
     a(state.bodyIds);
     a(state.gone);
     a(state.particleSlots);
@@ -131,6 +132,7 @@ std::uint64_t World::hash() const {
     if (state.structure.onlyAdded) state.structure.archiveAdded(hasher);
     detail::archiveBodyMotion(hasher, state);
     if (!state.discTurns.empty()) hasher(state.discTurns);
+    if (state.angles.size() > 0) hasher(state.angles);
     if (!state.influences.empty()) {
         hasher(state.influences.fields);
         hasher(state.influences.grabs);

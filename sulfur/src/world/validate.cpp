@@ -26,6 +26,7 @@ bool evenlyLong(const Arrays& arrays) {
 std::string validateArrays(const State& state) {
     if (!evenlyLong(state.particles)) return "arrays of particles of different lengths";
     if (!evenlyLong(state.joints)) return "arrays of joints of different lengths";
+    if (!evenlyLong(state.angles)) return "arrays of angular joints of different lengths";
     if (state.bodyIds.size() + state.gone.bodies != state.bodies.size())
         return "a list of bodies of another length";
     if (!state.particleSlots.sound() || !state.jointSlots.sound() || !state.bodySlots.sound() ||
@@ -69,6 +70,23 @@ std::string validateJoints(const State& state) {
         if (state.bodies[state.particles.body[j.a[i]]].gone > 0) continue;
         if (!state.jointSlots.contains(j.id[i]) || state.jointSlots.dense(j.id[i]) != i)
             return problem("joint handle leads elsewhere", i);
+    }
+    return {};
+}
+
+std::string validateAngles(const State& state) {
+    const Angles& angles = state.angles;
+    if (!std::is_sorted(angles.body.begin(), angles.body.end()))
+        return "angular joints out of order";
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        for (const auto p : {angles.a[i], angles.b[i], angles.c[i]}) {
+            if (p >= state.particles.size()) return problem("angular joint out of range", i);
+            if (state.particles.body[p] != angles.body[i])
+                return problem("angular joint of another body", i);
+        }
+        if (angles.a[i] == angles.b[i] || angles.b[i] == angles.c[i] || angles.a[i] == angles.c[i])
+            return problem("angular joint that names a particle twice", i);
+        if (!std::isfinite(angles.torque[i])) return problem("torque is not finite", i);
     }
     return {};
 }
@@ -280,9 +298,9 @@ std::string validateStructure(const State& state) {
 
 std::string findBroken(const State& state) {
     for (const auto check :
-         {validateArrays, validateParticles, validateJoints, validateAttachments, validateBodies,
-          validateSleepers, validateVisits, validateContacts, validateDiscTurns, validateClusters,
-          validateTrees, validateStructure, validateAdded})
+         {validateArrays, validateParticles, validateJoints, validateAngles, validateAttachments,
+          validateBodies, validateSleepers, validateVisits, validateContacts, validateDiscTurns,
+          validateClusters, validateTrees, validateStructure, validateAdded})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }

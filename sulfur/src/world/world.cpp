@@ -6,6 +6,7 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/room.hpp"
+#include "joints/turn.hpp"
 #include "shape/materials.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
@@ -193,6 +194,23 @@ std::span<const ParticleId> World::particles(BodyId id) const {
 std::span<const JointId> World::joints(BodyId id) const {
     return record(impl_->known(), id).joints;
 }
+std::vector<AngleInfo> World::angles(BodyId id) const {
+    const State& state = impl_->state();
+    const detail::Range range = detail::anglesOf(state, indexOf(state, id));
+    const auto& j = state.angles;
+    const auto& p = state.particles;
+    std::vector<AngleInfo> found;
+    found.reserve(range.last - range.first);
+    for (auto i = range.first; i < range.last; ++i) {
+        const Point before = p.position[j.b[i]] - p.position[j.a[i]];
+        const Point after = p.position[j.c[i]] - p.position[j.b[i]];
+        const bool has = detail::hasTurn(before, after);
+        found.push_back(
+            {p.id[j.a[i]], p.id[j.b[i]], p.id[j.c[i]], j.stiffness[i], j.damping[i], j.restAngle[i],
+             has ? static_cast<Real>(detail::angleBetween(before, after)) : Real(0), j.torque[i]});
+    }
+    return found;
+}
 const std::string& World::name(BodyId id) const {
     return record(impl_->known(), id).name;
 }
@@ -358,6 +376,20 @@ Point positionOfVelocity(const State& state, std::uint32_t i) {
     const auto& p = state.particles;
     return p.position[i] - detail::lastStepOf(state, i) / 2 * p.velocity[i];
 }
+double energyOfAngles(const State& state) {
+    const auto& j = state.angles;
+    double sum = 0;
+    for (std::uint32_t i = 0; i < j.size(); ++i) {
+        const Point corner = positionOfVelocity(state, j.b[i]);
+        const Point before = corner - positionOfVelocity(state, j.a[i]);
+        const Point after = positionOfVelocity(state, j.c[i]) - corner;
+        if (!detail::hasTurn(before, after)) continue;
+        const double turned = detail::withoutTurns(detail::angleBetween(before, after) -
+                                                   static_cast<double>(j.restAngle[i]));
+        sum += static_cast<double>(j.stiffness[i]) * turned * turned / 2;
+    }
+    return sum;
+}
 }  // namespace
 
 double World::energy() const {
@@ -381,7 +413,7 @@ double World::energy() const {
         const double stretch = apart.norm() - static_cast<double>(j.restLength[i]);
         sum += static_cast<double>(j.stiffness[i]) * stretch * stretch / 2;
     }
-    return sum;
+    return sum + energyOfAngles(state);
 }
 
 }  // namespace sulfur
