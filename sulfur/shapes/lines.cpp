@@ -91,13 +91,16 @@ private:
     double half_;
 };
 
+/// Elastic links would be pressed flat by a bend that is nearly as stiff as they are.
 void stiffen(Blueprint& plan, const RopeOptions& options, double link) {
     if (options.bending == 0) return;
-    const double bending = static_cast<double>(options.bending);
-    const double inertia = static_cast<double>(plan.particles[0].mass) * link * link;
-    const double w = detail::tuned::ropeFrequency, z = detail::tuned::ropeDamping;
-    const auto stiffness = static_cast<Real>(bending * inertia * w * w);
-    const auto damping = static_cast<Real>(2 * z * std::sqrt(bending) * inertia * w);
+    const double mass = static_cast<double>(plan.particles[0].mass);
+    const double most = std::sqrt(static_cast<double>(options.stiffness) / (16 * mass));
+    const double w = std::min(
+        detail::tuned::ropeFrequency * std::sqrt(static_cast<double>(options.bending)), most);
+    const double inertia = mass * link * link;
+    const auto stiffness = static_cast<Real>(inertia * w * w);
+    const auto damping = static_cast<Real>(2 * detail::tuned::ropeDamping * inertia * w);
     for (std::uint32_t i = 1; i + 1 < plan.particles.size(); ++i)
         plan.angles.push_back({i - 1, i, i + 1, stiffness, damping, Real(0)});
 }

@@ -112,10 +112,11 @@ struct RopeOptions {
     Real stiffness = infinite;  ///< N/m of a link
     Real damping = 0;           ///< N s/m of a link
     /// How stiff it is against bending, 0 (limp, as a chain of hinges) to 100. An angular joint at
-    /// each inner particle has the stiffness bending m l^2 w^2 (N m/rad) and the damping
-    /// 2 z sqrt(bending) m l^2 w (N m s/rad), with the mass m of a particle, the length l of a
-    /// link, w = 60 rad/s and z = 0.1. Up to 1 that are forces alone, whatever the rate. A rope of
-    /// links of 5 cm then lies in coils of some 10 cm.
+    /// each inner particle has the stiffness m l^2 w^2 (N m/rad) and the damping 2 z m l^2 w
+    /// (N m s/rad), with the mass m of a particle, the length l of a link, z = 0.3, and w = 60
+    /// rad/s times the root of this, or a quarter of the root of stiffness over m, if that is less.
+    /// Between rigid links and up to 1 that are forces alone, whatever the rate. A rope of links of
+    /// 5 cm then lies in coils of some 10 cm.
     Real bending = 1;
     Real strength = infinite;  ///< N of a link
     bool pinFirst = false;     ///< holds the particle at `from`

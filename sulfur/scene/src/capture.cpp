@@ -115,6 +115,9 @@ private:
                                    info.damping, info.restLength, info.radius, info.strength,
                                    ownMaterial(id, body)});
         }
+        for (const AngleInfo& info : world_.angles(body))
+            plan.angles.push_back({places.at(info.a), places.at(info.b), places.at(info.c),
+                                   info.stiffness, info.damping, info.restAngle});
         if (plan.skin && plan.skin->uv.size() != plan.particles.size()) plan.skin.reset();
         return plan;
     }
@@ -132,7 +135,8 @@ private:
                                   : Blueprint{};
         if (plan.kind != now.kind || !(plan.material == now.material) ||
             !(plan.filter == now.filter) || plan.sensor != now.sensor ||
-            plan.selfCollision != now.selfCollision || plan.joints.size() != now.joints.size())
+            plan.selfCollision != now.selfCollision || plan.joints.size() != now.joints.size() ||
+            plan.angles.size() != now.angles.size())
             return false;
         const auto sameParticle = [](const ParticleSpec& a, const ParticleSpec& b) {
             return a.mass == b.mass && a.radius == b.radius && a.pinned == b.pinned;
@@ -144,9 +148,14 @@ private:
                    a.restLength.value_or(apart.norm()) == b.restLength &&
                    a.material.value_or(plan.material) == b.material.value_or(plan.material);
         };
+        const auto sameAngle = [&](const AngularJointSpec& a, const AngularJointSpec& b) {
+            return a.a == b.a && a.b == b.b && a.c == b.c && a.stiffness == b.stiffness &&
+                   a.damping == b.damping && plan.restAngle(a) == b.restAngle;
+        };
         return std::equal(plan.particles.begin(), plan.particles.end(), now.particles.begin(),
                           now.particles.end(), sameParticle) &&
-               std::equal(plan.joints.begin(), plan.joints.end(), now.joints.begin(), sameJoint);
+               std::equal(plan.joints.begin(), plan.joints.end(), now.joints.begin(), sameJoint) &&
+               std::equal(plan.angles.begin(), plan.angles.end(), now.angles.begin(), sameAngle);
     }
 
     /// Bodies that rest exactly where their pose puts them need no state.

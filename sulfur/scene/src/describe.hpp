@@ -79,6 +79,17 @@ void describe(Visitor& v, Object& o) {
     describeJoint(v, o);
 }
 
+template <class Visitor, Is<AngularJointSpec> Object>
+void describe(Visitor& v, Object& o) {
+    const AngularJointSpec d;
+    v.index("a", o.a);
+    v.index("b", o.b);
+    v.index("c", o.c);
+    v.number("stiffness", o.stiffness, d.stiffness, 0, Limits::angularStiffness);
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.optionalNumber("restAngle", o.restAngle, -Limits::angle, Limits::angle);
+}
+
 template <class Visitor, Is<FloorOptions> Object>
 void describe(Visitor& v, Object& o) {
     const FloorOptions d;
@@ -129,6 +140,7 @@ void describe(Visitor& v, Object& o) {
     v.number("radius", o.radius, d.radius, 0, largestRadius);
     v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
     v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.number("bending", o.bending, d.bending, 0, Limits::bending);
     v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
     v.flag("pinFirst", o.pinFirst, d.pinFirst);
     v.flag("pinLast", o.pinLast, d.pinLast);

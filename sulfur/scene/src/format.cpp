@@ -32,6 +32,17 @@ std::vector<std::string> formatJoints(const Prefab& prefab) {
     return items;
 }
 
+std::vector<std::string> formatAngles(const Prefab& prefab) {
+    std::vector<std::string> items;
+    for (const auto& angle : prefab.blueprint.angles) {
+        ObjectText text(prefab.extra, "angles[" + std::to_string(items.size()) + ']');
+        describe(text, angle);
+        text.finish();
+        items.push_back(text.inLine());
+    }
+    return items;
+}
+
 std::string formatSkin(const Prefab& prefab, std::size_t indent) {
     ObjectText text(prefab.extra, "skin");
     const Skin& skin = *prefab.blueprint.skin;
@@ -68,6 +79,7 @@ std::string formatPrefab(const Prefab& prefab, std::size_t indent) {
     if (!generated) {
         text.add("particles", inLines(formatParticles(prefab), indent + 2));
         if (!plan.joints.empty()) text.add("joints", inLines(formatJoints(prefab), indent + 2));
+        if (!plan.angles.empty()) text.add("angles", inLines(formatAngles(prefab), indent + 2));
         text.material("material", plan.material);
     }
     text.part("filter", plan.filter, false);

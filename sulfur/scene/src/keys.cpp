@@ -95,7 +95,8 @@ Table makeTable() {
           "connections", "attachments", "vetoes", "fields"}},
         {"blueprintFile", {"format", "version", "name", "blueprint"}},
         {"explicit",
-         {"kind", "particles", "joints", "material", "filter", "sensor", "selfCollision", "skin"}},
+         {"kind", "particles", "joints", "angles", "material", "filter", "sensor", "selfCollision",
+          "skin"}},
         {"skin", {"texture", "uv", "triangles"}},
         {"body",
          {"id", "blueprint", "position", "angle", "velocity", "kind", "material", "filter",
@@ -106,6 +107,7 @@ Table makeTable() {
         {"world", described<WorldSettings>()},
         {"particle", described<ParticleSpec>()},
         {"joint", described<JointSpec>()},
+        {"angle", described<AngularJointSpec>()},
         {"material", described<Material>()},
         {"filter", described<Filter>()},
     };

@@ -282,7 +282,8 @@ Document Document::read(const std::filesystem::path& file, const DocumentLimits&
         throw ReadError(name, 0, "", "is a pipe; needed is a file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw ReadError(name, 0, "", "cannot be opened; check its permissions");
-    // One byte more than allowed is enough to see that there is too much, also of an endless device.
+    // One byte more than allowed is enough to see that there is too much, also of an endless
+    // device.
     std::string text(limits.bytes + 1, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (stream.bad()) throw ReadError(name, 0, "", "cannot be read to its end; check the disk");

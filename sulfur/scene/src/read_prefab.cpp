@@ -56,6 +56,30 @@ void readJoints(Reader& reader, Blueprint& plan) {
     }
 }
 
+AngularJointSpec readAngle(Reader& angle, const Blueprint& plan) {
+    AngularJointSpec spec;
+    describe(angle, spec);
+    const auto last = static_cast<std::int64_t>(plan.particles.size()) - 1;
+    for (const char* end : {"a", "b", "c"}) angle.at(end).integer(0, last);
+    if (spec.a == spec.b || spec.b == spec.c || spec.a == spec.c)
+        angle.node().fail("names a particle twice; allowed are three different particles");
+    const auto& place = plan.particles[spec.b].position;
+    if (place == plan.particles[spec.a].position || place == plan.particles[spec.c].position)
+        angle.node().fail("has its corner b where a or c stands; allowed are places that differ");
+    angle.finish();
+    return spec;
+}
+
+void readAngles(Reader& reader, Blueprint& plan) {
+    const auto list = reader.find("angles");
+    if (!list) return;
+    for (const auto& node : list->array(0, Limits::joints)) {
+        const auto place = std::to_string(plan.angles.size());
+        Reader angle(node, "angle", reader.below("angles[" + place + "]"), reader.extra());
+        plan.angles.push_back(readAngle(angle, plan));
+    }
+}
+
 void readTriangles(const Node& list, Skin& skin, std::size_t particles) {
     const auto last = static_cast<std::int64_t>(particles) - 1;
     for (const auto& node : list.array(0, Limits::joints)) {
@@ -148,6 +172,7 @@ void requireMasses(const Node& node, const Blueprint& plan) {
 void readExplicit(Reader& reader, Blueprint& plan) {
     readParticles(reader, plan);
     readJoints(reader, plan);
+    readAngles(reader, plan);
     reader.material("material", plan.material);
 }
 

@@ -57,7 +57,7 @@ private:
 
         void add(const Node& node, const Blueprint& plan, const char* what) {
             particles += plan.particles.size();
-            joints += plan.joints.size();
+            joints += plan.joints.size() + plan.angles.size();
             refuse(node, what);
         }
         void refuse(const Node& node, const char* what) const {
@@ -264,7 +264,8 @@ Prefab prefabFrom(const Document& document) {
     const std::string name = readName(reader.at("name"));
     Prefab prefab = readPrefab(reader.at("blueprint"), name);
     const auto& plan = prefab.blueprint;
-    if (plan.particles.size() > Limits::particles || plan.joints.size() > Limits::joints)
+    if (plan.particles.size() > Limits::particles ||
+        plan.joints.size() + plan.angles.size() > Limits::joints)
         reader.at("blueprint")
             .fail(
                 "is too large; allowed are at most 20000 particles and 60000 "

@@ -148,9 +148,9 @@ inline constexpr double stiffLimit = 1024;
 /// forces of springs are found in.
 inline constexpr double weightOfLinks = 16;
 /// rad/s, and a ratio: bending of a rope, from link to link. The load of its stiffness in a step,
-/// 16 h^2 w^2, is a quarter at 480 Hz, that of its damping, 64 h z w, is less than one: together
-/// they leave of the limit what stiff elastic links take as forces.
-inline constexpr double ropeFrequency = 60, ropeDamping = 0.1;
+/// 16 h^2 w^2, is a quarter at 480 Hz, that of its damping, 64 h z w, is 2.4: together they stay
+/// below the limit of forces.
+inline constexpr double ropeFrequency = 60, ropeDamping = 0.3;
 /// How far apart, in the list of a body, angular joints may be that push the same thing, to be
 /// solved as a whole: those of a strip are two apart.
 inline constexpr std::uint32_t widestGroup = 8;

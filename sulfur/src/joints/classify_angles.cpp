@@ -152,8 +152,8 @@ private:
         angles.kind[i] = AngleKind::held;
         if (isHeld(state_, i)) return;
         const auto arms = armsOf(state_, i);
-        angles.steepest[i] = static_cast<Real>(tuned::mostSteepened *
-                                               (1 / (arms[0] * arms[0]) + 1 / (arms[1] * arms[1])));
+        angles.armBefore[i] = static_cast<Real>(arms[0]);
+        angles.armAfter[i] = static_cast<Real>(arms[1]);
         shareOut(i);
         const bool whole = angles.explicitStiffness[i] == angles.stiffness[i] &&
                            angles.explicitDamping[i] == angles.damping[i];

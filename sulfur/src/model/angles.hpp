@@ -21,14 +21,14 @@ enum class AngleKind : std::uint8_t {
 /// Elastic angles at a particle b, between its neighbours a and c. They stand in the order of
 /// their bodies.
 struct Angles {
-    std::vector<std::uint32_t> a, b, c;   // particles, dense indices
-    std::vector<Real> restAngle;          // rad, of the turn from b - a to c - b
-    std::vector<Real> stiffness;          // N m/rad
-    std::vector<Real> damping;            // N m s/rad
-    std::vector<Real> explicitStiffness;  // N m/rad, the part of the stiffness that is a force
-    std::vector<Real> explicitDamping;    // N m s/rad, the same of the damping
-    std::vector<Real> steepest;           // 1/m^2, of the squares of both arms for those parts
-    std::vector<Real> torque;             // N m in the last step, positive turns anticlockwise
+    std::vector<std::uint32_t> a, b, c;     // particles, dense indices
+    std::vector<Real> restAngle;            // rad, of the turn from b - a to c - b
+    std::vector<Real> stiffness;            // N m/rad
+    std::vector<Real> damping;              // N m s/rad
+    std::vector<Real> explicitStiffness;    // N m/rad, the part of the stiffness that is a force
+    std::vector<Real> explicitDamping;      // N m s/rad, the same of the damping
+    std::vector<Real> armBefore, armAfter;  // m, from b to a and c, as the blueprint has them
+    std::vector<Real> torque;               // N m in the last step, positive turns anticlockwise
     std::vector<AngleKind> kind;
     std::vector<JointId> before, after;  // from a to b and from b to c, or null
     std::vector<std::uint32_t> body;     // dense index
@@ -45,7 +45,8 @@ struct Angles {
         f(damping);
         f(explicitStiffness);
         f(explicitDamping);
-        f(steepest);
+        f(armBefore);
+        f(armAfter);
         f(torque);
         f(kind);
         f(before);
@@ -59,9 +60,9 @@ struct Angles {
     }
 };
 
-/// An angle, and how it changes with the places of a, b and c.
+/// How far an angle is from its rest, and how that changes with the places of a, b and c.
 struct Turn {
-    double angle = 0;                                                    // rad, -pi to pi
+    double bend = 0;                                                     // rad, -pi to pi
     std::array<Point, 3> slopes{Point(0, 0), Point(0, 0), Point(0, 0)};  // rad/m; their sum is 0
 };
 

@@ -1,4 +1,5 @@
 // Angular joints, as far as they are forces.
+#include "core/settings.hpp"
 #include "joints/turn.hpp"
 #include "solver/stages.hpp"
 
@@ -6,20 +7,43 @@ namespace sulfur::detail {
 
 namespace {
 
-/// s, from a step's start to the mean moment at which its forces act on a particle: what moves in
-/// steps of its own is kicked in each of them. A force that lags behind would feed the angle.
-double delayAt(const State& state, std::uint32_t particle) {
+/// How many steps the tick has for a particle: more than one for trees under great tension.
+std::uint32_t stepsOf(const State& state, std::uint32_t particle) {
     const Trees& trees = state.trees;
     const auto cluster = state.particles.cluster[particle];
     const auto tree = cluster != none ? trees.ofCluster[cluster] : trees.ofParticle[particle];
-    if (tree == none) return 0;
-    return static_cast<double>(state.h) / 2 * (1 - 1 / static_cast<double>(trees.list[tree].steps));
+    return tree == none ? 1 : trees.list[tree].steps;
 }
 
-/// Arms that have become shorter than in the blueprint would make it stiffer than it may be: there
-/// it pulls less.
-double softened(double torque, double steep, double steepest) {
-    return steep > steepest ? torque * (steepest / steep) : torque;
+/// What moves in many steps swings within the tick. Held all the time, a force that was found at
+/// its start would feed that; as a blow at the start it only takes (r-RESPA: Tuckerman et al.
+/// 1992).
+void push(State& state, std::uint32_t particle, const Point& newtons) {
+    Particles& p = state.particles;
+    if (stepsOf(state, particle) == 1) {
+        p.force[particle] += newtons;
+        return;
+    }
+    const double h = static_cast<double>(state.h);
+    if (p.cluster[particle] == none) {
+        p.velocity[particle] += h * static_cast<double>(p.inverseMass[particle]) * newtons;
+        return;
+    }
+    Cluster& c = state.clusters.list[p.cluster[particle]];
+    const Point arm = p.position[particle] - c.centre;
+    c.velocity += h * static_cast<double>(c.inverseMass) * newtons;
+    c.spin += h * static_cast<double>(c.inverseInertia) * cross(arm, newtons);
+}
+
+/// Arms that are short make it steeper than forces may be: it pulls less there.
+double softened(double torque, const Angles& angles, std::uint32_t i, const Turn& turn) {
+    const auto squareOf = [](Real arm) {
+        return static_cast<double>(arm) * static_cast<double>(arm);
+    };
+    const double most = tuned::mostSteepened *
+                        (1 / squareOf(angles.armBefore[i]) + 1 / squareOf(angles.armAfter[i]));
+    const double steep = turn.slopes[0].squaredNorm() + turn.slopes[2].squaredNorm();
+    return steep > most ? torque * (most / steep) : torque;
 }
 
 void addTorque(State& state, std::uint32_t i) {
@@ -29,20 +53,16 @@ void addTorque(State& state, std::uint32_t i) {
     const Point before = p.position[b] - p.position[a], after = p.position[c] - p.position[b];
     angles.torque[i] = 0;
     if (!hasTurn(before, after)) return;
-    const Turn turn = turnOf(before, after);
+    const Turn turn = turnOf(angles, i, before, after);
     const double rate = turn.slopes[0].dot(p.velocity[a]) + turn.slopes[1].dot(p.velocity[b]) +
                         turn.slopes[2].dot(p.velocity[c]);
     const double stiffness = static_cast<double>(angles.explicitStiffness[i]);
-    const double damping =
-        static_cast<double>(angles.explicitDamping[i]) + stiffness * delayAt(state, b);
-    const double bent = withoutTurns(turn.angle - static_cast<double>(angles.restAngle[i]));
-    const double torque = softened(-stiffness * bent - damping * rate,
-                                   turn.slopes[0].squaredNorm() + turn.slopes[2].squaredNorm(),
-                                   static_cast<double>(angles.steepest[i]));
+    const double damping = static_cast<double>(angles.explicitDamping[i]);
+    const double torque = softened(-stiffness * turn.bend - damping * rate, angles, i, turn);
     angles.torque[i] = static_cast<Real>(torque);
-    p.force[a] += torque * turn.slopes[0];
-    p.force[b] += torque * turn.slopes[1];
-    p.force[c] += torque * turn.slopes[2];
+    push(state, a, torque * turn.slopes[0]);
+    push(state, b, torque * turn.slopes[1]);
+    push(state, c, torque * turn.slopes[2]);
 }
 
 }  // namespace

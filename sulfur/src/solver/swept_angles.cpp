@@ -69,7 +69,7 @@ SweptAngle startOf(const State& state, std::uint32_t i) {
     s.after = x[angles.c[i]] - x[angles.b[i]];
     s.inert = !hasTurn(s.before, s.after);
     if (s.inert) return s;
-    s.start = turnOf(s.before, s.after);
+    s.start = turnOf(angles, i, s.before, s.after);
     findMovers(state, s, s.start);
     const double mobility = response(s, s), perTorque = multiplierPerTorque(state);
     s.hk = perTorque * static_cast<double>(angles.stiffness[i] - angles.explicitStiffness[i]);
@@ -144,9 +144,9 @@ private:
             const Point corner = moved(1);
             const Point before = s.before + corner - moved(0), after = s.after + moved(2) - corner;
             if (!hasTurn(before, after)) continue;
-            s.present = turnOf(before, after);
+            s.present = turnOf(state_.angles, angles_[k], before, after);
             holds &= !s.whips && !turnsFar(s.before, before) && !turnsFar(s.after, after);
-            s.change = wanted(s, static_cast<double>(state_.angles.restAngle[angles_[k]]));
+            s.change = wanted(s);
         }
         return holds;
     }
@@ -154,10 +154,9 @@ private:
         return v.dot(w) < std::sqrt(v.squaredNorm() * w.squaredNorm()) / 2;
     }
     /// rad, to be made by changes of the multipliers.
-    static double wanted(const SweptAngle& s, double rest) {
-        const double error = withoutTurns(s.present.angle - rest);
-        const double turned = withoutTurns(s.present.angle - s.start.angle);
-        return -(s.hk * error + s.hb * turned + s.lambda) / (s.hk + s.hb);
+    static double wanted(const SweptAngle& s) {
+        const double turned = withoutTurns(s.present.bend - s.start.bend);
+        return -(s.hk * s.present.bend + s.hb * turned + s.lambda) / (s.hk + s.hb);
     }
 
     void sweepWhole() {

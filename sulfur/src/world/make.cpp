@@ -120,7 +120,8 @@ void addAngle(State& state, const AngularJointSpec& spec, Real rest, const BodyR
     angles.damping.push_back(spec.damping);
     angles.explicitStiffness.push_back(0);
     angles.explicitDamping.push_back(0);
-    angles.steepest.push_back(0);
+    angles.armBefore.push_back(0);
+    angles.armAfter.push_back(0);
     angles.torque.push_back(0);
     angles.kind.push_back(AngleKind::held);
     angles.before.push_back(between(spec.a, spec.b));

@@ -65,8 +65,8 @@ MemoryUse ofAngles(const State& state) {
     const auto& w = state.work;
     return Sum()
         .add(a.a, a.b, a.c, a.restAngle, a.stiffness, a.damping, a.explicitStiffness,
-             a.explicitDamping, a.steepest, a.torque, a.kind, a.before, a.after, a.body,
-             w.explicitAngles, w.implicitAngles, w.sweptAngles.list, w.sweptAngles.groups,
+             a.explicitDamping, a.armBefore, a.armAfter, a.torque, a.kind, a.before, a.after,
+             a.body, w.explicitAngles, w.implicitAngles, w.sweptAngles.list, w.sweptAngles.groups,
              w.sweptAngles.factors)
         .as("angular joints", a.size(), true);
 }

@@ -384,9 +384,8 @@ double energyOfAngles(const State& state) {
         const Point before = corner - positionOfVelocity(state, j.a[i]);
         const Point after = positionOfVelocity(state, j.c[i]) - corner;
         if (!detail::hasTurn(before, after)) continue;
-        const double turned = detail::withoutTurns(detail::angleBetween(before, after) -
-                                                   static_cast<double>(j.restAngle[i]));
-        sum += static_cast<double>(j.stiffness[i]) * turned * turned / 2;
+        const double bend = detail::turnOf(j, i, before, after).bend;
+        sum += static_cast<double>(j.stiffness[i]) * bend * bend / 2;
     }
     return sum;
 }

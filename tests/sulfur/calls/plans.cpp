@@ -17,7 +17,12 @@ Blueprint Caller::commonPlan(std::size_t kind, Real s) {
         case 1:
             return shapes::ball({.radius = size() / 3, .mass = positive()});
         case 2:
-            return shapes::rope({.to = {0, -size()}, .links = 6, .strength = s});
+            return shapes::rope({.to = {0, -size()},
+                                 .links = 6,
+                                 .bending = oneIn(3)   ? Real(0)
+                                            : oneIn(3) ? Real(100)
+                                                       : Real(1),
+                                 .strength = s});
         case 3:
             return shapes::chain({.to = {size(), 0}, .links = 4, .strength = s});
         case 4:
@@ -126,6 +131,16 @@ Blueprint Caller::rawPlan() {
         if (either()) joint.radius = sane ? Real(0.02) : number();
         joint.strength = strength();
         plan.joints.push_back(joint);
+    }
+    for (std::size_t count = oneIn(3) ? numbers_->below(4) : 0; count > 0 && ends > 0; --count) {
+        AngularJointSpec angle;
+        for (auto* end : {&angle.a, &angle.b, &angle.c})
+            *end = static_cast<std::uint32_t>(numbers_->below(ends));
+        if (sane && (angle.a == angle.b || angle.b == angle.c || angle.a == angle.c)) continue;
+        angle.stiffness = sane ? 100 * positive() : number();
+        if (oneIn(3)) angle.damping = sane ? positive() : number();
+        if (oneIn(4)) angle.restAngle = sane ? positive() : number();
+        plan.angles.push_back(angle);
     }
     if (oneIn(8)) {
         Skin& skin = plan.skin.emplace();

@@ -130,6 +130,18 @@ const Mistake mistakes[] = {
     {R"({"particles": [{"position": [0, 0], "mass": null}]})", "is null"},
     {R"({"particles": [{"position": [0, 0], "radius": -0.1}]})", "radius"},
     {R"({"particles": [{"position": [0, 0], "pinned": 1}]})", "true or false"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [1, 0]}], "angles": [{"a": 0, "b": 1, "c": 3}]})",
+     "0 to 2"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [1, 0]}], "angles": [{"a": 0, "b": 1}]})",
+     "has no \"c\""},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [1, 0]}], "angles": [{"a": 0, "b": 1, "c": 0}]})",
+     "twice"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [1, 0]}], "angles": [{"a": 0, "b": 1, "c": 2}]})",
+     "corner"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [1, 0]}], "angles": [{"a": 1, "b": 0, "c": 2, "stiffness": "rigid"}]})",
+     "angles[0].stiffness"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [1, 0]}], "angles": [{"a": 1, "b": 0, "c": 2, "restAngle": 3.2}]})",
+     "-3.1415928 to 3.1415928"},
     {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0, "b": 1}]})", "0 to 0"},
     {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0}]})", "has no \"b\""},
     {R"({"particles": [{"position": [0, 0]}], "joints": [{"a": 0, "b": -1}]})", "joints[0].b"},
@@ -177,6 +189,7 @@ const Mistake mistakes[] = {
     {R"({"shape": "ball", "radius": 0})", "more than 0"},
     {R"({"shape": "rope", "links": 20000})", "0 to 19999"},
     {R"({"shape": "rope", "to": [0, 0]})", "length"},
+    {R"({"shape": "rope", "bending": 101})", "0 to 100"},
     {R"({"shape": "jelly", "columns": 1})", "2 to 1000"},
     {R"({"shape": "jelly", "columns": 1000, "rows": 1000})", "1000000 particles"},
     {R"({"shape": "blob", "segments": 2})", "3 to 1000"},
@@ -299,7 +312,7 @@ TEST(Read, TruncatedAnywhereIsRefused) {
 
 TEST(Read, NotesUnknownKeys) {
     const auto notes = unknownKeys(parse(fullScene, "full.json"));
-    ASSERT_EQ(notes.size(), 15u);
+    ASSERT_EQ(notes.size(), 16u);
     EXPECT_EQ(notes[0],
               "full.json:7: object \"world\": unknown key \"wind\"; it is kept but means nothing "
               "here");

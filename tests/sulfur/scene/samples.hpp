@@ -29,6 +29,9 @@ inline const std::string fullScene = R"({
         {"a": 1, "b": 2, "stiffness": "rigid", "strength": "unbreakable",
          "material": {"kineticFriction": 0.3, "surfaceSpeed": -2.5, "slick": 1}}
       ],
+      "angles": [
+        {"a": 0, "b": 1, "c": 2, "stiffness": 12.5, "damping": 0.25, "restAngle": -1.5, "why": []}
+      ],
       "material": {"staticFriction": 0.9, "kineticFriction": 0.8, "restitution": 0.7,
                    "surfaceSpeed": 1.5, "wet": true},
       "filter": {"category": 2, "mask": 4294967294, "group": -3, "why": null},
@@ -46,7 +49,7 @@ inline const std::string fullScene = R"({
             "material": {"restitution": 0.1}, "filter": {"group": 5}, "sensor": true,
             "skin": {"texture": "box.png"}},
     "ball": {"shape": "ball", "radius": 0.4, "mass": 3, "material": {"restitution": 1}},
-    "rope": {"shape": "rope", "from": [1, 2], "to": [4, 6], "links": 9, "mass": 0.9, "radius": 0,
+    "rope": {"shape": "rope", "from": [1, 2], "to": [4, 6], "links": 9, "bending": 2.5, "mass": 0.9, "radius": 0,
              "stiffness": 800, "damping": 0.2, "strength": 500, "pinFirst": true, "pinLast": true,
              "selfCollision": true, "material": {"staticFriction": 2}},
     "jelly": {"shape": "jelly", "size": [2, 1], "columns": 5, "rows": 3, "mass": 4,

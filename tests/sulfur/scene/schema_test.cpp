@@ -50,6 +50,7 @@ const std::map<std::string, std::string> places{
     {"explicit", "/blueprints/plain"},
     {"particle", "/blueprints/plain/particles/0"},
     {"joint", "/blueprints/plain/joints/0"},
+    {"angle", "/blueprints/plain/angles/0"},
     {"material", "/blueprints/plain/material"},
     {"filter", "/blueprints/plain/filter"},
     {"skin", "/blueprints/plain/skin"},

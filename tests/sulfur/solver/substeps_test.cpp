@@ -20,8 +20,9 @@ Body addRestless(World& world, double x) {
 }
 
 Body addRope(World& world, double x) {
-    return world.add(shapes::rope({.from = {0, 0}, .to = {2, 0}, .radius = 0, .pinFirst = true}),
-                     {.position = {x, 0}});
+    return world.add(
+        shapes::rope({.from = {0, 0}, .to = {2, 0}, .radius = 0, .bending = 0, .pinFirst = true}),
+        {.position = {x, 0}});
 }
 
 TEST(Substeps, AreNoLongerThanOneIn480OfASecond) {

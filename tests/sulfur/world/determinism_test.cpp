@@ -42,7 +42,7 @@ TEST(Determinism, GoldenHash) {
 #ifdef SULFUR_REAL_DOUBLE
     EXPECT_EQ(world.hash(), 16895935747689850108u);
 #else
-    EXPECT_EQ(world.hash(), 4159230469085073715u);
+    EXPECT_EQ(world.hash(), 7409153725109991385u);
 #endif
 }
 

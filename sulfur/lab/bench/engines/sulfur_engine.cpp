@@ -44,6 +44,7 @@ public:
                                        .to = plan.points.back().cast<Real>(),
                                        .links = static_cast<int>(plan.points.size()) - 1,
                                        .radius = 0,
+                                       .bending = 0,
                                        .pinFirst = true});
         for (std::size_t i = 1; i < plan.points.size(); ++i)
             rope.particles[i].mass = real(plan.masses[i]);

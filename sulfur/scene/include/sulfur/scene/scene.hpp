@@ -16,7 +16,7 @@ namespace sulfur::scene {
 /// Bounds of what a file may contain.
 struct Limits {
     static constexpr std::size_t particles = 20'000;   ///< of all bodies, and of all blueprints
-    static constexpr std::size_t joints = 60'000;      ///< the same, connections included
+    static constexpr std::size_t joints = 60'000;      ///< the same, with connections and angles
     static constexpr std::size_t bodies = 20'000;      ///< of a scene
     static constexpr std::size_t vetoes = 60'000;      ///< of a scene
     static constexpr std::size_t fields = 1'000;       ///< of a scene
@@ -25,7 +25,10 @@ struct Limits {
     static constexpr double smallestMass = 1e-9;       ///< kg, of a particle
     static constexpr double mass = 1e9;                ///< kg
     static constexpr double stiffness = 1e18;          ///< N/m, beside "rigid"
-    static constexpr double damping = 1e12;            ///< N s/m
+    static constexpr double damping = 1e12;            ///< N s/m, or N m s/rad
+    static constexpr double angularStiffness = 1e12;   ///< N m/rad
+    static constexpr double angle = 3.1415928;         ///< rad, either way; pi, also as Real
+    static constexpr double bending = 100;             ///< of ropes
     static constexpr double strength = 1e18;           ///< N, beside "unbreakable"
     static constexpr double friction = 1e6;            ///< coefficient
     static constexpr double surfaceSpeed = 1'000;      ///< m/s, either way
