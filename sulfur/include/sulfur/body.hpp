@@ -75,6 +75,12 @@ public:
     Real gravityScale() const;
     /// Changes that.
     void setGravityScale(Real scale) const;
+    /// 1/s, of its centre of mass; see World::setDamping.
+    Real linearDamping() const;
+    /// 1/s, of how it turns about that.
+    Real angularDamping() const;
+    /// Changes both.
+    void setDamping(Real linear, Real angular) const;
 
 private:
     World* world_ = nullptr;

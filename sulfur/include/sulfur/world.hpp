@@ -289,6 +289,10 @@ public:
     Bounds bounds(BodyId body) const;
     /// How much of gravity() acts on a body; see setGravityScale().
     Real gravityScale(BodyId body) const;
+    /// 1/s, of a body's centre of mass; see setDamping().
+    Real linearDamping(BodyId body) const;
+    /// 1/s, of how it turns about that.
+    Real angularDamping(BodyId body) const;
     /// Whether a body sleeps: it rests and costs nothing until something wakes it.
     bool asleep(BodyId body) const;
 
@@ -328,8 +332,8 @@ public:
     void setAirFriction(Real airFriction);
     /// 1/s.
     Real airFriction() const;
-    /// Changes the duration of the ticks to come; 60 to 10000 Hz, and not less than airFriction().
-    /// How each joint is solved is derived again.
+    /// Changes the duration of the ticks to come; 60 to 10000 Hz, and not less than airFriction()
+    /// and the damping of any body. How each joint is solved is derived again.
     void setTickRate(int tickRate);
     /// What the dampers of all elastic joints brake from now on.
     void setDamper(Damper damper);
@@ -359,6 +363,15 @@ public:
     /// rises. Pieces that break off inherit it; scene files do not hold it. Wakes it and what
     /// touches it.
     void setGravityScale(BodyId body, Real scale);
+    /// Slows a dynamic body down, as the world's air friction does and beside it: its centre of
+    /// mass gets the acceleration -linear * meanVelocity(), and it turns about that with the
+    /// angular acceleration -angular * angularVelocity(). 1/s, 0 to the tick rate, 0 at first. The
+    /// force acts as that of a push on the whole body does (see below): it brakes no deformation,
+    /// and where only turning is damped, momentum stays within rounding. Integrated by the
+    /// trapezoidal rule, with the forces that are known before contacts and links: what rests on
+    /// something presses on it by the share linear * h / 2 less, in steps of h seconds. Pieces that
+    /// break off inherit it; scene files do not hold it. Wakes nobody.
+    void setDamping(BodyId body, Real linear, Real angular);
     /// Leaves a number with a body, for the caller's use; it is no part of hash().
     void setUserData(BodyId body, std::uint64_t data);
     /// N/m, 0 to `infinite`.

@@ -36,6 +36,7 @@ struct BodyRecord {
     bool sensor = false;
     std::uint64_t userData = 0;
     Real gravityScale = 1;
+    Real linearDamping = 0, angularDamping = 0;  // 1/s
     Pose target;
     // Kinematic, where spin is not 0: it turns about its centre of mass, which goes with `drift`;
     // the target is then where it is.
@@ -69,6 +70,8 @@ struct BodyRecord {
         a(sensor);
         a(userData);
         a(gravityScale);
+        a(linearDamping);
+        a(angularDamping);
         a(target.position);
         a(target.angle);
         a(spin);
@@ -90,5 +93,9 @@ struct BodyRecord {
         a(joints);
     }
 };
+
+inline bool isDamped(const BodyRecord& body) {
+    return body.linearDamping != 0 || body.angularDamping != 0;
+}
 
 }  // namespace sulfur::detail

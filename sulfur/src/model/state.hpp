@@ -232,6 +232,7 @@ struct State {
     bool anyStirred = true;      // some cluster is stirred
     bool anyForced = true;       // members of awake clusters may have forces that are still to act
     bool gravityScaled = false;  // a body has, or had, another BodyRecord::gravityScale than 1
+    bool damped = false;         // a body is, or was, damped
     bool membersBehind = false;  // those of awake clusters have not followed them yet
     /// What follows from who is awake, found at the end of a tick and void after any change: no
     /// tick would change anything.

@@ -255,7 +255,7 @@ bool mayAskForMembers(const State& state) {
     const WorkLists& work = state.work;
     return !work.breakableJoints.empty() || !work.strained.empty() || state.anyForced ||
            !onlyContactsAsk(state) || !state.influences.fields.empty() || state.gravityScaled ||
-           !state.sensing.bodies.empty();
+           state.damped || !state.sensing.bodies.empty();
 }
 
 }  // namespace

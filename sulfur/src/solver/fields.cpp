@@ -114,6 +114,7 @@ void applyFields(State& state) {
     }
     for (const FieldRecord& record : fields)
         if (const auto* wind = std::get_if<WindField>(&record.field)) drag(state, *wind);
+    if (state.damped) dampBodies(state);
 }
 
 }  // namespace sulfur::detail

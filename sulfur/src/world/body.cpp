@@ -84,4 +84,16 @@ void Body::setGravityScale(Real scale) const {
     world_->setGravityScale(id_, scale);
 }
 
+Real Body::linearDamping() const {
+    return world_->linearDamping(id_);
+}
+
+Real Body::angularDamping() const {
+    return world_->angularDamping(id_);
+}
+
+void Body::setDamping(Real linear, Real angular) const {
+    world_->setDamping(id_, linear, angular);
+}
+
 }  // namespace sulfur

@@ -41,6 +41,12 @@ void changeMaterial(State& state, Material& material, const Material& to) {
     material = to;
 }
 
+/// 1/s, of a body.
+void requireDamping(Real linear, Real angular, int tickRate) {
+    requireRange(static_cast<double>(linear), 0, tickRate, "linear damping");
+    requireRange(static_cast<double>(angular), 0, tickRate, "angular damping");
+}
+
 }  // namespace
 
 namespace detail {
@@ -82,8 +88,12 @@ void World::setTickRate(int tickRate) {
     requireRange(tickRate, detail::minTickRate, detail::maxTickRate, "tick rate");
     State& state = impl_->state();
     if (tickRate == state.settings.tickRate) return;
-    // Air friction may not be faster than the ticks.
+    // Air friction and damping may not be faster than the ticks.
     requireRange(static_cast<double>(state.settings.airFriction), 0, tickRate, "air friction");
+    for (const BodyId id : state.bodyIds) {
+        const detail::BodyRecord& body = state.bodies[indexOf(state, id)];
+        requireDamping(body.linearDamping, body.angularDamping, tickRate);
+    }
     state.rateTime = time();
     state.rateTick = state.tick;
     state.settings.tickRate = tickRate;
@@ -184,6 +194,15 @@ void World::setGravityScale(BodyId id, Real scale) {
     state.gravityScaled =
         std::any_of(state.bodies.begin(), state.bodies.end(),
                     [](const detail::BodyRecord& body) { return body.gravityScale != 1; });
+}
+
+void World::setDamping(BodyId id, Real linear, Real angular) {
+    State& state = impl_->state();
+    detail::BodyRecord& body = state.bodies[indexOf(state, id)];
+    requireDamping(linear, angular, state.settings.tickRate);
+    body.linearDamping = linear;
+    body.angularDamping = angular;
+    state.damped = std::any_of(state.bodies.begin(), state.bodies.end(), detail::isDamped);
 }
 
 void World::setUserData(BodyId id, std::uint64_t data) {

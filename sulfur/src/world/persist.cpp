@@ -12,7 +12,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x39735f7266756c53u;  // "Slfr_s9", little-endian
+constexpr std::uint64_t snapshotMark = 0x41735f7266756c53u;  // "Slfr_sA", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>
@@ -52,6 +52,7 @@ void archiveAll(Archive& a, State& state) {
         if (isDisc(c)) a(c.headingBefore);
     a(state.discTurns);
     a(state.gravityScaled);
+    a(state.damped);
     a(state.angles);
     a(state.bodyIds);
     a(state.gone);
@@ -78,6 +79,10 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.filter);
         if (body.sensor) hasher(body.sensor);
         if (body.gravityScale != 1) hasher(body.gravityScale);
+        if (isDamped(body)) {
+            hasher(body.linearDamping);
+            hasher(body.angularDamping);
+        }
         hasher(body.target.position);
         hasher(body.target.angle);
         if (body.spin == 0) continue;

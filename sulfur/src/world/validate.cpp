@@ -128,6 +128,8 @@ std::string validateBodies(const State& state) {
         if (!body.turn.allFinite() || !body.turnBefore.allFinite() || !body.drift.allFinite() ||
             !std::isfinite(body.spin) || !std::isfinite(body.gravityScale))
             return problem("turn or gravity of a body is not finite", i);
+        if (!std::isfinite(body.linearDamping) || !std::isfinite(body.angularDamping))
+            return problem("damping of a body is not finite", i);
         for (const JointId id : body.joints)
             if (!state.jointSlots.contains(id)) return problem("body with a joint that is gone", i);
         if (!state.bodySlots.contains(body.id) || state.bodySlots.dense(body.id) != i)

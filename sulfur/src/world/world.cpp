@@ -265,6 +265,12 @@ std::uint64_t World::userData(BodyId id) const {
 Real World::gravityScale(BodyId id) const {
     return record(impl_->known(), id).gravityScale;
 }
+Real World::linearDamping(BodyId id) const {
+    return record(impl_->known(), id).linearDamping;
+}
+Real World::angularDamping(BodyId id) const {
+    return record(impl_->known(), id).angularDamping;
+}
 bool World::asleep(BodyId id) const {
     return record(impl_->known(), id).asleep;
 }

@@ -32,7 +32,7 @@ void Caller::tie() {
 
 void Caller::changeBody() {
     const BodyId id = body();
-    switch (numbers_->below(11)) {
+    switch (numbers_->below(12)) {
         case 0:
             return world_->setMaterial(id, material());
         case 1:
@@ -59,6 +59,10 @@ void Caller::changeBody() {
         }
         case 9:
             return world_->setGravityScale(id, number());
+        case 10: {
+            const Real linear = number();
+            return world_->setDamping(id, linear, number());
+        }
         default:
             return world_->setVelocity(id, vector());
     }
