@@ -16,6 +16,16 @@ inline void run(World& world, double seconds) {
     for (long i = 0; i < ticks; ++i) world.step();
 }
 
+/// A particle that collides, and that turns.
+inline Blueprint disc() {
+    return {.particles = {{.radius = Real(0.5)}}};
+}
+
+/// m/s, of its centre of mass.
+inline double speedOf(const Body& body) {
+    return static_cast<double>(body.meanVelocity().norm());
+}
+
 /// The largest deviation of a joint of `body` from its rest length, in that length.
 inline double largestStrain(const World& world, const Body& body) {
     double worst = 0;

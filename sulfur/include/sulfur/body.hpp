@@ -75,6 +75,10 @@ public:
     Real gravityScale() const;
     /// Changes that.
     void setGravityScale(Real scale) const;
+    /// Whether it does not turn; see World::setFixedRotation.
+    bool fixedRotation() const;
+    /// Changes that.
+    void setFixedRotation(bool on) const;
     /// 1/s, of its centre of mass; see World::setDamping.
     Real linearDamping() const;
     /// 1/s, of how it turns about that.

@@ -289,6 +289,8 @@ public:
     Bounds bounds(BodyId body) const;
     /// How much of gravity() acts on a body; see setGravityScale().
     Real gravityScale(BodyId body) const;
+    /// Whether a body does not turn; see setFixedRotation().
+    bool fixedRotation(BodyId body) const;
     /// 1/s, of a body's centre of mass; see setDamping().
     Real linearDamping(BodyId body) const;
     /// 1/s, of how it turns about that.
@@ -363,6 +365,14 @@ public:
     /// rises. Pieces that break off inherit it; scene files do not hold it. Wakes it and what
     /// touches it.
     void setGravityScale(BodyId body, Real scale);
+    /// Whether a dynamic body keeps its angle, whatever pushes it, as a figure of a platform game
+    /// does: the moment of inertia of its rigid components and discs is infinite, and they lose
+    /// the spin that they have with the next tick. setPose() turns it still. A body of several such
+    /// components still bends at its hinges, and nothing keeps from turning what is soft. With a
+    /// pinned particle it stays where it is. inertia() tells what it would be otherwise. Angular
+    /// momentum is not kept by whatever such a body pushes. Pieces that break off inherit it; scene
+    /// files do not hold it. Wakes it and what touches it.
+    void setFixedRotation(BodyId body, bool on);
     /// Slows a dynamic body down, as the world's air friction does and beside it: its centre of
     /// mass gets the acceleration -linear * meanVelocity(), and it turns about that with the
     /// angular acceleration -angular * angularVelocity(). 1/s, 0 to the tick rate, 0 at first. The

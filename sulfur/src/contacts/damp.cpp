@@ -62,6 +62,15 @@ private:
         stands_[m] = stands_[m] == none || stands_[m] == what ? what : torn;
     }
 
+    /// On two points. What rows push but do not turn is nothing to be damped to: it would give
+    /// momentum that it does not lose.
+    void standFlat(std::uint32_t m, std::uint32_t on) {
+        if (movers_.bodies[on].inverseMass > 0)
+            stands_[m] = torn;
+        else
+            stand(m, on);
+    }
+
     void linkManifolds() {
         for (const auto c : core_.rows.inUse())
             for (const ManifoldBlock& r : core_.rows.manifolds[c].blocks)
@@ -78,9 +87,9 @@ private:
                     if (isPushed(a) && isPushed(b))
                         sets_.unite(a, b);
                     else if (isPushed(a))
-                        stand(a, b);
+                        standFlat(a, b);
                     else if (isPushed(b))
-                        stand(b, a);
+                        standFlat(b, a);
                 }
     }
 

@@ -104,7 +104,8 @@ private:
         shape.bY[lane] = b.y;
         shape.sameBody[lane] = same ? Real(1) : Real(0);
         const SolverBody& moves = core_.movers.bodies[corner.mover];
-        const bool isPoint = moves.inverseMass > 0 && moves.inverseInertia == 0;
+        const bool isPoint = moves.inverseMass > 0 && moves.inverseInertia == 0 &&
+                             core_.moverIsCluster[corner.mover] == 0;
         shape.free[lane] = isPoint ? Real(1) : Real(0);
         shape.share[lane] = corner.radius / shape.thickness[lane];
         shape.outward[lane] = static_cast<Real>(touch.outward);

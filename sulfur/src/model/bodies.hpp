@@ -36,6 +36,7 @@ struct BodyRecord {
     bool sensor = false;
     std::uint64_t userData = 0;
     Real gravityScale = 1;
+    bool fixedRotation = false;                  // its rigid components do not turn
     Real linearDamping = 0, angularDamping = 0;  // 1/s
     Pose target;
     // Kinematic, where spin is not 0: it turns about its centre of mass, which goes with `drift`;
@@ -70,6 +71,7 @@ struct BodyRecord {
         a(sensor);
         a(userData);
         a(gravityScale);
+        a(fixedRotation);
         a(linearDamping);
         a(angularDamping);
         a(target.position);

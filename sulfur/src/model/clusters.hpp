@@ -40,7 +40,8 @@ struct alignas(64) Cluster {
     double mass = 0;                // kg
     double reach = 0;               // m, from the centre to its farthest member
     double freeInverseMass = 0;     // 1/kg while awake; 0 with a pinned particle
-    double freeInverseInertia = 0;  // 1/(kg m^2) while awake; 0 with two of them
+    double freeInverseInertia = 0;  // 1/(kg m^2) while awake; 0 with two of them, and in a
+                                    // body that does not turn
     // When the last step began; of discs, between ticks, when the last tick did. Only that of discs
     // is archived, with the bodies.
     Point centreBefore{0, 0}, headingBefore{1, 0};
@@ -79,6 +80,11 @@ struct alignas(64) Cluster {
 /// A particle with a radius that is a component by itself.
 inline bool isDisc(const Cluster& c) {
     return c.last - c.first == 1;
+}
+
+/// Unless its pins or its body forbid it.
+inline bool canTurn(const Cluster& c) {
+    return c.freeInverseInertia > 0;
 }
 
 /// Of a solid disc about its centre, kg m^2.

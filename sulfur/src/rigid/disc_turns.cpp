@@ -50,7 +50,8 @@ double spinOf(const State& state, std::uint32_t particle) {
 void setSpin(State& state, std::uint32_t particle, double spin) {
     const double most = mostSpin(state, particle), kept = std::clamp(spin, -most, most);
     if (isKnown(state, particle)) {
-        state.clusters.list[state.particles.cluster[particle]].spin = kept;
+        Cluster& disc = state.clusters.list[state.particles.cluster[particle]];
+        if (!state.bodies[disc.body].fixedRotation) disc.spin = kept;
         return;
     }
     DiscTurn& asked = findOrAdd(state, state.particles.id[particle]);
@@ -79,8 +80,7 @@ void takeSpins(State& state) {
         if (!std::exchange(asked.spun, false) || !state.particleSlots.contains(asked.disc))
             continue;
         const auto particle = state.particleSlots.dense(asked.disc);
-        if (isKnown(state, particle))
-            state.clusters.list[state.particles.cluster[particle]].spin = asked.spin;
+        if (isKnown(state, particle)) setSpin(state, particle, asked.spin);
     }
 }
 

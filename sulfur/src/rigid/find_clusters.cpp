@@ -182,7 +182,7 @@ private:
         if (!addCluster(body, {particle}, {}) || old == none) return;
         const Cluster& before = state_.clusters.list[old];
         if (!isDisc(before)) return;
-        next_.list.back().spin = before.spin;
+        if (canTurn(next_.list.back())) next_.list.back().spin = before.spin;
         next_.list.back().heading = before.heading;
         next_.list.back().headingBefore = before.headingBefore;
     }
@@ -234,7 +234,8 @@ private:
         c.massCentre = m.massCentre - m.centre;
         c.mass = m.mass;
         c.freeInverseMass = pins == 0 ? 1 / m.mass : 0;
-        c.freeInverseInertia = pins < 2 ? 1 / m.inertia : 0;
+        const bool turns = pins < 2 && !state_.bodies[body].fixedRotation;
+        c.freeInverseInertia = turns ? 1 / m.inertia : 0;
         for (const auto i : particles) {
             c.reach = std::max(c.reach, (state_.particles.position[i] - m.centre).norm());
             next_.members.push_back(i);

@@ -167,6 +167,17 @@ void loadByGrabs(State& state) {
                  grab.weight[k] * newtonsPerMultiplier(state) * grab.impulse);
 }
 
+/// 1/(kg m^2), with which a cluster answers a torque, or with which it would if its body turned:
+/// what keeps it from turning then acts on all of it.
+double inverseInertiaInside(const State& state, const Cluster& c) {
+    if (canTurn(c) || !(c.freeInverseMass > 0)) return static_cast<double>(c.inverseInertia);
+    double inertia = 0;
+    for (auto k = c.first; k < c.last; ++k)
+        inertia += static_cast<double>(state.particles.mass[state.clusters.members[k]]) *
+                   state.clusters.places[k].squaredNorm();
+    return 1 / inertia;
+}
+
 /// Applied forces less mass times acceleration, in the frame of the cluster.
 void balanceForces(const State& state, const Cluster& c, MappedVector& forces) {
     const auto& members = state.clusters.members;
@@ -179,7 +190,7 @@ void balanceForces(const State& state, const Cluster& c, MappedVector& forces) {
         torque += cross(p.arm[members[k]].cast<double>(), f);
     }
     const Point acceleration = static_cast<double>(c.inverseMass) * sum;
-    const double turning = static_cast<double>(c.inverseInertia) * torque;
+    const double turning = inverseInertiaInside(state, c) * torque;
     const Point back(c.heading[0], -c.heading[1]);
     for (auto k = c.first; k < c.last; ++k) {
         const auto i = members[k];

@@ -32,7 +32,7 @@ void forEachDisc(State& state, const BodyRecord& body, Function&& f) {
         const auto cluster = state.particles.cluster[body.firstParticle + k];
         if (cluster == none) continue;
         Cluster& c = state.clusters.list[cluster];
-        if (isDisc(c) && c.freeInverseInertia > 0) f(c);
+        if (isDisc(c) && canTurn(c)) f(c);
     }
 }
 

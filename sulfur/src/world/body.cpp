@@ -84,6 +84,14 @@ void Body::setGravityScale(Real scale) const {
     world_->setGravityScale(id_, scale);
 }
 
+bool Body::fixedRotation() const {
+    return world_->fixedRotation(id_);
+}
+
+void Body::setFixedRotation(bool on) const {
+    world_->setFixedRotation(id_, on);
+}
+
 Real Body::linearDamping() const {
     return world_->linearDamping(id_);
 }

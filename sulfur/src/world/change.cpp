@@ -196,6 +196,15 @@ void World::setGravityScale(BodyId id, Real scale) {
                     [](const detail::BodyRecord& body) { return body.gravityScale != 1; });
 }
 
+void World::setFixedRotation(BodyId id, bool on) {
+    State& state = impl_->changing();
+    const auto index = indexOf(state, id);
+    if (on == state.bodies[index].fixedRotation) return;
+    detail::wakeTouching(state, index);
+    state.bodies[index].fixedRotation = on;
+    detail::shapeChanged(state, index);
+}
+
 void World::setDamping(BodyId id, Real linear, Real angular) {
     State& state = impl_->state();
     detail::BodyRecord& body = state.bodies[indexOf(state, id)];

@@ -79,6 +79,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         hasher(body.filter);
         if (body.sensor) hasher(body.sensor);
         if (body.gravityScale != 1) hasher(body.gravityScale);
+        if (body.fixedRotation) hasher(body.fixedRotation);
         if (isDamped(body)) {
             hasher(body.linearDamping);
             hasher(body.angularDamping);

@@ -265,6 +265,9 @@ std::uint64_t World::userData(BodyId id) const {
 Real World::gravityScale(BodyId id) const {
     return record(impl_->known(), id).gravityScale;
 }
+bool World::fixedRotation(BodyId id) const {
+    return record(impl_->known(), id).fixedRotation;
+}
 Real World::linearDamping(BodyId id) const {
     return record(impl_->known(), id).linearDamping;
 }
@@ -410,7 +413,7 @@ double World::energy() const {
                (v.squaredNorm() / 2 - gravity.dot(positionOfVelocity(state, i)));
     }
     for (const detail::Cluster& c : state.clusters.list)
-        if (isDisc(c)) sum += c.spin * c.spin / (2 * c.freeInverseInertia);
+        if (isDisc(c) && canTurn(c)) sum += c.spin * c.spin / (2 * c.freeInverseInertia);
     const auto& j = state.joints;
     for (std::size_t i = 0; i < j.size(); ++i) {
         if (j.stiffness[i] == infinite) continue;

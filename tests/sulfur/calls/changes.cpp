@@ -32,7 +32,7 @@ void Caller::tie() {
 
 void Caller::changeBody() {
     const BodyId id = body();
-    switch (numbers_->below(12)) {
+    switch (numbers_->below(13)) {
         case 0:
             return world_->setMaterial(id, material());
         case 1:
@@ -59,7 +59,9 @@ void Caller::changeBody() {
         }
         case 9:
             return world_->setGravityScale(id, number());
-        case 10: {
+        case 10:
+            return world_->setFixedRotation(id, oneIn(3));
+        case 11: {
             const Real linear = number();
             return world_->setDamping(id, linear, number());
         }

@@ -4,10 +4,6 @@
 namespace sulfur {
 namespace {
 
-Blueprint disc() {
-    return {.particles = {{.radius = Real(0.5)}}};
-}
-
 /// s, from the place of velocities to the end of the tick.
 double halfStep(const World& world) {
     return static_cast<double>(world.tickDuration()) / world.statistics().substeps / 2;
@@ -20,7 +16,8 @@ double turningOf(const Body& body) {
 
 TEST(Damping, SlowsDownAsTheLawSays) {
     for (const int rate : {60, 500})
-        for (const Blueprint& plan : {shapes::box(), shapes::ball(), shapes::jelly(), disc()}) {
+        for (const Blueprint& plan :
+             {shapes::box(), shapes::ball(), shapes::jelly(), test::disc()}) {
             World world({.gravity = {0, 0}, .tickRate = rate, .sleeping = false});
             const Body body = world.add(plan), other = world.add(plan, {.position = {20, 0}});
             body.setDamping(2, Real(0.5));

@@ -293,6 +293,7 @@ TEST_P(ExhaustedMemory, ChangingBodies) {
     expectAllOrNothing([=](World& w) { w.setVelocity(id, {1, 2}, 3); });
     expectAllOrNothing([=](World& w) { w.setGravityScale(id, 2); });
     expectAllOrNothing([=](World& w) { w.setDamping(id, 1, 2); });
+    expectAllOrNothing([=](World& w) { w.setFixedRotation(id, true); });
     expectAllOrNothing([=](World& w) { w.setPose(id, {.position = {3, 5}, .angle = 1}); });
     expectAllOrNothing([fixed = body(0)](World& w) { w.setPose(fixed, {.angle = 1}); });
 }
