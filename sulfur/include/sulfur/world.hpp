@@ -295,6 +295,8 @@ public:
     Real linearDamping(BodyId body) const;
     /// 1/s, of how it turns about that.
     Real angularDamping(BodyId body) const;
+    /// False after setSleepingAllowed(body, false).
+    bool sleepingAllowed(BodyId body) const;
     /// Whether a body sleeps: it rests and costs nothing until something wakes it.
     bool asleep(BodyId body) const;
 
@@ -451,6 +453,17 @@ public:
     void moveTo(BodyId body, const Pose& pose);
     /// Wakes a sleeping body and its island.
     void wake(BodyId body);
+    /// Puts a dynamic body to sleep with its island, which is all that is near or tied to it, also
+    /// in the air: it loses its velocities and the forces of the next tick, and stays where it is
+    /// until something wakes it. Returns whether it sleeps now. It does not, and nothing changes,
+    /// where the world has no sleeping, where a body of the island may not sleep, or lies on a
+    /// kinematic body that moves. Who is near is known from the last tick: what was added since is
+    /// of an island by joints and attachments alone. Complexity: linear in the world.
+    bool putToSleep(BodyId body);
+    /// Whether a dynamic body may fall asleep, as all may at first. What may not wakes, and keeps
+    /// awake whatever is near or tied to it. Pieces that break off inherit it; scene files do not
+    /// hold it.
+    void setSleepingAllowed(BodyId body, bool allowed);
 
     // --- time ------------------------------------------------------------------------------
 

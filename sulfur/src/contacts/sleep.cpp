@@ -59,7 +59,8 @@ bool measureRest(State& state) {
     state.looked(Stage::sleep, state.work.bodies.size());
     for (const auto index : state.work.bodies) {
         BodyRecord& body = state.bodies[index];
-        body.restingTime = isDynamic(state, index) ? body.restingTime + state.h : 0;
+        const bool mayRest = isDynamic(state, index) && !body.sleepless;
+        body.restingTime = mayRest ? body.restingTime + state.h : 0;
         any |= body.restingTime >= timeToSleep;
     }
     return any;
@@ -85,6 +86,47 @@ void forEachTie(const State& state, Function&& f) {
             if (joints.body[j] == none) f(body[joints.a[j]], body[joints.b[j]]);
     }
     for (const Attachment& held : state.attachments) f(body[held.particle], body[held.support[0]]);
+}
+
+/// Unites dynamic bodies that are near or tied to each other. Calls onDriver(body) for those that
+/// are so to a kinematic body that moves.
+template <class Function>
+void findIslands(const State& state, DisjointSets& islands, Function&& onDriver) {
+    const auto unite = [&](std::uint32_t a, std::uint32_t b) {
+        if (isDynamic(state, a) && isDynamic(state, b)) {
+            islands.unite(a, b);
+            return;
+        }
+        for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
+            if (isDynamic(state, one) && isDriving(state, other)) onDriver(one);
+    };
+    for (const Pair& pair : state.core.pairs) linkIfNear(state, pair, unite);
+    forEachTie(state, unite);
+}
+
+/// Puts to sleep what is awake of the islands for which rests(their first body).
+template <class Function>
+void sleepIslands(State& state, DisjointSets& islands, Function&& rests) {
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
+        if (!isDynamic(state, i) || state.bodies[i].asleep || !rests(islands.find(i))) continue;
+        bringMembers(state);  // who falls asleep stays where it is
+        sleepBody(state, i);
+    }
+    for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
+        if (isDynamic(state, i) && state.bodies[i].asleep) joinSleepers(state, islands.find(i), i);
+}
+
+/// What was to act on sleepers in the next tick.
+void forgetForces(State& state) {
+    const auto sleeps = [&](std::uint32_t particle) {
+        return state.bodies[state.particles.body[particle]].asleep;
+    };
+    for (std::uint32_t i = 0; i < state.particles.size(); ++i)
+        if (sleeps(i)) state.particles.force[i] = Point(0, 0);
+    std::erase_if(state.discTurns, [&](const DiscTurn& turn) {
+        return state.particleSlots.contains(turn.disc) &&
+               sleeps(state.particleSlots.dense(turn.disc));
+    });
 }
 
 void wake(State& state) {
@@ -144,28 +186,27 @@ void updateSleep(State& state) {
     wake(state);
     if (!measureRest(state) || stepNumber(state) % tuned::pileInterval != 0) return;
     DisjointSets islands(state.bodies.size(), &state.arena);
-    const auto unite = [&](std::uint32_t a, std::uint32_t b) {
-        if (isDynamic(state, a) && isDynamic(state, b)) {
-            islands.unite(a, b);
-            return;
-        }
-        for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
-            if (isDynamic(state, one) && isDriving(state, other)) state.bodies[one].restingTime = 0;
-    };
-    for (const Pair& pair : state.core.pairs) linkIfNear(state, pair, unite);
-    forEachTie(state, unite);
+    findIslands(state, islands, [&](std::uint32_t i) { state.bodies[i].restingTime = 0; });
     std::pmr::vector<bool> restless(state.bodies.size(), false, &state.arena);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (isDynamic(state, i) && !state.bodies[i].asleep &&
             state.bodies[i].restingTime < timeToSleep)
             restless[islands.find(i)] = true;
-    for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
-        if (!isDynamic(state, i) || state.bodies[i].asleep || restless[islands.find(i)]) continue;
-        bringMembers(state);  // who falls asleep stays where it is
-        sleepBody(state, i);
-    }
+    sleepIslands(state, islands, [&](std::uint32_t first) { return !restless[first]; });
+}
+
+bool sleepIsland(State& state, std::uint32_t index) {
+    if (!state.settings.sleeping || !isDynamic(state, index)) return false;
+    if (state.bodies[index].asleep) return true;
+    DisjointSets islands(state.bodies.size());
+    std::vector<bool> isDriven(state.bodies.size(), false);
+    findIslands(state, islands, [&](std::uint32_t i) { isDriven[i] = true; });
+    const auto own = islands.find(index);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
-        if (isDynamic(state, i) && state.bodies[i].asleep) joinSleepers(state, islands.find(i), i);
+        if (islands.find(i) == own && (isDriven[i] || state.bodies[i].sleepless)) return false;
+    sleepIslands(state, islands, [&](std::uint32_t first) { return first == own; });
+    forgetForces(state);
+    return true;
 }
 
 }  // namespace sulfur::detail

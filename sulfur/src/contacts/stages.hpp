@@ -62,6 +62,9 @@ void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleep(State& state);
 
+/// Puts a body to sleep with its island, also what moves. Returns whether it sleeps then. State has
+/// room to note all bodies as turned, and members where their clusters are.
+bool sleepIsland(State& state, std::uint32_t body);
 /// Wakes a body that goes away or leaves its place, and what is near or tied to it.
 void wakeTouching(State& state, std::uint32_t body);
 /// Whether a body, by slot, is tied to another one or to itself.

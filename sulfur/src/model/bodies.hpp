@@ -21,6 +21,7 @@ struct BodyRecord {
     BodyId id;
     BodyKind kind = BodyKind::dynamic;
     bool asleep = false;
+    bool sleepless = false;           // never falls asleep, nor whoever is in its island
     bool moving = false;              // kinematic: has a target for the next tick
     bool stopping = false;            // kinematic: had a target for the last tick
     bool clustersStale = true;        // its rigid components must be found again
@@ -56,6 +57,7 @@ struct BodyRecord {
         a(id);
         a(kind);
         a(asleep);
+        a(sleepless);
         a(moving);
         a(stopping);
         a(clustersStale);

@@ -354,4 +354,16 @@ void World::wake(BodyId id) {
     detail::wakeBody(state, indexOf(state, id));
 }
 
+bool World::putToSleep(BodyId id) {
+    State& state = impl_->changing();
+    return detail::sleepIsland(state, indexOf(state, id));
+}
+
+void World::setSleepingAllowed(BodyId id, bool allowed) {
+    State& state = impl_->changing();
+    const auto index = indexOf(state, id);
+    state.bodies[index].sleepless = !allowed;
+    if (!allowed) detail::wakeBody(state, index);
+}
+
 }  // namespace sulfur

@@ -80,6 +80,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         if (body.sensor) hasher(body.sensor);
         if (body.gravityScale != 1) hasher(body.gravityScale);
         if (body.fixedRotation) hasher(body.fixedRotation);
+        if (body.sleepless) hasher(body.sleepless);
         if (isDamped(body)) {
             hasher(body.linearDamping);
             hasher(body.angularDamping);

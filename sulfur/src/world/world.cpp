@@ -274,6 +274,9 @@ Real World::linearDamping(BodyId id) const {
 Real World::angularDamping(BodyId id) const {
     return record(impl_->known(), id).angularDamping;
 }
+bool World::sleepingAllowed(BodyId id) const {
+    return !record(impl_->known(), id).sleepless;
+}
 bool World::asleep(BodyId id) const {
     return record(impl_->known(), id).asleep;
 }

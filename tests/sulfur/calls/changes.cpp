@@ -32,7 +32,7 @@ void Caller::tie() {
 
 void Caller::changeBody() {
     const BodyId id = body();
-    switch (numbers_->below(13)) {
+    switch (numbers_->below(15)) {
         case 0:
             return world_->setMaterial(id, material());
         case 1:
@@ -61,7 +61,12 @@ void Caller::changeBody() {
             return world_->setGravityScale(id, number());
         case 10:
             return world_->setFixedRotation(id, oneIn(3));
-        case 11: {
+        case 11:
+            world_->putToSleep(id);
+            return;
+        case 12:
+            return world_->setSleepingAllowed(id, !oneIn(4));
+        case 13: {
             const Real linear = number();
             return world_->setDamping(id, linear, number());
         }

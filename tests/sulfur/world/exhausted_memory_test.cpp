@@ -290,6 +290,8 @@ TEST_P(ExhaustedMemory, ChangingBodies) {
     expectAllOrNothing([=](World& w) { w.setUserData(id, 7); });
     expectAllOrNothing([=](World& w) { w.setVelocity(id, {1, 2}); });
     expectAllOrNothing([=](World& w) { w.wake(id); });
+    expectAllOrNothing([=](World& w) { w.setSleepingAllowed(id, false); });
+    expectAllOrNothing([=](World& w) { w.putToSleep(id); });
     expectAllOrNothing([=](World& w) { w.setVelocity(id, {1, 2}, 3); });
     expectAllOrNothing([=](World& w) { w.setGravityScale(id, 2); });
     expectAllOrNothing([=](World& w) { w.setDamping(id, 1, 2); });
