@@ -9,7 +9,7 @@ namespace sulfur {
 
 /// Surface constants of a body or of one of its joints. Where two surfaces meet, each coefficient
 /// of friction is the geometric mean of the two, restitution the larger one, and surface speeds
-/// add up. Impacts below 0.1 m/s never rebound, so that what lies comes to rest.
+/// add up. Impacts below WorldSettings::reboundSpeed never rebound.
 struct Material {
     Real staticFriction = Real(0.6);   ///< coefficient, kineticFriction to 1e6
     Real kineticFriction = Real(0.5);  ///< coefficient, 0 to 1e6

@@ -31,6 +31,8 @@ void describe(Visitor& v, Object& o) {
     v.flag("sleeping", o.sleeping, d.sleeping);
     v.integer("sweeps", o.sweeps, d.sweeps, 1, 100);
     v.choice("friction", o.friction, d.friction, frictionNames);
+    v.optionalNumber("sleepSpeed", o.sleepSpeed, 0, Limits::speed);
+    v.optionalNumber("reboundSpeed", o.reboundSpeed, 0, Limits::speed);
 }
 
 template <class Visitor, Is<Material> Object>

@@ -9,6 +9,7 @@
 #include "core/disjoint_sets.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
+#include "model/slow_speeds.hpp"
 #include "model/state.hpp"
 #include "rigid/grip.hpp"
 
@@ -17,7 +18,6 @@ namespace sulfur::detail {
 namespace {
 
 using tuned::decayRate;
-constexpr Real stickingSpeed = Real(tuned::stickingSpeed);
 constexpr std::uint64_t interval = tuned::pileInterval;
 
 /// Bodies that move as one.
@@ -36,6 +36,7 @@ public:
         : state_(state),
           core_(state.core),
           movers_(core_.movers),
+          sticks_(slowSpeedsOf(state.settings).sticking * state.h),
           sets_(movers_.size(), &state.arena),
           stands_(movers_.size(), none, &state.arena),
           corners_(movers_.size(), {none, 0}, &state.arena),
@@ -83,7 +84,7 @@ private:
                     const Real slides = r.tangentX[l] * (vb.x - va.x) +
                                         r.tangentY[l] * (vb.y - va.y) + r.tangentArmB[l] * vb.turn -
                                         r.tangentArmA[l] * va.turn;
-                    if (std::abs(slides) > stickingSpeed * state_.h) continue;
+                    if (std::abs(slides) > sticks_) continue;
                     if (isPushed(a) && isPushed(b))
                         sets_.unite(a, b);
                     else if (isPushed(a))
@@ -117,7 +118,7 @@ private:
                     const Real slides = -t.normalY[l] * (vp.x - va.x) +
                                         t.normalX[l] * (vp.y - va.y) + t.tangentArmP[l] * vp.turn -
                                         t.tangentArmA[l] * va.turn;
-                    if (std::abs(slides) > stickingSpeed * state_.h) continue;
+                    if (std::abs(slides) > sticks_) continue;
                     if (++count == 2) stand(m, on);
                 }
             }
@@ -197,6 +198,7 @@ private:
     State& state_;
     ContactCore& core_;
     Movers& movers_;
+    Real sticks_;  // m: what slides farther in a step does not stick
     DisjointSets sets_;
     std::pmr::vector<std::uint32_t> stands_;  // by mover: what it stands on, or none, or torn
     std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;

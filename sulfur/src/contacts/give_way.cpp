@@ -14,6 +14,7 @@
 #include "core/limits.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
+#include "model/slow_speeds.hpp"
 #include "model/state.hpp"
 
 namespace sulfur::detail {
@@ -21,7 +22,6 @@ namespace sulfur::detail {
 namespace {
 
 /// A driver that closes in more slowly has not pressed in vain.
-constexpr Real vainSpeed = Real(tuned::vainSpeed);
 /// What carries so much of the load stands in the way.
 constexpr Real loadShare = Real(tuned::loadShare);
 
@@ -31,6 +31,7 @@ public:
         : state_(state),
           core_(state.core),
           movers_(core_.movers),
+          vain_(slowSpeedsOf(state.settings).vain * state.h),
           pressed_(&state.arena),
           isPressed_(&state.arena) {}
 
@@ -74,7 +75,7 @@ private:
             closing -=
                 push[0] * (p.vx + v.vx) + push[1] * (p.vy + v.vy) + twist * (p.spin + v.spin);
         });
-        return closing > vainSpeed * state_.h * pressingOf(block, lane);
+        return closing > vain_ * pressingOf(block, lane);
     }
 
     /// Through whom the load of a driver's row goes. If it ends at something that stands fast, or
@@ -120,6 +121,7 @@ private:
     State& state_;
     ContactCore& core_;
     Movers& movers_;
+    Real vain_;  // m: a driver that closes in by more in a step has pressed in vain
     std::pmr::vector<std::uint32_t> pressed_;   // bodies, slots
     std::pmr::vector<std::uint8_t> isPressed_;  // by slot of a body
 };

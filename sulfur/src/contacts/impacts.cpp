@@ -19,6 +19,7 @@
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
+#include "model/slow_speeds.hpp"
 #include "model/state.hpp"
 #include "rigid/grip.hpp"
 
@@ -26,7 +27,6 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr Real slowestRebound = Real(tuned::slowestRebound);
 constexpr int mostRounds = tuned::impactRounds, plasticSweeps = tuned::plasticSweeps;
 
 /// Whether a mover is all of its body and tied to no other: then what strikes it moves it alone.
@@ -67,6 +67,7 @@ public:
           core_(state.core),
           movers_(core_.movers),
           h_(state.h),
+          slow_(slowSpeedsOf(state.settings).rebound * h_),
           meetings_(&state.arena),
           due_(&state.arena),
           struck_(&state.arena) {}
@@ -123,7 +124,7 @@ private:
         const RowKernels& kernels = rowKernels();
         const bool anyBounces = core_.bouncingPairs > 0;
         const Real fall = largestGravityScale() * state_.settings.gravity.norm();
-        const Real slow = slowestRebound * h_ + h_ * h_ * fall;
+        const Real slow = slow_ + h_ * h_ * fall;
         if (!anyBounces && 2 * core_.farthest < slow) return;
         const auto look = [&](auto& list, std::uint32_t c, auto&& kernel, auto&& pairOf,
                               auto&& add) {
@@ -325,7 +326,7 @@ private:
         for (int k = 0; k < m.points; ++k) {
             const auto i = static_cast<std::size_t>(k);
             closing[i] = motion(m.normal[i]);
-            any |= closing[i] < -slowestRebound * h_ && m.normal[i].gap + closing[i] < 0;
+            any |= closing[i] < -slow_ && m.normal[i].gap + closing[i] < 0;
         }
         if (!any) return false;
         ++blows_;
@@ -430,6 +431,7 @@ private:
     ContactCore& core_;
     Movers& movers_;
     Real h_;
+    Real slow_;  // m: what closes by less in a step is no blow
     std::pmr::vector<Meeting> meetings_;
     struct Due {
         Real moment = 0;

@@ -9,6 +9,7 @@
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
+#include "model/slow_speeds.hpp"
 #include "model/state.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
@@ -23,9 +24,6 @@ constexpr Real refreshWithin = Real(tuned::refreshWithin);
 constexpr Real pushRate = Real(tuned::recoveryRate);
 constexpr Real pushSpeed = Real(tuned::recoverySpeed);
 constexpr Real mostShare = Real(tuned::recoveryShare);
-constexpr Real restingPush = Real(tuned::restingPush);
-constexpr Real creepSpeed = Real(tuned::creepSpeed);
-constexpr Real settledChange = Real(tuned::settledChange);
 
 void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
     movers.references[m] = {at[0], at[1], heading[0], heading[1]};
@@ -310,9 +308,10 @@ bool sweepRows(State& state, int number, SweepKind kind) {
     const Prediction* predictions = core.movers.predictions.data();
     if (number == 1) core.stirred.assign(core.movers.size(), 0);
     core.sweep = static_cast<std::uint8_t>(number);
-    const SweepSettings settings{creepSpeed * state.h,
+    const SlowSpeeds slow = slowSpeedsOf(state.settings);
+    const SweepSettings settings{slow.creep * state.h,
                                  std::min(pushRate * state.h, mostShare),
-                                 settledChange * state.h,
+                                 slow.settledChange * state.h,
                                  core.stirred.data(),
                                  core.sweep,
                                  kind};
@@ -371,7 +370,7 @@ void giveMotion(State& state) {
 
 void takeMotionOfTied(State& state, int number) {
     ContactCore& core = state.core;
-    const Real settled = settledChange * state.h;
+    const Real settled = slowSpeedsOf(state.settings).settledChange * state.h;
     for (const auto m : core.tied) {
         const Seen seen = lookAtMover(state, core.moverIsCluster[m] != 0, core.denseOfMover[m]);
         const Motion3& given = core.movers.given[m];
@@ -404,7 +403,7 @@ void takeMotionAgain(State& state) {
 namespace {
 
 /// What the first sweep has moved apart goes to the state, no faster than a limit.
-void pushOut(State& state, std::size_t k, Vec2 pushed, Real turned) {
+void pushOut(State& state, std::size_t k, Vec2 pushed, Real turned, Real restingPush) {
     ContactCore& core = state.core;
     const auto m = core.awakeMovers[k];
     const auto i = core.awakeDense[k];
@@ -434,6 +433,7 @@ void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     const bool asked = !onlyContactsAsk(state);
+    const Real restingPush = slowSpeedsOf(state.settings).restingPush;
     core.ways.assign(movers.size(), {});
     core.lengths.assign(movers.size(), 0);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
@@ -450,7 +450,8 @@ void endMotion(State& state) {
         const Motion3& placed = core.placed[m];
         const Vec2 pushed(body.x - placed.x, body.y - placed.y);
         const Real turned = body.turn - placed.turn;
-        if (pushed[0] != 0 || pushed[1] != 0 || turned != 0) pushOut(state, k, pushed, turned);
+        if (pushed[0] != 0 || pushed[1] != 0 || turned != 0)
+            pushOut(state, k, pushed, turned, restingPush);
     }
     noteStrips(core, movers.odometer, [&](std::uint32_t m) { return core.lengths[m]; });
 }

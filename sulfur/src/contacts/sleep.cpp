@@ -10,6 +10,7 @@
 #include "core/disjoint_sets.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
+#include "model/slow_speeds.hpp"
 #include "model/state.hpp"
 #include "rigid/cluster_motion.hpp"
 
@@ -17,7 +18,6 @@ namespace sulfur::detail {
 
 namespace {
 
-using tuned::restingSpeed;
 constexpr Real timeToSleep = Real(tuned::timeToSleep);
 
 bool isDynamic(const State& state, std::uint32_t body) {
@@ -34,7 +34,7 @@ bool isDriving(const State& state, std::uint32_t index) {
 }
 
 /// Whether the rim of a disc moves, although it goes nowhere.
-bool spinsInPlace(const State& state, const Cluster& c) {
+bool spinsInPlace(const State& state, const Cluster& c, double restingSpeed) {
     if (!isDisc(c) || c.spin == 0) return false;
     const auto radius = state.particles.radius[state.clusters.members[c.first]];
     return std::abs(c.spin) * static_cast<double>(radius) >= restingSpeed;
@@ -44,17 +44,26 @@ bool spinsInPlace(const State& state, const Cluster& c) {
 /// bodies: the lists are of those before.
 bool measureRest(State& state) {
     if (state.structure.stale) return false;
+    const double slow = slowSpeedsOf(state.settings).resting;
+    const auto restingSpeedOf = [&](std::uint32_t body) {
+        if (!state.gravityScaled) return slow;
+        return restingSpeedUnder(state.settings, slow, state.bodies[body].gravityScale);
+    };
     const auto isMoved = [&](std::uint32_t body) { state.bodies[body].restingTime = -state.h; };
     for (const auto index : state.work.awakeClusters) {
         const Cluster& c = state.clusters.list[index];
+        const double restingSpeed = restingSpeedOf(c.body);
         const double rest = restingSpeed - std::abs(c.spin) * c.reach;
-        if (spinsInPlace(state, c) || rest <= 0 || c.velocity.squaredNorm() >= rest * rest)
+        if (spinsInPlace(state, c, restingSpeed) || rest <= 0 ||
+            c.velocity.squaredNorm() >= rest * rest)
             isMoved(c.body);
     }
     for (const Range range : state.work.points)
-        for (auto i = range.first; i < range.last; ++i)
+        for (auto i = range.first; i < range.last; ++i) {
+            const double restingSpeed = restingSpeedOf(state.particles.body[i]);
             if (state.particles.velocity[i].squaredNorm() >= restingSpeed * restingSpeed)
                 isMoved(state.particles.body[i]);
+        }
     bool any = false;
     state.looked(Stage::sleep, state.work.bodies.size());
     for (const auto index : state.work.bodies) {

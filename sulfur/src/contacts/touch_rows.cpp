@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/settings.hpp"
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
+#include "model/slow_speeds.hpp"
 #include "model/state.hpp"
 
 namespace sulfur::detail {
@@ -99,7 +99,7 @@ void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool corn
     std::array<SolverBody, 3> before;
     for (std::size_t k = 0; k < 3; ++k) before[k] = movers.bodies[list[k]];
     RowGraph::pressTouch(movers, t, l, impulse, 0);
-    const Real settled = Real(tuned::settledChange) * state.h;
+    const Real settled = slowSpeedsOf(state.settings).settledChange * state.h;
     const bool stirs = std::abs(impulse) * t.mobility[l] > settled;
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(k == 0 ? cornerHas : sideHas)) {

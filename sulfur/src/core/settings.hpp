@@ -19,7 +19,10 @@ inline constexpr int leastStepRate = 480;
 /// kilogram gets an eighth of a joule.
 inline constexpr double closingSpeed = 5, attachingSpeed = closingSpeed / 10;
 
-// What is slow.
+// What is slow, under a gravity of leastGravity to mostGravity, m/s^2. Beyond, these speeds are in
+// proportion to it (model/slow_speeds.hpp): else what is thrown under a small gravity would fall
+// asleep where it turns around, and where lengths are in millimetres hardly anything would be slow.
+inline constexpr double leastGravity = 1, mostGravity = 100;
 
 /// m/s: what moves slower for long enough falls asleep.
 inline constexpr double restingSpeed = 0.005;

@@ -45,6 +45,8 @@ template <class Archive>
 void archiveAll(Archive& a, State& state) {
     a(state.h);
     a(state.settings.tellPersisting);
+    a(state.settings.sleepSpeed);
+    a(state.settings.reboundSpeed);
     archiveDecisive(a, state);
     state.structure.archiveAdded(a);
     a(state.bodies);
@@ -63,6 +65,13 @@ void archiveAll(Archive& a, State& state) {
     a(state.influences);
     a(state.structureChanged);
     a(state.sensing.visits);
+}
+
+/// Only where they are given: what a world follows without them is in its gravity.
+void archiveSlowSpeeds(Hasher& hasher, const WorldSettings& settings) {
+    if (!settings.sleepSpeed && !settings.reboundSpeed) return;
+    for (Real speed : {settings.sleepSpeed.value_or(-1), settings.reboundSpeed.value_or(-1)})
+        hasher(speed);
 }
 
 void archiveBodyMotion(Hasher& hasher, State& state) {
@@ -137,6 +146,7 @@ std::uint64_t World::hash() const {
     State& state = impl_->state();
     detail::archiveDecisive(hasher, state);
     if (state.structure.onlyAdded) state.structure.archiveAdded(hasher);
+    detail::archiveSlowSpeeds(hasher, state.settings);
     detail::archiveBodyMotion(hasher, state);
     if (!state.discTurns.empty()) hasher(state.discTurns);
     if (state.angles.size() > 0) hasher(state.angles);

@@ -34,6 +34,11 @@ void validateSettings(const WorldSettings& settings) {
     requireRange(settings.tickRate, minTickRate, maxTickRate, "tick rate");
     requireRange(settings.sweeps, 1, 100, "sweeps");
     requireRange(static_cast<double>(settings.airFriction), 0, settings.tickRate, "air friction");
+    const auto requireSpeed = [](const std::optional<Real>& speed, const char* what) {
+        if (speed) requireRange(static_cast<double>(*speed), 0, maxSpeed, what);
+    };
+    requireSpeed(settings.sleepSpeed, "sleep speed");
+    requireSpeed(settings.reboundSpeed, "rebound speed");
 }
 
 }  // namespace

@@ -165,6 +165,8 @@ WorldSettings Caller::settings() {
     if (oneIn(4)) chosen.damper = Damper::full;
     if (oneIn(4)) chosen.friction = Friction::sliding;
     chosen.tellPersisting = either();
+    if (oneIn(4)) chosen.sleepSpeed = number();
+    if (oneIn(4)) chosen.reboundSpeed = number();
     if (oneIn(4)) chosen.sweeps = static_cast<int>(numbers_->below(12));
     return chosen;
 }

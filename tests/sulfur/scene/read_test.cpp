@@ -283,6 +283,7 @@ TEST(Read, RefusesLooseEnds) {
     says(R"("vetoes": [["one"]])", "an array of 2");
     says(R"("vetoes": [["one", "none"]])", "id of a body");
     says(R"("world": {"sweeps": 0})", "1 to 100");
+    says(R"("world": {"sleepSpeed": -1})", "sleepSpeed");
     says(R"("world": {"friction": "none"})", "\"sliding\"");
     says(R"("world": {"gravity": 9.81})", "an array of 2");
     says(R"("title": 5)", "a string");

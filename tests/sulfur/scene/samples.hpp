@@ -14,7 +14,7 @@ inline const std::string fullScene = R"({
   "title": "Everything \"at once\"\n\u00e9\u2603",
   "description": "A line\tand\\another",
   "world": {"gravity": [0.5, -3.7], "airFriction": 0.02, "tickRate": 240, "sleeping": false,
-            "sweeps": 7, "friction": "sliding", "wind": [1, 2]},
+            "sweeps": 7, "friction": "sliding", "sleepSpeed": 0.25, "reboundSpeed": 0.5, "wind": [1, 2]},
   "blueprints": {
     "plain": {
       "kind": "kinematic",
