@@ -16,6 +16,7 @@ enum class ErrorCode {
     degenerate,   ///< geometry that cannot work, such as a rigid joint of length zero
     badSnapshot,  ///< bytes that are no snapshot, or one of another version or build
     outOfMemory,  ///< a world in the middle of a tick for which there was no memory
+    inCallback,   ///< a call that no callback may make; see callbacks.hpp
 };
 
 /// Thrown by every public function that is given something it cannot use. The message is one

@@ -4,6 +4,7 @@
 
 #include <sulfur/blueprint.hpp>
 #include <sulfur/body.hpp>
+#include <sulfur/callbacks.hpp>
 #include <sulfur/draw.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>

@@ -10,6 +10,7 @@
 #include <span>
 #include <sulfur/blueprint.hpp>
 #include <sulfur/body.hpp>
+#include <sulfur/callbacks.hpp>
 #include <sulfur/error.hpp>
 #include <sulfur/events.hpp>
 #include <sulfur/fields.hpp>
@@ -499,6 +500,24 @@ public:
     /// first: it uses the caller's alone. `tasks` stays the host's and must live until others are
     /// lent or the world is gone. It does not affect results.
     void setTasks(Tasks* tasks);
+
+    // --- callbacks -------------------------------------------------------------------------
+
+    // What callbacks may do, when they are called and what becomes of their exceptions says
+    // callbacks.hpp. They are no part of snapshots: restore() keeps those of the world that
+    // restores, but with the state come the answers that still hold.
+
+    /// Asks in the ticks to come whether two bodies collide, which their filters and collision()
+    /// allow; an empty function, as at first, asks nobody. It is asked once about two bodies when
+    /// they come near each other: when the boxes of the first of their parts meet, which have a
+    /// margin of a tenth of their size, and more for what is fast. The answer holds until no parts
+    /// of theirs are near each other any more, or until the shape of one of them is made anew, as
+    /// changes of its particles, joints, material and filter do, and breaking. So setFilter() with
+    /// the filter that a body has already makes the world ask again in the next tick. While the
+    /// answer is false, the two pass through each other and do not wake each other. Sensors feel
+    /// everybody whom filters allow, without a question. Filters cost less where many bodies that
+    /// do not collide lie in one place, because each pair that was asked about is watched.
+    void setShouldCollide(ShouldCollide shouldCollide);
 
     // --- queries ---------------------------------------------------------------------------
 

@@ -23,7 +23,12 @@ struct World::Impl {
         detail::bringMembers(known());
         return data;
     }
-    /// The same for a call that is about to change it, with room for what any such call notes: who
+    /// The same for a call that no callback may make.
+    detail::State& outside() {
+        detail::requireOutside(data.callbacks);
+        return state();
+    }
+    /// The same for one that is about to change it, with room for what any such call notes: who
     /// wakes, whose shape is stale, who was placed.
     detail::State& changing();
     [[noreturn]] static void refuseTorn();

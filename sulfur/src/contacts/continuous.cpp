@@ -119,7 +119,7 @@ private:
         if (lengths[w.a] + lengths[w.b] > least && mayPass(w, least)) add(w.pair);
     }
     void add(std::uint32_t pair) {
-        if (core_.encounters[core_.pairs[pair].encounter].overlapping == 0) pairs_.push_back(pair);
+        if (core_.encounters[core_.pairs[pair].encounter].rowless == 0) pairs_.push_back(pair);
     }
 
     /// Lists those of whoever was moved in this round, who may be in the way of others, and be fast

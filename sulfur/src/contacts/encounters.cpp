@@ -65,6 +65,15 @@ void noteChange(ContactCore& core, std::uint32_t e) {
     core.changedEncounters.push_back(e);
 }
 
+/// Whether two bodies that come near each other collide.
+bool shouldCollide(State& state, const Encounter& encounter) {
+    Callbacks& callbacks = state.callbacks;
+    if (!callbacks.shouldCollide || encounter.a == encounter.b) return true;
+    bool answer = true;
+    callbacks.ask([&] { answer = callbacks.shouldCollide(encounter.a, encounter.b); });
+    return answer;
+}
+
 }  // namespace
 
 void enterEncounter(State& state, std::uint32_t index) {
@@ -75,7 +84,12 @@ void enterEncounter(State& state, std::uint32_t index) {
     };
     const BodyPair bodies = BodyPair::of(idOf(pair.a), idOf(pair.b));
     pair.encounter = findEncounter(core, bodies.a, bodies.b);
-    auto& first = core.encounters[pair.encounter].firstPair;
+    Encounter& encounter = core.encounters[pair.encounter];
+    auto& first = encounter.firstPair;
+    if (first == none) {
+        if (encounter.rowless == Encounter::letPass) encounter.rowless = 0;
+        if (!shouldCollide(state, encounter)) encounter.rowless = Encounter::letPass;
+    }
     pair.nextOfEncounter = first;
     if (first != none) core.pairs[first].previousOfEncounter = index;
     first = index;

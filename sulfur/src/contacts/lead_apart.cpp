@@ -242,7 +242,7 @@ void findEntwined(State& state) {
     ContactCore& core = state.core;
     for (auto e = stepNumber(state) % lookEvery; e < core.encounters.size(); e += lookEvery) {
         Encounter& encounter = core.encounters[e];
-        if (encounter.firstPair == none || encounter.overlapping != 0 || encounter.pressing == 0 ||
+        if (encounter.firstPair == none || encounter.rowless != 0 || encounter.pressing == 0 ||
             isConvex(core, encounter) || !isFree(state, encounter.a) || !isFree(state, encounter.b))
             continue;
         const Outline one = surfacesOfBody(state, encounter.a.index - 1),
@@ -266,8 +266,8 @@ public:
             return false;
         Part &a = partOf(slotA), &b = partOf(slotB);
         if (a.whole.inverseMass + b.whole.inverseMass == 0) return false;
-        const bool goesOn = encounter.overlapping != 0 ? overlap(a.outline, b.outline)
-                                                       : areEntangled(a.outline, b.outline);
+        const bool goesOn = encounter.rowless != 0 ? overlap(a.outline, b.outline)
+                                                   : areEntangled(a.outline, b.outline);
         if (!goesOn && !areInEachOther(a.outline, b.outline)) return false;
         for (const Part* part : {&a, &b})
             if (state_.bodies[part->whole.body].asleep)
@@ -355,8 +355,10 @@ void leadApart(State& state) {
     core.leading.erase(std::unique(core.leading.begin(), core.leading.end()), core.leading.end());
     Leader leader(state);
     std::erase_if(core.leading, [&](std::uint32_t index) {
-        const bool goesOn = leader.lead(core.encounters[index]);
-        core.encounters[index].overlapping = goesOn ? 1 : 0;
+        Encounter& encounter = core.encounters[index];
+        if (encounter.rowless == Encounter::letPass) return true;
+        const bool goesOn = leader.lead(encounter);
+        encounter.rowless = goesOn ? Encounter::ledApart : 0;
         return !goesOn;
     });
     takeMotionAgain(state);

@@ -105,9 +105,9 @@ void wakeIfNear(State& state, std::uint32_t index, std::uint32_t sleeper) {
 
 void lookAtPair(State& state, std::uint32_t pair) {
     const Pair& p = state.core.pairs[pair];
-    if (state.core.encounters[p.encounter].overlapping != 0) {
+    if (const auto rowless = state.core.encounters[p.encounter].rowless; rowless != 0) {
         dropRows(state, pair);
-        return watchPair(state, pair, -1);
+        return watchPair(state, pair, rowless == Encounter::letPass ? PairWatch::farAway : -1);
     }
     for (const auto chunk : {p.a, p.b})
         if (const auto sleeper = sleeperOf(state, chunk); sleeper != none)

@@ -101,9 +101,11 @@ std::uint32_t makePair(State& state, std::uint32_t first, std::uint32_t second,
                               a.body != b.body && !areLinked(core, a.body, b.body)
                           ? 1
                           : 0;
+    enterEncounter(state, slot);
+    // Who passes through each other takes no room from who collides.
+    if (core.encounters[pair.encounter].rowless == Encounter::letPass) pair.owner = 2;
     link(core, slot, 0);
     if (first != second) link(core, slot, 1);
-    enterEncounter(state, slot);
     watchPair(state, slot, -1);  // it is looked at in this step
     return slot;
 }

@@ -36,7 +36,7 @@ struct Pair {
     Real blow = 0, approach = 0;     // N s by impacts of this step, and m/s before them
     std::uint32_t keptPressing = 0;  // 1: the row that sleeps pressed
     std::uint32_t nextOfEncounter = none, previousOfEncounter = none;
-    std::uint32_t owner = 0;  // 0: it counts as a's own, 1: as b's
+    std::uint32_t owner = 0;  // 0: it counts as a's own, 1: as b's, 2: as nobody's
 };
 
 /// Whether two chunks are near enough to have rows, asleep or not.
@@ -60,6 +60,9 @@ struct Touch {
 
 /// Two bodies some of whose chunks are near each other: who touches whom is told of bodies.
 struct Encounter {
+    static constexpr std::uint32_t ledApart = 1;  // they were made in each other
+    static constexpr std::uint32_t letPass = 2;   // the caller has said that they do not collide
+
     BodyId a, b;                     // a < b; null where the slot is free
     std::uint32_t firstPair = none;  // of chunks; see Pair
     std::uint32_t pressing = 0;      // rows that press, asleep or not
@@ -67,10 +70,10 @@ struct Encounter {
     std::uint32_t touching = 0;      // 1: they did when rows were last asked
     std::uint32_t changed = 0;       // 1: it is in the list of those that may have changed
     // While it is in that list:
-    std::uint32_t touched = 0;      // 1: they did when the tick began
-    std::uint32_t begun = none;     // its event in Events::contactsBegun, or none
-    std::uint32_t overlapping = 0;  // 1: they were made in each other and are led apart
-    std::uint32_t entwined = 0;     // 1: they were in each other when they were last looked at
+    std::uint32_t touched = 0;   // 1: they did when the tick began
+    std::uint32_t begun = none;  // its event in Events::contactsBegun, or none
+    std::uint32_t rowless = 0;   // why it may have no rows: 0 (it may), or one of those above
+    std::uint32_t entwined = 0;  // 1: they were in each other when they were last looked at
     std::uint32_t nextInBucket = none;
 };
 
@@ -108,6 +111,8 @@ struct Lead {
 struct PairWatch {
     /// The limit of a manifold that has a row: the refresh tells.
     static constexpr double never = 1e300;
+    /// That of two that do not collide: no odometer comes so far.
+    static constexpr double farAway = 1e299;
 
     std::uint32_t pair = 0, a = 0, b = 0;  // a, b: movers
     float fineness = 0;                    // m, of both chunks together

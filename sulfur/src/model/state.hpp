@@ -15,6 +15,7 @@
 #include "core/slots.hpp"
 #include "model/angles.hpp"
 #include "model/bodies.hpp"
+#include "model/callbacks.hpp"
 #include "model/chain_batches.hpp"
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
@@ -227,6 +228,7 @@ struct State {
     Events events;
     std::vector<ParticleStart> starts;  // of a tick of several steps: what was awake
     Statistics statistics;
+    Callbacks callbacks;
     bool profiling = false;
     Tasks* tasks = nullptr;      // threads that the host lends; null: the caller's alone
     bool anyStirred = true;      // some cluster is stirred

@@ -134,7 +134,7 @@ std::optional<ClosestPoint> World::closestPoint(Point point, double reach,
 std::optional<ParticleId> World::nearestParticle(Point point, Real reach) const {
     detail::requireFinite(point, "point");
     detail::requireRange(static_cast<double>(reach), 0, 1e9, "reach");
-    const detail::State& state = impl_->state();
+    const detail::State& state = impl_->outside();
     const auto& p = state.particles;
     double best = static_cast<double>(reach) * static_cast<double>(reach);
     std::optional<ParticleId> found;

@@ -102,6 +102,7 @@ bool hasShape(const State& state, std::uint32_t body) {
 }  // namespace
 
 void prepareNearby(State& state) {
+    requireOutside(state.callbacks);
     Nearby& nearby = state.nearby;
     if (nearby.valid && !state.structure.stale && state.core.staleShapes.empty()) return;
     listApart(state);

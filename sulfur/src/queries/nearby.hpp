@@ -26,7 +26,8 @@ struct Collider {
 };
 
 /// Makes what is derived of the boxes fit the present world. Complexity: nothing where no tick and
-/// no change has come since the last call; otherwise linear in bodies and awake chunks.
+/// no change has come since the last call; otherwise linear in bodies and awake chunks. Throws
+/// while the caller is being asked: boxes are then on their way.
 void prepareNearby(State& state);
 
 /// The bodies, ascending by dense index, whose outlines enclose a point, until the next call. Needs

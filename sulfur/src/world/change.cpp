@@ -79,14 +79,14 @@ Vec2 World::gravity() const {
 }
 
 void World::setAirFriction(Real airFriction) {
-    requireRange(static_cast<double>(airFriction), 0, impl_->state().settings.tickRate,
-                 "air friction");
-    impl_->state().settings.airFriction = airFriction;
+    State& state = impl_->outside();
+    requireRange(static_cast<double>(airFriction), 0, state.settings.tickRate, "air friction");
+    state.settings.airFriction = airFriction;
 }
 
 void World::setTickRate(int tickRate) {
     requireRange(tickRate, detail::minTickRate, detail::maxTickRate, "tick rate");
-    State& state = impl_->state();
+    State& state = impl_->outside();
     if (tickRate == state.settings.tickRate) return;
     // Air friction and damping may not be faster than the ticks.
     requireRange(static_cast<double>(state.settings.airFriction), 0, tickRate, "air friction");
@@ -102,7 +102,7 @@ void World::setTickRate(int tickRate) {
 }
 
 void World::setDamper(Damper damper) {
-    impl_->state().settings.damper = damper;
+    impl_->outside().settings.damper = damper;
 }
 
 Real World::airFriction() const {
@@ -215,7 +215,8 @@ void World::setDamping(BodyId id, Real linear, Real angular) {
 }
 
 void World::setUserData(BodyId id, std::uint64_t data) {
-    impl_->state().bodies[indexOf(impl_->state(), id)].userData = data;
+    State& state = impl_->outside();
+    state.bodies[indexOf(state, id)].userData = data;
 }
 
 void World::setStiffness(JointId id, Real stiffness) {

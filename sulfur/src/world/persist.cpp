@@ -143,7 +143,7 @@ using detail::State;
 std::uint64_t World::hash() const {
     detail::Hasher hasher;
     // An archive takes its fields by reference because a reader fills them; the hasher only reads.
-    State& state = impl_->state();
+    State& state = impl_->outside();
     detail::archiveDecisive(hasher, state);
     if (state.structure.onlyAdded) state.structure.archiveAdded(hasher);
     detail::archiveSlowSpeeds(hasher, state.settings);
@@ -161,7 +161,7 @@ Snapshot World::snapshot() const {
     detail::Writer writer;
     std::uint64_t mark = detail::buildMark();
     writer(mark);
-    detail::archiveAll(writer, impl_->state());
+    detail::archiveAll(writer, impl_->outside());
     std::uint64_t seal = detail::sealOf(writer.result, writer.result.size());
     writer(seal);
     writer.result.shrink_to_fit();  // what is kept for long keeps no room to grow
@@ -169,6 +169,7 @@ Snapshot World::snapshot() const {
 }
 
 void World::restore(const Snapshot& snapshot) {
+    detail::requireOutside(impl_->data.callbacks);
     detail::requireWhole(snapshot);
     detail::Reader reader(snapshot);
     std::uint64_t mark = 0, seal = 0;
@@ -180,12 +181,13 @@ void World::restore(const Snapshot& snapshot) {
     detail::prepareNetworks(fresh->data);
     fresh->data.profiling = impl_->data.profiling;
     fresh->data.tasks = impl_->data.tasks;
+    fresh->data.callbacks = std::move(impl_->data.callbacks);
     impl_ = std::move(fresh);
 }
 
 std::string World::validate() const {
     if (impl_->torn) return "a tick for which there was no memory";
-    return detail::findBroken(impl_->state());
+    return detail::findBroken(impl_->outside());
 }
 
 }  // namespace sulfur

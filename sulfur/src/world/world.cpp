@@ -65,7 +65,7 @@ void World::Impl::refuseTorn() {
 }
 
 detail::State& World::Impl::changing() {
-    detail::State& changed = state();
+    detail::State& changed = outside();
     detail::makeRoom(changed.turned, changed.bodies.size());
     detail::makeRoom(changed.core.staleShapes, 2);
     detail::makeRoom(changed.placed, 1);
@@ -120,12 +120,15 @@ World::~World() = default;
 
 void World::step() {
     State& state = impl_->known();
+    detail::requireOutside(state.callbacks);
     try {
         detail::step(state);
     } catch (...) {  // of threads that the host lends, too
         impl_->torn = true;
+        state.callbacks.failure = nullptr;
         throw;
     }
+    state.callbacks.passOn();
 }
 std::uint64_t World::ticks() const {
     return impl_->known().tick;
@@ -148,11 +151,18 @@ const Statistics& World::statistics() const {
     return impl_->data.statistics;
 }
 void World::setProfiling(bool on) {
+    detail::requireOutside(impl_->data.callbacks);
     impl_->data.profiling = on;
 }
 
 void World::setTasks(Tasks* tasks) {
+    detail::requireOutside(impl_->data.callbacks);
     impl_->data.tasks = tasks;
+}
+
+void World::setShouldCollide(ShouldCollide shouldCollide) {
+    detail::requireOutside(impl_->data.callbacks);
+    impl_->data.callbacks.shouldCollide = std::move(shouldCollide);
 }
 
 // --- looking -------------------------------------------------------------------------------
