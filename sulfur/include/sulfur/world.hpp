@@ -518,6 +518,24 @@ public:
     /// everybody whom filters allow, without a question. Filters cost less where many bodies that
     /// do not collide lie in one place, because each pair that was asked about is watched.
     void setShouldCollide(ShouldCollide shouldCollide);
+    /// Asks in each step to come about each contact of two bodies that touch or may come to touch
+    /// in it, before it is solved; an empty function, as at first, asks nobody. Two convex parts of
+    /// bodies (what is rigid and convex, discs) have one contact of one or two points; elsewhere
+    /// each corner that is near a side has one. Nobody is asked about sensors, about a body with
+    /// itself, about sleepers (wake them when answers change), nor about bodies that were put into
+    /// each other, until they have been led apart.
+    ///
+    /// All that is answered holds for one step. What does not act presses nothing and holds nothing
+    /// back: continuous collision asks once more where something would pass through something else,
+    /// and `surface` is of no use then. Events tell when contacts begin or cease to act. Sleepers
+    /// wake when somebody comes near, before anybody is asked. Numbers of the surface are in the
+    /// ranges of Material; else step() throws Error as if the callback had. Where several contacts
+    /// of the same two parts differ, the largest restitution counts, and with Friction::sliding the
+    /// largest friction.
+    ///
+    /// A platform with one way, whatever is thrown at it, asks where the other body is as a whole:
+    /// `return world.bounds(other).low[1] > middleOfThePlatform;`
+    void setPreSolve(PreSolve preSolve);
 
     // --- queries ---------------------------------------------------------------------------
 

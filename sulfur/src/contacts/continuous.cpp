@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 
+#include "contacts/ask.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
@@ -194,6 +195,8 @@ private:
             findPassing(core_, a, b, 1 - fast, core_.passings);
         else
             findPassings(state_, a, b, 1 - fast, core_.passings);
+        if (state_.callbacks.preSolve && !core_.passings.empty())
+            askAboutPassings(state_, pair, core_.passings);
     }
 
     /// What turns about a pin goes no farther than to a moment. Returns whether it is such a thing.

@@ -122,7 +122,7 @@ private:
     /// touch in this step.
     void collect() {
         const RowKernels& kernels = rowKernels();
-        const bool anyBounces = core_.bouncingPairs > 0;
+        const bool anyBounces = core_.bouncingPairs > 0 || core_.answersBounce;
         const Real fall = largestGravityScale() * state_.settings.gravity.norm();
         const Real slow = slow_ + h_ * h_ * fall;
         if (!anyBounces && 2 * core_.farthest < slow) return;

@@ -37,12 +37,7 @@ struct Thick {
 
 Point placeOf(const ContactCore& core, std::uint32_t corner) {
     const Corner& c = core.shapes.corners[corner];
-    const SolverBody& body = core.movers.bodies[c.mover];
-    const Heading h = core.movers.headingAtReference(c.mover);
-    const Real cosine = h.cosine - h.sine * body.turn, sine = h.sine + h.cosine * body.turn;
-    return core.movers.placeAtReference(c.mover) +
-           Vec2(body.x + cosine * c.x - sine * c.y, body.y + sine * c.x + cosine * c.y)
-               .cast<double>();
+    return placeOnMover(core.movers, c.mover, c.x, c.y);
 }
 
 using Outline = std::pmr::vector<Thick>;

@@ -110,6 +110,11 @@ void findIslands(const State& state, DisjointSets& islands, Function&& onDriver)
             if (isDynamic(state, one) && isDriving(state, other)) onDriver(one);
     };
     for (const Pair& pair : state.core.pairs) linkIfNear(state, pair, unite);
+    // Else each of two that pass through each other would wake the other for ever.
+    if (state.callbacks.preSolve)
+        for (const auto& [a, b] : state.core.passedBy)
+            if (state.bodySlots.denseOf(a) != none && state.bodySlots.denseOf(b) != none)
+                unite(state.bodySlots.denseOf(a), state.bodySlots.denseOf(b));
     forEachTie(state, unite);
 }
 

@@ -11,6 +11,7 @@ namespace sulfur::detail {
 /// No part of what a world is: neither hash nor snapshot knows of it.
 struct Callbacks {
     ShouldCollide shouldCollide;
+    PreSolve preSolve;
     bool asking = false;         // the caller is being asked
     std::exception_ptr failure;  // what he has thrown in this tick; he is not asked again
 

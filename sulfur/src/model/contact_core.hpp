@@ -101,6 +101,13 @@ struct Knock {
     }
 };
 
+/// What the surface of a row was before the caller changed it for a step, and that of its pair.
+struct Resurfaced {
+    std::uint32_t pair = none, touch = none;  // no touch: the manifold of the pair
+    Real staticFriction = 0, kineticFriction = 0, slip = 0;
+    Real restitution = 0, drag = 0;
+};
+
 /// Where a body as a whole goes when the step ends.
 struct Lead {
     std::uint32_t body = 0;  // dense index
@@ -179,10 +186,14 @@ struct ContactCore {
     LooseLook looseLook;
     std::vector<KnownSide> knownSides;
     std::vector<Passing> passings;
-    std::vector<BodyWay> ways;  // by mover: how it goes in this step
-    std::vector<Real> lengths;  // m, by mover: how far any of its surface goes at most
-    Real farthest = 0;          // m, of all movers, as far as they go without rows
-    std::uint32_t newRows = 0;  // manifolds, in this step
+    std::vector<BodyWay> ways;           // by mover: how it goes in this step
+    std::vector<Real> lengths;           // m, by mover: how far any of its surface goes at most
+    Real farthest = 0;                   // m, of all movers, as far as they go without rows
+    std::uint32_t newRows = 0;           // manifolds, in this step
+    std::vector<Resurfaced> resurfaced;  // rows that the caller has changed in this step
+    bool answersBounce = false;          // some of them bounce
+    // Bodies, slots, with contacts that do not act in this step.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> passedBy;
     std::vector<Blow> blows;
     std::vector<Knock> knocks;          // of this step
     std::vector<Real> impulses;         // N s, of this tick, by encounters, where all are told

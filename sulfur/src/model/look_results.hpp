@@ -46,6 +46,8 @@ struct Passing {
     Real moment = 0;                        // share of the step after which they are too near
     Vec2 normal{0, 0};                      // from the others to the one, at that moment
     Real depth = 0;                         // m, by which they end too near along that
+    Real gap = 0;                           // m, between the surfaces when the step begins
+    Point at{0, 0};                         // m, on the surface of the one, when they meet
 };
 
 }  // namespace sulfur::detail

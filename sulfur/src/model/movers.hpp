@@ -94,6 +94,15 @@ struct Movers {
         return {p.vx + v.vx, p.vy + v.vy, p.spin + v.spin};
     }
 
+    /// m, where a place in the frame of a body is when the step begins.
+    friend Point placeOnMover(const Movers& movers, std::uint32_t m, Real x, Real y) {
+        const SolverBody& body = movers.bodies[m];
+        const Heading h = movers.headingAtReference(m);
+        const Real cosine = h.cosine - h.sine * body.turn, sine = h.sine + h.cosine * body.turn;
+        return movers.placeAtReference(m) +
+               Vec2(body.x + cosine * x - sine * y, body.y + sine * x + cosine * y).cast<double>();
+    }
+
 private:
     template <class Self, class Function>
     static void visit(Self& self, Function& f) {

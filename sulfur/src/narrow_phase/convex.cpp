@@ -379,8 +379,9 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     passings.clear();
     const Ways ways{a.frame, b.frame, motionOf(core.ways[a.frame]), motionOf(core.ways[b.frame])};
     const Real thickness = a.radius + b.radius;
-    Real limit = 0;
+    Real limit = 0, before = 0;
     const Real moment = advance(core.movers, core.shapes, a, b, ways, [&](Real gap) {
+        before = gap - thickness;
         return limit = gap > 0 ? std::min(left * thickness, gap) : Real(-1e30);
     });
     if (moment >= 1) return;
@@ -394,18 +395,34 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     const Xy withA = outA.sides > 0 ? axis : still;
     const Xy withB = outB.sides > 0 ? turned(end.heading, turnedBack(then.heading, axis)) : still;
     Separation best{still, Real(-1e30)};
+    Xy nearest = outB.at[0];
     for (const Xy along : {still, withA, withB}) {
-        Real highA = Real(-1e30), lowB = Real(1e30);
+        Real highA = Real(-1e30);
+        std::uint32_t low = 0;
         for (std::uint32_t k = 0; k < outA.corners; ++k)
             highA = std::max(highA, dot(along, outA.at[k]));
-        for (std::uint32_t k = 0; k < outB.corners; ++k)
-            lowB = std::min(lowB, dot(along, outB.at[k]));
-        if (lowB - highA > best.gap) best = {along, lowB - highA};
+        for (std::uint32_t k = 1; k < outB.corners; ++k)
+            if (dot(along, outB.at[k]) < dot(along, outB.at[low])) low = k;
+        const Real gap = dot(along, outB.at[low]) - highA;
+        if (!(gap > best.gap)) continue;
+        best = {along, gap};
+        nearest = outB.at[low];
     }
     const Real depth = limit - best.gap;
     if (!(depth > 0)) return;
     const Xy normal = turned(end.ofA, best.axis);
-    passings.push_back({b.frame, {a.frame, a.frame}, 0, moment, {normal.x, normal.y}, depth});
+    const Xy arm = turned(end.ofA, nearest);
+    const SolverBody& bodyA = core.movers.bodies[a.frame];
+    const Vec2 at(bodyA.x + ways.ofA.x + arm.x - b.radius * normal.x,
+                  bodyA.y + ways.ofA.y + arm.y - b.radius * normal.y);
+    passings.push_back({b.frame,
+                        {a.frame, a.frame},
+                        0,
+                        moment,
+                        {normal.x, normal.y},
+                        depth,
+                        before,
+                        core.movers.placeAtReference(a.frame) + at.cast<double>()});
 }
 
 Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,

@@ -142,7 +142,8 @@ private:
         const Real length = std::sqrt(dot(then, then));
         if (!(length > 0)) return;
         const Xy normal{then.x / length, then.y / length};
-        note(corner, end, end, 0, moment, normal, limit - dot(normal, p.end - a.end));
+        note(corner, p, end, end, 0, moment, normal, limit - dot(normal, p.end - a.end),
+             std::sqrt(distance2) - thickness);
     }
 
     /// A corner and the straight part of a side.
@@ -183,16 +184,25 @@ private:
             last = end;
             normal = {outward * turned.y / lengthNow, -outward * turned.x / lengthNow};
         }
-        note(corner, side.a, side.b, share, low, normal, limit - last);
+        note(corner, p, side.a, side.b, share, low, normal, limit - last, start - thickness);
     }
 
-    void note(std::uint32_t corner, std::uint32_t a, std::uint32_t b, Real share, Real moment,
-              Xy normal, Real depth) {
+    void note(std::uint32_t corner, const Way& p, std::uint32_t a, std::uint32_t b, Real share,
+              Real moment, Xy normal, Real depth, Real gap) {
         if (!(depth > 0)) return;
         const auto mover = [&](std::uint32_t c) { return shapes_.corners[c].mover; };
         if (mover(a) == mover(b)) share = 0;
-        passings_.push_back(
-            {mover(corner), {mover(a), mover(b)}, share, moment, {normal.x, normal.y}, depth});
+        const Xy then = p.at(moment);
+        const Real radius = shapes_.corners[corner].radius;
+        const Vec2 at(then.x - radius * normal.x, then.y - radius * normal.y);
+        passings_.push_back({mover(corner),
+                             {mover(a), mover(b)},
+                             share,
+                             moment,
+                             {normal.x, normal.y},
+                             depth,
+                             gap,
+                             origin_ + at.cast<double>()});
     }
 
     const State& state_;

@@ -4,6 +4,7 @@
 // contact disturbs in a body is mended in the same sweep; trees, which are solved as a whole, last.
 #include <algorithm>
 
+#include "contacts/ask.hpp"
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
@@ -109,6 +110,7 @@ void solveConstraints(State& state) {
     endBlows(state);
     holdBackFast(state);
     endLeads(state);
+    forgetAnswers(state);
     if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);
     recordTreeForces(state);

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "bodies/driven.hpp"
+#include "contacts/ask.hpp"
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "rigid/cluster_motion.hpp"
@@ -84,6 +85,7 @@ void updateBroadPhase(State& state) {
 void updateNarrowPhase(State& state) {
     lookAtPairs(state);
     refreshRows(state);
+    if (state.callbacks.preSolve) askAboutRows(state);
     const ContactCore& core = state.core;
     const bool manyNew = core.newRows > 0 && tuned::newShare * core.newRows >= core.rows.size();
     if (core.loadsAgain != 0 || manyNew) loadStacks(state);

@@ -206,7 +206,7 @@ void World::setFixedRotation(BodyId id, bool on) {
 }
 
 void World::setDamping(BodyId id, Real linear, Real angular) {
-    State& state = impl_->state();
+    State& state = impl_->outside();
     detail::BodyRecord& body = state.bodies[indexOf(state, id)];
     requireDamping(linear, angular, state.settings.tickRate);
     body.linearDamping = linear;

@@ -165,6 +165,11 @@ void World::setShouldCollide(ShouldCollide shouldCollide) {
     impl_->data.callbacks.shouldCollide = std::move(shouldCollide);
 }
 
+void World::setPreSolve(PreSolve preSolve) {
+    detail::requireOutside(impl_->data.callbacks);
+    impl_->data.callbacks.preSolve = std::move(preSolve);
+}
+
 // --- looking -------------------------------------------------------------------------------
 
 bool World::contains(BodyId id) const {

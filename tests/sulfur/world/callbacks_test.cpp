@@ -205,6 +205,7 @@ void expectLocked(World& world, Body body, const Snapshot& snapshot) {
     no("setTasks", [&] { world.setTasks(nullptr); });
     no("setProfiling", [&] { world.setProfiling(true); });
     no("setShouldCollide", [&] { world.setShouldCollide({}); });
+    no("setPreSolve", [&] { world.setPreSolve({}); });
 }
 
 TEST(Callbacks, MayLookAndNotChange) {
@@ -223,12 +224,21 @@ TEST(Callbacks, MayLookAndNotChange) {
         EXPECT_EQ(world.kind(b), BodyKind::dynamic);
         return true;
     });
+    int contacts = 0;
+    world.setPreSolve([&](const PreSolveContact& contact, Material&) {
+        ++contacts;
+        expectLocked(world, world.body(contact.b), before);
+        EXPECT_GT(world.bounds(contact.b).high[1], 0);
+        EXPECT_GT(world.pose(contact.b).position[0], -5);
+        return true;
+    });
     for (int i = 0; i < 200; ++i) {
         world.step();
         untold.step();
         ASSERT_EQ(world.hash(), untold.hash()) << i;
     }
     EXPECT_EQ(asked, 4);
+    EXPECT_GT(contacts, 100);
 }
 
 TEST(Callbacks, WhatTheyThrowComesOutOfAWholeTick) {
