@@ -11,7 +11,8 @@ namespace sulfur {
 /// Two bodies began to touch: they push each other in this tick and did not in the one before. The
 /// point and the normal are those of the contact that pushes most. A blow without rebound may be
 /// spread over this tick and the next, so that the whole momentum of a landing is the sum of this
-/// impulse and those of the first ContactPersisted.
+/// impulse and those of the first ContactPersisted. What others call hit events are those of them
+/// whose speed is above a threshold, such as 1 m/s.
 struct ContactBegun {
     BodyId a = {};      ///< the body whose particle touches
     BodyId b = {};      ///< the other

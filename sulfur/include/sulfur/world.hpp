@@ -480,6 +480,7 @@ public:
     /// tick takes no memory. If it needs some and there is none, it throws std::bad_alloc in its
     /// middle, and there the world stays: from then on validate() says so, and whatever asks for
     /// the state or changes it throws Error{outOfMemory}, until restore() brings back a snapshot.
+    /// What callbacks throw leaves a whole world; see callbacks.hpp.
     void step();
     /// Ticks since the world was made.
     std::uint64_t ticks() const;

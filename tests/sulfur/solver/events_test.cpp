@@ -357,5 +357,31 @@ TEST(ContactEvents, PiecesTouchForThemselves) {
     EXPECT_TRUE(world.contains(floor));
 }
 
+/// What is called a hit elsewhere: a contact that begins fast.
+TEST(ContactEvents, ThoseThatBeginTellHowFastAnythingHits) {
+    for (const int rate : {60, 500})
+        for (const Real speed : {Real(0.5), Real(5), Real(50)}) {
+            World world({.gravity = {0, 0}, .tickRate = rate});
+            world.add(shapes::floor({-50, 0}, {50, 0}));
+            const std::vector<Body> bodies{
+                world.add(shapes::box(), {.position = {-6, 1}}),
+                world.add(shapes::box(), {.position = {-9, 1}, .angle = 0.3}),
+                world.add(shapes::ball(), {.position = {-3, 1}}),
+                world.add(shapes::jelly(), {.position = {0, 1}}),
+                world.add(shapes::rope({.from = {3, 1}, .to = {4, 1}}))};
+            for (const Body& body : bodies) world.setVelocity(body, Vec2(0, -speed));
+            std::size_t hits = 0;
+            for (int i = 0; i < 3 * rate; ++i) {
+                world.step();
+                for (const ContactBegun& e : world.events().contactsBegun) {
+                    if (!(e.speed > Real(0.9) * speed)) continue;
+                    EXPECT_NEAR(e.speed, speed, 1e-3 * static_cast<double>(speed)) << rate;
+                    ++hits;
+                }
+            }
+            EXPECT_EQ(hits, bodies.size()) << rate << " Hz, " << speed;
+        }
+}
+
 }  // namespace
 }  // namespace sulfur
