@@ -96,11 +96,11 @@ struct Movers {
 
     /// m, where a place in the frame of a body is when the step begins.
     friend Point placeOnMover(const Movers& movers, std::uint32_t m, Real x, Real y) {
-        const SolverBody& body = movers.bodies[m];
+        const SolverBody& b = movers.bodies[m];
         const Heading h = movers.headingAtReference(m);
-        const Real cosine = h.cosine - h.sine * body.turn, sine = h.sine + h.cosine * body.turn;
+        const Real cosine = h.cosine - h.sine * b.turn, sine = h.sine + h.cosine * b.turn;
         return movers.placeAtReference(m) +
-               Vec2(body.x + cosine * x - sine * y, body.y + sine * x + cosine * y).cast<double>();
+               Vec2(b.x + cosine * x - sine * y, b.y + sine * x + cosine * y).cast<double>();
     }
 
 private:

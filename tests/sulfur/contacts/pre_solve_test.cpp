@@ -148,7 +148,7 @@ TEST(PreSolve, WhoRestsInEachOtherFallsAsleep) {
     world.setPreSolve([](const PreSolveContact&, Material&) { return false; });
     world.setVelocity(other, Vec2(1, 0));
     test::run(world, 1.7);
-    EXPECT_EQ(world.centreOfMass(one), Point(0, 0));
+    EXPECT_LT(world.centreOfMass(one).norm(), 1e-12);
     world.setVelocity(other, Vec2(0, 0));
     test::run(world, 2);
     EXPECT_NEAR(world.centreOfMass(other)[0], -0.3, 0.01);
@@ -387,6 +387,10 @@ void addMuch(World& world) {
     world.attach(rope.back(), load, {Real(-0.5), 0});
     const Body fast = world.add(shapes::ball({.radius = Real(0.1)}), {.position = {9, 1}});
     world.setVelocity(fast, Vec2(-150, 0));
+    const Body one = world.add(shapes::box(), {.position = {11, 1}});
+    const Body other = world.add(shapes::box(), {.position = {14, 1}, .angle = 1});
+    world.connect(one.front(), other.front(), {.radius = Real(0.05)});
+    world.add(shapes::ball(), {.position = {12.5, 3}});
 }
 
 TEST(PreSolve, ACallbackThatChangesNothingChangesNothing) {

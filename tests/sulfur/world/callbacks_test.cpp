@@ -119,7 +119,7 @@ TEST(ShouldCollide, LetsBodiesRestInEachOther) {
     world.setShouldCollide([](BodyId, BodyId) { return false; });
     test::run(world, 2);
     EXPECT_TRUE(world.asleep(one) && world.asleep(other));
-    EXPECT_EQ(world.centreOfMass(one), Point(0, 0));
+    EXPECT_LT(world.centreOfMass(one).norm(), 1e-12);
     world.setVelocity(other, Vec2(1, 0));
     test::run(world, 0.1);
     EXPECT_TRUE(world.asleep(one));
