@@ -10,7 +10,7 @@
 
 int main(int argc, char** argv) {
     using namespace sulfur;
-    Picture picture(argc, argv, {-0.9, -2.7}, {8.2, 3.5});
+    Picture picture(argc, argv, {-0.9, -3.3}, {7.1, 3.8});
 
     constexpr double slope = 0.35, size = 0.5, floorRadius = 0.05;   // rad, m
     constexpr double g = 9.81, along = 0.342898, across = 0.939373;  // sine and cosine of the slope
@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
     std::array<Body, 3> bodies;
     for (std::size_t i = 0; i < 3; ++i) {
         const Point top(0, 2.6 - 1.5 * static_cast<double>(i));
-        world.add(shapes::floor({-0.5, 0}, {7.5, 0}, floorRadius),
+        world.add(shapes::floor({-0.5, 0}, {7, 0}, floorRadius),
                   {.position = top, .angle = -slope});
         const Point up(along, across);
         bodies[i] = world.add(racers[i].plan,

@@ -81,7 +81,7 @@ int main(int argc, char** argv) {
     fill(together);
     MyTasks tasks;  // outlives its use
     together.setTasks(&tasks);
-    while (alone.time() < 0.6) {
+    while (alone.time() < 0.4) {
         alone.step();
         together.step();
     }
