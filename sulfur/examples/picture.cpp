@@ -34,7 +34,7 @@ Picture::Picture(int argc, char** argv, Point low, Point high)
     if (argc < 2) return;
     file_.open(argv[1]);
     if (!file_) {
-        std::fprintf(stderr, "%s: cannot write %s\n", argv[0], argv[1]);
+        std::fprintf(stderr, "%s: cannot open %s\n", argv[0], argv[1]);
         std::exit(2);
     }
     for (std::ostringstream* out : {&svg_, &links_}) {

@@ -11,7 +11,7 @@
 
 /// Shows what lies between two corners of the world, in the file argv[1]; does nothing when there
 /// is no such argument. The file is written when the picture goes out of scope. Where it cannot be
-/// written, the program says so and ends with status 2.
+/// opened, the program says so and ends with status 2.
 class Picture final : private sulfur::DebugDraw {
 public:
     /// Corners in metres.
