@@ -16,12 +16,12 @@ constexpr int width = 960, height = 480;
 constexpr float scale = 90;  // pixels per metre
 
 SDL_FPoint toScreen(Point p) {
-    return {width / 2 + scale * float(p.x()), height - 60 - scale * float(p.y())};
+    return {0.5f * width + scale * float(p.x()), height - 60 - scale * float(p.y())};
 }
 Point mouse() {
     int x = 0, y = 0;
     SDL_GetMouseState(&x, &y);
-    return {(x - width / 2) / double(scale), (height - 60 - y) / double(scale)};
+    return {(x - 0.5 * width) / double(scale), (height - 60 - y) / double(scale)};
 }
 
 class Painter final : public DebugDraw {
@@ -92,9 +92,10 @@ int main(int argc, char** argv) {
     world.add(shapes::ground({.points = {{-5, 5}, {-5, 0}, {5, 0}, {5, 5}}}));
     const Blueprint crate = shapes::box({.size = {0.9, 0.45}, .radius = 0.04});
     const Blueprint ball = shapes::ball({.radius = 0.2});
-    for (int i = 0; i < 32; ++i)
-        world.add(i % 3 == 0 ? ball : crate,
-                  {.position = {1.2 * (i % 8) - 4.1, 0.7 + i / 8}, .angle = 0.1 * i});
+    for (int row = 0; row < 4; ++row)
+        for (int i = 0; i < 8; ++i)
+            world.add((row + i) % 3 == 0 ? ball : crate,
+                      {.position = {1.2 * i - 4.1, 0.7 + row}, .angle = 0.1 * (8 * row + i)});
     Painter painter(renderer);
     GrabId hand;
     double clock = 0;  // s, of the world

@@ -67,9 +67,10 @@ void fill(sulfur::World& world) {
     world.add(shapes::ground({.points = {{-4, 6}, {-4, 0}, {4, 0}, {4, 6}}}));
     const Blueprint jelly =
         shapes::jelly({.size = {0.8, 0.8}, .columns = 14, .rows = 14, .damping = 3});
-    for (int i = 0; i < 20; ++i)
-        world.add(jelly,
-                  {.position = {-2.5 + 1.2 * (i % 5), 0.8 + 0.9 * (i / 5)}, .angle = 0.1 * i});
+    for (int row = 0; row < 4; ++row)
+        for (int i = 0; i < 5; ++i)
+            world.add(jelly,
+                      {.position = {1.2 * i - 2.5, 0.9 * row + 0.8}, .angle = 0.1 * (5 * row + i)});
 }
 
 int main(int argc, char** argv) {
