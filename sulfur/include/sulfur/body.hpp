@@ -12,12 +12,12 @@ namespace sulfur {
 class World;
 
 /// A body in a world: a handle with the world beside it. Copy it freely; it stays valid until the
-/// body is removed or the world is gone.
+/// body is removed or the world is gone, and follows a world that is moved.
 class Body {
 public:
     Body() = default;
     /// A body of `world`, which must outlive it.
-    Body(World& world, BodyId id) : world_(&world), id_(id) {}
+    Body(World& world, BodyId id);
 
     /// Its handle.
     BodyId id() const { return id_; }
@@ -87,7 +87,9 @@ public:
     void setDamping(Real linear, Real angular) const;
 
 private:
-    World* world_ = nullptr;
+    World& world() const { return **home_; }
+
+    World* const* home_ = nullptr;  // where its world is, which that keeps up to date
     BodyId id_ = {};
 };
 

@@ -151,8 +151,17 @@ public:
     /// An empty world. Throws Error when a setting is out of its range.
     explicit World(const WorldSettings& settings = {});
     ~World();
-    World(World&&) = delete;  // Body refers to its world
-    World& operator=(World&&) = delete;
+    /// Takes over all that the other one is; every Body and every handle of that is now of this
+    /// one, and what this one was before is gone. The other one may then only be destroyed or
+    /// assigned to.
+    World(World&& other) noexcept;
+    World& operator=(World&& other) noexcept;  ///< The same.
+    /// Another world in the same state, which goes on to the same bits: handles are valid in both,
+    /// settings, names, skins, user data, the last tick's events and setProfiling() are the same.
+    /// A Body stays with the world that it is of; body() gives that of the other. Threads are lent
+    /// to one world: the new one has none until setTasks(). It costs as much as snapshot() and
+    /// restore().
+    World clone() const;
 
     // --- making and removing ---------------------------------------------------------------
 
@@ -596,7 +605,10 @@ public:
     struct Impl;
 
 private:
+    friend class Body;
+
     std::unique_ptr<Impl> impl_;
+    std::unique_ptr<World*> home_;  // where this world is: Body looks there
 };
 
 }  // namespace sulfur

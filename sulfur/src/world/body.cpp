@@ -4,84 +4,86 @@
 
 namespace sulfur {
 
+Body::Body(World& world, BodyId id) : home_(world.home_.get()), id_(id) {}
+
 std::span<const ParticleId> Body::particles() const {
-    return world_->particles(id_);
+    return world().particles(id_);
 }
 
 std::span<const JointId> Body::joints() const {
-    return world_->joints(id_);
+    return world().joints(id_);
 }
 
 Pose Body::pose() const {
-    return world_->pose(id_);
+    return world().pose(id_);
 }
 
 Pose Body::interpolatedPose(double alpha) const {
-    return world_->interpolatedPose(id_, alpha);
+    return world().interpolatedPose(id_, alpha);
 }
 
 double Body::angle() const {
-    return world_->angle(id_);
+    return world().angle(id_);
 }
 
 Point Body::centreOfMass() const {
-    return world_->centreOfMass(id_);
+    return world().centreOfMass(id_);
 }
 
 Vec2 Body::meanVelocity() const {
-    return world_->meanVelocity(id_);
+    return world().meanVelocity(id_);
 }
 
 double Body::angularVelocity() const {
-    return world_->angularVelocity(id_);
+    return world().angularVelocity(id_);
 }
 
 Real Body::mass() const {
-    return world_->mass(id_);
+    return world().mass(id_);
 }
 
 Real Body::inertia() const {
-    return world_->inertia(id_);
+    return world().inertia(id_);
 }
 
 Bounds Body::bounds() const {
-    return world_->bounds(id_);
+    return world().bounds(id_);
 }
 
 void Body::setPose(const Pose& pose) const {
-    world_->setPose(id_, pose);
+    world().setPose(id_, pose);
 }
 
 void Body::setVelocity(Vec2 velocity) const {
-    world_->setVelocity(id_, velocity);
+    world().setVelocity(id_, velocity);
 }
 
 void Body::setVelocity(Vec2 linear, double angular) const {
-    world_->setVelocity(id_, linear, angular);
+    world().setVelocity(id_, linear, angular);
 }
 
 void Body::applyForce(Vec2 force, Point at) const {
-    world_->applyForce(id_, force, at);
+    world().applyForce(id_, force, at);
 }
 
 void Body::applyImpulse(Vec2 impulse, Point at) const {
-    world_->applyImpulse(id_, impulse, at);
+    world().applyImpulse(id_, impulse, at);
 }
 
 void Body::applyTorque(Real torque) const {
-    world_->applyTorque(id_, torque);
+    world().applyTorque(id_, torque);
 }
 
 void Body::applyAngularImpulse(Real impulse) const {
-    world_->applyAngularImpulse(id_, impulse);
+    world().applyAngularImpulse(id_, impulse);
 }
 
 Real Body::gravityScale() const {
-    return world_->gravityScale(id_);
+    return world().gravityScale(id_);
 }
 
 void Body::setGravityScale(Real scale) const {
-    world_->setGravityScale(id_, scale);
+    world().setGravityScale(id_, scale);
 }
 
 bool Body::fixedRotation() const {

@@ -1,4 +1,4 @@
-// World: snapshot, restore, hash, and the check of invariants.
+// World: snapshot, restore, clone, hash, and the check of invariants.
 #include <cstring>
 
 #include "core/archive.hpp"
@@ -183,6 +183,17 @@ void World::restore(const Snapshot& snapshot) {
     fresh->data.tasks = impl_->data.tasks;
     fresh->data.callbacks = std::move(impl_->data.callbacks);
     impl_ = std::move(fresh);
+}
+
+World World::clone() const {
+    const State& state = impl_->known();
+    World copy(state.settings);
+    copy.restore(snapshot());
+    State& fresh = copy.impl_->data;
+    fresh.events = state.events;
+    fresh.statistics = state.statistics;
+    fresh.profiling = state.profiling;
+    return copy;
 }
 
 std::string World::validate() const {

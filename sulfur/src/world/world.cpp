@@ -107,7 +107,8 @@ const char* name(Stage stage) {
     return "?";
 }
 
-World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
+World::World(const WorldSettings& settings)
+    : impl_(std::make_unique<Impl>()), home_(std::make_unique<World*>(this)) {
     detail::validateSettings(settings);
     impl_->state().settings = settings;
     impl_->state().h = detail::stepDuration(settings.tickRate);
@@ -115,6 +116,18 @@ World::World(const WorldSettings& settings) : impl_(std::make_unique<Impl>()) {
 }
 
 World::~World() = default;
+
+World::World(World&& other) noexcept
+    : impl_(std::move(other.impl_)), home_(std::move(other.home_)) {
+    if (home_) *home_ = this;
+}
+
+World& World::operator=(World&& other) noexcept {
+    impl_ = std::move(other.impl_);
+    home_ = std::move(other.home_);
+    if (home_) *home_ = this;
+    return *this;
+}
 
 // --- time ----------------------------------------------------------------------------------
 
