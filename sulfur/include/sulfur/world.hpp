@@ -580,6 +580,10 @@ public:
                                        const QueryFilter& filter = {}) const;
     /// All bodies that contain a point, by their ids: what a mouse points at.
     std::vector<BodyId> bodiesAt(Point point, const QueryFilter& filter = {}) const;
+    /// All bodies that overlap the upright rectangle between two corners, by their ids, each once:
+    /// what a frame drawn with a mouse takes. Beside those of overlapBox() also bodies without a
+    /// surface, of which a particle is in it. Complexity: also linear in the world's particles.
+    std::vector<BodyId> bodiesIn(Point low, Point high, const QueryFilter& filter = {}) const;
     /// The particle nearest to a point and at most `reach` metres away.
     std::optional<ParticleId> nearestParticle(Point point, Real reach) const;
 

@@ -83,6 +83,24 @@ std::vector<Overlap> World::overlapCircle(Point centre, double radius,
     return overlap(QueryShape::circle(centre, radius), filter);
 }
 
+std::vector<BodyId> World::bodiesIn(Point low, Point high, const QueryFilter& filter) const {
+    std::vector<BodyId> found;
+    for (const Overlap& hit : overlapBox(low, high, filter)) found.push_back(hit.body);
+    const detail::State& state = impl_->state();
+    const auto& p = state.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const detail::BodyRecord& body = state.bodies[p.body[i]];
+        const Point& x = p.position[i];
+        if (body.gone > 0 || (x.array() < low.array()).any() || (x.array() > high.array()).any())
+            continue;
+        if (!found.empty() && found.back() == body.id) continue;  // by another of its particles
+        if (detail::admits(state, filter, p.body[i])) found.push_back(body.id);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 std::vector<BodyId> World::bodiesAt(Point point, const QueryFilter& filter) const {
     std::vector<BodyId> found;
     for (const Overlap& hit : overlapCircle(point, 0, filter)) found.push_back(hit.body);

@@ -182,6 +182,8 @@ void Caller::askPlaces() {
             return answer([&](const World& w) {
                 for (const BodyId id : w.bodiesAt(at, filter))
                     require(w.contains(id), "a body is where it was pointed at");
+                for (const BodyId id : w.bodiesIn(at, at, filter))
+                    require(w.contains(id), "a body is in the box round a point");
             });
         default:
             return answer([&](const World& w) {

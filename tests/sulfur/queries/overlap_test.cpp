@@ -53,6 +53,33 @@ TEST(Overlap, MovedAsleepAndRemovedBodiesAreSeenAsTheyAre) {
     EXPECT_EQ(world.bodiesAt({3, 0.6}), std::vector{other.id()}) << "before any tick";
 }
 
+TEST(Overlap, BodiesInABoxAreFoundOnceByTheirHandles) {
+    World world;
+    const Body net = world.add(shapes::cloth({.radius = 0}), {.position = {10, 0}});
+    const Body ball = world.add(shapes::ball({.radius = Real(0.5)}), {.position = {0, 0}});
+    const Body room = world.add(shapes::ground({.points = {{-3, -3}, {3, -3}, {3, 3}}}));
+    const Body crate = world.add(shapes::box({.size = {6, 6}}), {.position = {20, 0}});
+    Blueprint gate = shapes::box();
+    gate.sensor = true;
+    const Body sensor = world.add(gate, {.position = {0, 0}});
+    const auto ids = [](std::initializer_list<Body> bodies) {
+        return std::vector<BodyId>(bodies.begin(), bodies.end());
+    };
+    EXPECT_EQ(world.bodiesIn({-30, -30}, {30, 30}), ids({net, ball, room, crate}));
+    EXPECT_EQ(world.bodiesIn({-30, -30}, {30, 30}, {.sensors = true}),
+              ids({net, ball, room, crate, sensor}));
+    EXPECT_EQ(world.bodiesIn({-30, -30}, {30, 30}, {.ignore = net}), ids({ball, room, crate}));
+    EXPECT_EQ(world.bodiesIn({0.4, -0.1}, {2, 0.1}), ids({ball})) << "its rim, not its centre";
+    EXPECT_EQ(world.bodiesIn({19.9, -0.1}, {20.1, 0.1}), ids({crate})) << "inside of it";
+    EXPECT_EQ(world.bodiesIn({9, -1}, {11, 1}), ids({net})) << "a corner without a surface";
+    const Point corner = world.position(net[0]);
+    EXPECT_EQ(world.bodiesIn(corner, corner), ids({net}));
+    EXPECT_TRUE(world.bodiesIn({12, 2}, {14, 9}).empty());
+    EXPECT_THROW(world.bodiesIn({1, 0}, {0, 1}), Error);
+    world.remove(net);
+    EXPECT_TRUE(world.bodiesIn({9, -1}, {11, 1}).empty());
+}
+
 /// A wall whose border broke open encloses no longer what was behind the breach.
 TEST(Overlap, ABrokenOutlineIsOpen) {
     World world({.gravity = {0, 0}});
