@@ -3,11 +3,12 @@
 #
 #   include/, lib/               headers and libraries
 #   lib/cmake/sulfur/            for find_package(sulfur)
-#   lib/pkgconfig/               sulfur.pc, sulfur-scene.pc
+#   lib/pkgconfig/               sulfur.pc, sulfur-c.pc, sulfur-scene.pc
 #   bin/, share/sulfur/          programs, their assets and levels
-#   share/doc/sulfur/            licence and changelog
+#   share/doc/sulfur/            licence, changelog, README with its pictures, ARCHITECTURE
 #
-# sulfur/scene and the programs install themselves, the former into the export set sulfurTargets.
+# sulfur/c, sulfur/scene and the programs install themselves, the former into the export set
+# sulfurTargets.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS sulfur EXPORT sulfurTargets
@@ -15,7 +16,11 @@ install(TARGETS sulfur EXPORT sulfurTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set_target_properties(sulfur_scene PROPERTIES INSTALL_RPATH "$ORIGIN")
 install(DIRECTORY sulfur/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# What README.md links to comes along.
+install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/measurements.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN *.png)
 
 # --- find_package(sulfur) ---------------------------------------------------------------------
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sulfur)
@@ -53,7 +58,7 @@ endif()
 if(SULFUR_REAL_DOUBLE)
   set(SULFUR_PC_CFLAGS " -DSULFUR_REAL_DOUBLE")
 endif()
-foreach(module sulfur sulfur-scene)
+foreach(module sulfur sulfur-c sulfur-scene)
   configure_file(cmake/${module}.pc.in ${module}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${module}.pc DESTINATION ${pkgconfig_dir})
 endforeach()

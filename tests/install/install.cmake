@@ -9,11 +9,15 @@ file(RENAME ${work}/staging ${prefix})
 foreach(wanted
     include/sulfur/sulfur.hpp
     include/sulfur/scene.hpp
+    include/sulfur/c/sulfur.h
+    ${libdir}/libsulfur_c.so
     ${libdir}/cmake/sulfur/sulfurConfig.cmake
     ${libdir}/pkgconfig/sulfur.pc
+    ${libdir}/pkgconfig/sulfur-c.pc
     ${libdir}/pkgconfig/sulfur-scene.pc
     share/sulfur/scene.schema.json
-    share/doc/sulfur/LICENSE)
+    share/doc/sulfur/LICENSE
+    share/doc/sulfur/README.md)
   if(NOT EXISTS ${prefix}/${wanted})
     message(FATAL_ERROR "${wanted} was not installed")
   endif()

@@ -1,0 +1,48 @@
+// What happened during the last tick.
+#include "call.hpp"
+#include "objects.hpp"
+
+namespace sulfur::c {
+
+namespace {
+
+template <class Out, class In>
+void copy(const std::vector<In>& from, std::vector<Out>& to) {
+    to.clear();
+    for (const In& event : from) to.push_back(toC(event));
+}
+
+}  // namespace
+
+extern "C" {
+
+SulfurResult sulfur_world_events(const SulfurWorld* world, SulfurEvents* events) {
+    return call([&] {
+        SulfurEvents& result = required(events, "a result");
+        const Events& told = of(world).events();
+        EventArrays& e = world->events;
+        copy(told.contactsBegun, e.contactsBegun);
+        copy(told.contactsPersisted, e.contactsPersisted);
+        copy(told.contactsEnded, e.contactsEnded);
+        copy(told.jointsBroken, e.jointsBroken);
+        copy(told.bodiesSplit, e.bodiesSplit);
+        copy(told.particlesLost, e.particlesLost);
+        copy(told.sensorsEntered, e.sensorsEntered);
+        copy(told.sensorsLeft, e.sensorsLeft);
+        result = {e.contactsBegun.data(),     e.contactsBegun.size(),  e.contactsPersisted.data(),
+                  e.contactsPersisted.size(), e.contactsEnded.data(),  e.contactsEnded.size(),
+                  e.jointsBroken.data(),      e.jointsBroken.size(),   e.bodiesSplit.data(),
+                  e.bodiesSplit.size(),       e.particlesLost.data(),  e.particlesLost.size(),
+                  e.sensorsEntered.data(),    e.sensorsEntered.size(), e.sensorsLeft.data(),
+                  e.sensorsLeft.size()};
+    });
+}
+
+SulfurResult sulfur_world_contacts(const SulfurWorld* world, SulfurContactInfo* out,
+                                   size_t capacity, size_t* count) {
+    return giveList(out, capacity, count, [&] { return of(world).contacts(); });
+}
+
+}  // extern "C"
+
+}  // namespace sulfur::c
