@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <sulfur/version.hpp>
 
 namespace sulfur {
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <sulfur/version.hpp>
 
 namespace sulfur {
 
