@@ -3,9 +3,10 @@
 #
 #   include/, lib/               headers and libraries
 #   lib/cmake/sulfur/            for find_package(sulfur)
+#   lib/sulfur/python/           the binding for Python
 #   lib/pkgconfig/               sulfur.pc, sulfur-c.pc, sulfur-scene.pc
 #   bin/, share/sulfur/          programs, their assets and levels
-#   share/doc/sulfur/            licence, changelog, README with its pictures, ARCHITECTURE
+#   share/doc/sulfur/            licence, changelog, README with its pictures, examples
 #
 # sulfur/c, sulfur/scene and the programs install themselves, the former into the export set
 # sulfurTargets.
@@ -16,6 +17,13 @@ install(TARGETS sulfur EXPORT sulfurTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set_target_properties(sulfur_scene PROPERTIES INSTALL_RPATH "$ORIGIN")
 install(DIRECTORY sulfur/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# It looks for libsulfur_c beside the folder sulfur.
+install(DIRECTORY sulfur/python/sulfur DESTINATION ${CMAKE_INSTALL_LIBDIR}/sulfur/python
+  FILES_MATCHING PATTERN *.py)
+install(FILES sulfur/examples/hello.c sulfur/examples/hello.cpp
+  DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+install(DIRECTORY sulfur/python/examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
+  FILES_MATCHING PATTERN *.py)
 # What README.md links to comes along.
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
