@@ -34,6 +34,8 @@ SulfurResult resultOf(ErrorCode code) noexcept {
             return SULFUR_BAD_SNAPSHOT;
         case ErrorCode::outOfMemory:
             return SULFUR_TORN;
+        case ErrorCode::inCallback:
+            return SULFUR_IN_CALLBACK;
     }
     return SULFUR_FAILED;
 }
@@ -66,8 +68,8 @@ const char* sulfur_last_error(void) {
 
 const char* sulfur_result_name(SulfurResult result) {
     static constexpr const char* names[] = {
-        "ok",           "not finite", "out of range", "bad index",    "stale handle", "degenerate",
-        "bad snapshot", "torn",       "no memory",    "null pointer", "failed"};
+        "ok",           "not finite", "out of range",  "bad index", "stale handle", "degenerate",
+        "bad snapshot", "torn",       "in a callback", "no memory", "null pointer", "failed"};
     static_assert(std::size(names) == SULFUR_FAILED + 1);
     return result >= 0 && result <= SULFUR_FAILED ? names[result] : "?";
 }

@@ -159,8 +159,8 @@ public:
     /// Another world in the same state, which goes on to the same bits: handles are valid in both,
     /// settings, names, skins, user data, the last tick's events and setProfiling() are the same.
     /// A Body stays with the world that it is of; body() gives that of the other. Threads are lent
-    /// to one world: the new one has none until setTasks(). It costs as much as snapshot() and
-    /// restore().
+    /// to one world, and callbacks are made for one: the new one has none until setTasks(),
+    /// setShouldCollide() and setPreSolve(). It costs as much as snapshot() and restore().
     World clone() const;
 
     // --- making and removing ---------------------------------------------------------------

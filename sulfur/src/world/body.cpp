@@ -87,23 +87,23 @@ void Body::setGravityScale(Real scale) const {
 }
 
 bool Body::fixedRotation() const {
-    return world_->fixedRotation(id_);
+    return world().fixedRotation(id_);
 }
 
 void Body::setFixedRotation(bool on) const {
-    world_->setFixedRotation(id_, on);
+    world().setFixedRotation(id_, on);
 }
 
 Real Body::linearDamping() const {
-    return world_->linearDamping(id_);
+    return world().linearDamping(id_);
 }
 
 Real Body::angularDamping() const {
-    return world_->angularDamping(id_);
+    return world().angularDamping(id_);
 }
 
 void Body::setDamping(Real linear, Real angular) const {
-    world_->setDamping(id_, linear, angular);
+    world().setDamping(id_, linear, angular);
 }
 
 }  // namespace sulfur

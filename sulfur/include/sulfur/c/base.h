@@ -55,9 +55,10 @@ enum {
     SULFUR_DEGENERATE = 5,    ///< geometry that cannot work, such as a rigid joint of length zero
     SULFUR_BAD_SNAPSHOT = 6,  ///< bytes that are no snapshot, or one of another version or build
     SULFUR_TORN = 7,          ///< a world in the middle of a tick for which there was no memory
-    SULFUR_NO_MEMORY = 8,     ///< there is none; a world that was in a tick is torn now
-    SULFUR_NULL_POINTER = 9,  ///< a pointer that must not be null
-    SULFUR_FAILED = 10        ///< anything else
+    SULFUR_IN_CALLBACK = 8,   ///< a call that no callback of a world may make
+    SULFUR_NO_MEMORY = 9,     ///< there is none; a world that was in a tick is torn now
+    SULFUR_NULL_POINTER = 10,  ///< a pointer that must not be null
+    SULFUR_FAILED = 11         ///< anything else
 };
 
 /// What was wrong with the last call that this thread made and that was refused: one sentence, in
