@@ -121,6 +121,7 @@ shapes::RopeOptions fromC(const SulfurRopeOptions& options) {
     result.radius = real(options.radius);
     result.stiffness = real(options.stiffness);
     result.damping = real(options.damping);
+    result.bending = real(options.bending);
     result.strength = real(options.strength);
     result.pinFirst = options.pin_first;
     result.pinLast = options.pin_last;
@@ -139,6 +140,7 @@ SulfurRopeOptions toC(const shapes::RopeOptions& options) {
     result.radius = static_cast<double>(options.radius);
     result.stiffness = static_cast<double>(options.stiffness);
     result.damping = static_cast<double>(options.damping);
+    result.bending = static_cast<double>(options.bending);
     result.strength = static_cast<double>(options.strength);
     result.pin_first = options.pinFirst;
     result.pin_last = options.pinLast;

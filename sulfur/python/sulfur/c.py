@@ -207,6 +207,7 @@ class RopeOptions(Structure):
         ("radius", c_double),
         ("stiffness", c_double),
         ("damping", c_double),
+        ("bending", c_double),
         ("strength", c_double),
         ("pin_first", c_bool),
         ("pin_last", c_bool),

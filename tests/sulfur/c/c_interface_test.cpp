@@ -235,6 +235,7 @@ TEST(CInterfaceShapes, Rope) {
     rope.radius = 0.0625;
     rope.stiffness = 5000;
     rope.damping = 2;
+    rope.bending = 0.25;
     rope.strength = 700;
     rope.pin_first = true;
     rope.material = surface;
@@ -247,6 +248,7 @@ TEST(CInterfaceShapes, Rope) {
                              .radius = Real(0.0625),
                              .stiffness = 5000,
                              .damping = 2,
+                             .bending = Real(0.25),
                              .strength = 700,
                              .pinFirst = true,
                              .material = material}),
