@@ -112,6 +112,29 @@ SulfurResult sulfur_body_set_gravity_scale(SulfurWorld* world, SulfurBodyId body
     return call([&] { of(world).setGravityScale(fromC(body), real(scale)); });
 }
 
+SulfurResult sulfur_body_fixed_rotation(const SulfurWorld* world, SulfurBodyId body, bool* on) {
+    return give(on, [&] { return of(world).fixedRotation(fromC(body)); });
+}
+
+SulfurResult sulfur_body_set_fixed_rotation(SulfurWorld* world, SulfurBodyId body, bool on) {
+    return call([&] { of(world).setFixedRotation(fromC(body), on); });
+}
+
+SulfurResult sulfur_body_linear_damping(const SulfurWorld* world, SulfurBodyId body,
+                                        double* damping) {
+    return give(damping, [&] { return of(world).linearDamping(fromC(body)); });
+}
+
+SulfurResult sulfur_body_angular_damping(const SulfurWorld* world, SulfurBodyId body,
+                                         double* damping) {
+    return give(damping, [&] { return of(world).angularDamping(fromC(body)); });
+}
+
+SulfurResult sulfur_body_set_damping(SulfurWorld* world, SulfurBodyId body, double linear,
+                                     double angular) {
+    return call([&] { of(world).setDamping(fromC(body), real(linear), real(angular)); });
+}
+
 SulfurResult sulfur_body_user_data(const SulfurWorld* world, SulfurBodyId body, uint64_t* data) {
     return give(data, [&] { return of(world).userData(fromC(body)); });
 }
@@ -126,6 +149,19 @@ SulfurResult sulfur_body_asleep(const SulfurWorld* world, SulfurBodyId body, boo
 
 SulfurResult sulfur_body_wake(SulfurWorld* world, SulfurBodyId body) {
     return call([&] { of(world).wake(fromC(body)); });
+}
+
+SulfurResult sulfur_body_put_to_sleep(SulfurWorld* world, SulfurBodyId body, bool* asleep) {
+    return give(asleep, [&] { return of(world).putToSleep(fromC(body)); });
+}
+
+SulfurResult sulfur_body_sleeping_allowed(const SulfurWorld* world, SulfurBodyId body,
+                                          bool* allowed) {
+    return give(allowed, [&] { return of(world).sleepingAllowed(fromC(body)); });
+}
+
+SulfurResult sulfur_body_set_sleeping_allowed(SulfurWorld* world, SulfurBodyId body, bool allowed) {
+    return call([&] { of(world).setSleepingAllowed(fromC(body), allowed); });
 }
 
 SulfurResult sulfur_world_collision(const SulfurWorld* world, SulfurBodyId a, SulfurBodyId b,

@@ -129,6 +129,8 @@ WorldSettings fromC(const SulfurWorldSettings& settings) {
     result.friction = kindOf<Friction>(settings.friction, 2, "friction");
     result.tellPersisting = settings.tell_persisting;
     result.sweeps = settings.sweeps;
+    result.sleepSpeed = optional(settings.has_sleep_speed, settings.sleep_speed);
+    result.reboundSpeed = optional(settings.has_rebound_speed, settings.rebound_speed);
     return result;
 }
 
@@ -240,7 +242,11 @@ SulfurWorldSettings toC(const WorldSettings& settings) {
             static_cast<SulfurDamper>(settings.damper),
             static_cast<SulfurFriction>(settings.friction),
             settings.tellPersisting,
-            settings.sweeps};
+            settings.sweeps,
+            settings.sleepSpeed.has_value(),
+            toC(settings.sleepSpeed.value_or(0)),
+            settings.reboundSpeed.has_value(),
+            toC(settings.reboundSpeed.value_or(0))};
 }
 
 SulfurConnectOptions toC(const ConnectOptions& options) {

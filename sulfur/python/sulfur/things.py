@@ -71,6 +71,10 @@ class Body(Thing):
     self_collision = _setting(ctypes.c_bool, "self_collision", "Whether its parts touch.")
     sensor = _setting(ctypes.c_bool, "sensor", "Whether it only feels.")
     gravity_scale = _setting(ctypes.c_double, "gravity_scale", "How much of gravity acts on it.")
+    fixed_rotation = _setting(ctypes.c_bool, "fixed_rotation", "Whether it keeps its angle.")
+    linear_damping = _reading(ctypes.c_double, "linear_damping", "1/s, of its centre of mass.")
+    angular_damping = _reading(ctypes.c_double, "angular_damping", "1/s, of how it turns.")
+    sleeping_allowed = _setting(ctypes.c_bool, "sleeping_allowed", "Whether it may fall asleep.")
     user_data = _setting(ctypes.c_uint64, "user_data", "A number of the caller's.")
 
     @property
@@ -118,6 +122,14 @@ class Body(Thing):
     def wake(self):
         """Wakes it and its island."""
         self._tell("wake")
+
+    def put_to_sleep(self):
+        """Puts it to sleep with its island and returns whether it sleeps now."""
+        return self._ask(ctypes.c_bool, "put_to_sleep")
+
+    def set_damping(self, linear, angular):
+        """1/s, how its way and its turning die away; each 0 to the tick rate."""
+        self._tell("set_damping", linear, angular)
 
     @property
     def particles(self):

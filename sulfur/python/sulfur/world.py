@@ -21,7 +21,8 @@ class ThreadPool:
 class World:
     """Owns particles, joints and bodies and moves them; sulfur/c/world.h.
 
-    Options: gravity, air_friction, tick_rate, sleeping, damper, friction, tell_persisting, sweeps.
+    Options: gravity, air_friction, tick_rate, sleeping, damper, friction, tell_persisting, sweeps,
+    sleep_speed, rebound_speed.
     """
 
     def __init__(self, *, _handle=None, **options):

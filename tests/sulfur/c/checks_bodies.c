@@ -96,6 +96,50 @@ static const char* check_properties(SulfurWorld* world, SulfurBodyId crate) {
     return NULL;
 }
 
+/* How it comes to rest: what turns, what is braked, what sleeps. Alone, without gravity. */
+static const char* check_calming(SulfurWorld* world, SulfurBodyId crate) {
+    double linear, angular, turned, turning;
+    SulfurVec before, velocity;
+    bool on;
+    OK(sulfur_body_fixed_rotation(world, crate, &on));
+    CHECK(!on);
+    OK(sulfur_body_set_fixed_rotation(world, crate, true));
+    OK(sulfur_body_fixed_rotation(world, crate, &on));
+    CHECK(on);
+    OK(sulfur_body_set_motion(world, crate, v(1, 0), 2));
+    OK(sulfur_world_step(world));
+    OK(sulfur_body_angular_velocity(world, crate, &turning));
+    CHECK(fabs(turning) < 1e-5);
+    OK(sulfur_body_set_fixed_rotation(world, crate, false));
+    OK(sulfur_body_set_damping(world, crate, 50, 100));
+    OK(sulfur_body_linear_damping(world, crate, &linear));
+    OK(sulfur_body_angular_damping(world, crate, &angular));
+    CHECK(linear == 50 && angular == 100);
+    CHECK(sulfur_body_set_damping(world, crate, -1, 0) == SULFUR_OUT_OF_RANGE);
+    OK(sulfur_body_set_motion(world, crate, v(1, 0), 2));
+    OK(sulfur_world_step(world));
+    OK(sulfur_body_mean_velocity(world, crate, &before));
+    OK(sulfur_body_angular_velocity(world, crate, &turned));
+    OK(sulfur_world_step(world));
+    OK(sulfur_body_mean_velocity(world, crate, &velocity));
+    OK(sulfur_body_angular_velocity(world, crate, &turning));
+    /* The trapezoidal rule over 1/500 s. */
+    CHECK(fabs(velocity.x / before.x - 0.95 / 1.05) < 1e-4);
+    CHECK(fabs(turning / turned - 0.9 / 1.1) < 1e-4);
+    OK(sulfur_body_set_sleeping_allowed(world, crate, false));
+    OK(sulfur_body_sleeping_allowed(world, crate, &on));
+    CHECK(!on);
+    OK(sulfur_body_put_to_sleep(world, crate, &on));
+    CHECK(!on);
+    OK(sulfur_body_set_sleeping_allowed(world, crate, true));
+    OK(sulfur_body_put_to_sleep(world, crate, &on));
+    CHECK(on);
+    OK(sulfur_body_asleep(world, crate, &on));
+    CHECK(on);
+    OK(sulfur_body_wake(world, crate));
+    return NULL;
+}
+
 /* A second body, which may pass through the first, is moved, and removed. */
 static const char* check_two(SulfurWorld* world, SulfurBodyId crate) {
     SulfurBlueprint* blueprint = NULL;
@@ -135,6 +179,7 @@ const char* c_check_bodies(void) {
     SulfurBodyId crate;
     const char* wrong = make(&world, &crate);
     if (!wrong) wrong = check_motion(world, crate);
+    if (!wrong) wrong = check_calming(world, crate);
     if (!wrong) wrong = check_properties(world, crate);
     if (!wrong) wrong = check_two(world, crate);
     sulfur_world_destroy(world);

@@ -158,6 +158,27 @@ static const char* check_ways_on(SulfurWorld* world) {
     return NULL;
 }
 
+/* What is given comes back, and what is not given stays so. */
+static const char* check_speeds(void) {
+    SulfurWorldSettings settings = sulfur_world_settings_default();
+    SulfurWorld* world = NULL;
+    CHECK(!settings.has_sleep_speed && !settings.has_rebound_speed);
+    settings.has_sleep_speed = true;
+    settings.sleep_speed = 0.25;
+    OK(sulfur_world_create(&settings, &world));
+    OK(sulfur_world_settings(world, &settings));
+    CHECK(settings.has_sleep_speed && settings.sleep_speed == 0.25 && !settings.has_rebound_speed);
+    sulfur_world_destroy(world);
+    settings.has_sleep_speed = false;
+    settings.has_rebound_speed = true;
+    settings.rebound_speed = 0.5;
+    OK(sulfur_world_create(&settings, &world));
+    OK(sulfur_world_settings(world, &settings));
+    CHECK(!settings.has_sleep_speed && settings.has_rebound_speed && settings.rebound_speed == 0.5);
+    sulfur_world_destroy(world);
+    return NULL;
+}
+
 /* After tick 300. */
 static const char* check_numbers_of_world(const SulfurWorld* world) {
     SulfurStatistics statistics;
@@ -212,6 +233,7 @@ const char* c_check_state(void) {
     wrong = check_ways_on(world);
     if (!wrong) wrong = check_numbers_of_world(world);
     if (!wrong) wrong = check_settings(world);
+    if (!wrong) wrong = check_speeds();
     sulfur_world_destroy(world);
     return wrong;
 }
@@ -305,6 +327,14 @@ static const char* check_worlds(void) {
     settings.friction = 2;
     CHECK(sulfur_world_create(&settings, &world) == SULFUR_OUT_OF_RANGE);
     CHECK(strstr(sulfur_last_error(), "friction") != NULL);
+    settings = sulfur_world_settings_default();
+    settings.has_sleep_speed = true;
+    settings.sleep_speed = -1;
+    CHECK(sulfur_world_create(&settings, &world) == SULFUR_OUT_OF_RANGE);
+    settings.has_sleep_speed = false;
+    settings.has_rebound_speed = true;
+    settings.rebound_speed = 2001;
+    CHECK(sulfur_world_create(&settings, &world) == SULFUR_OUT_OF_RANGE);
     CHECK(sulfur_world_create(NULL, NULL) == SULFUR_NULL_POINTER);
     CHECK(sulfur_world_set_gravity(NULL, v(0, 0)) == SULFUR_NULL_POINTER);
     CHECK(strstr(sulfur_last_error(), "the world is null") != NULL);

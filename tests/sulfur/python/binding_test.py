@@ -80,6 +80,23 @@ class Bodies(unittest.TestCase):
         crate.wake()
         self.assertFalse(crate.asleep)
 
+    def test_come_to_rest(self):
+        crate = self.crate
+        self.assertFalse(crate.fixed_rotation)
+        crate.fixed_rotation = True
+        crate.set_motion((1, 0), 2)
+        self.world.step()
+        self.assertTrue(crate.fixed_rotation)
+        self.assertAlmostEqual(crate.angular_velocity, 0, 5)
+        crate.set_damping(50, 100)
+        self.assertEqual((crate.linear_damping, crate.angular_damping), (50, 100))
+        self.world.step()
+        self.assertAlmostEqual(crate.velocity.x, 0.95 / 1.05, 4)
+        crate.sleeping_allowed = False
+        self.assertFalse(crate.sleeping_allowed or crate.put_to_sleep())
+        crate.sleeping_allowed = True
+        self.assertTrue(crate.put_to_sleep() and crate.asleep)
+
     def test_pass_through_each_other(self):
         ball = self.world.add(sulfur.ball())
         self.world.set_collision(ball, self.crate, False)
@@ -301,6 +318,9 @@ class Worlds(unittest.TestCase):
         world.add(sulfur.ball())
         world.set_profiling(True)
         world.run(1)
+        self.assertFalse(world.settings.has_sleep_speed)
+        calm = sulfur.World(sleep_speed=0.25, rebound_speed=0.5).settings
+        self.assertEqual((calm.sleep_speed, calm.rebound_speed), (0.25, 0.5))
         self.assertEqual((world.ticks, world.tick_rate, world.gravity.y), (100, 100, -5))
         self.assertAlmostEqual(world.time, 1, 9)
         self.assertTrue(math.isfinite(world.energy))

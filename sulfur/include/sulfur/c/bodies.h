@@ -80,6 +80,21 @@ SULFUR_API SulfurResult sulfur_body_gravity_scale(const SulfurWorld* world, Sulf
 /// Changes that, -1000 to 1000.
 SULFUR_API SulfurResult sulfur_body_set_gravity_scale(SulfurWorld* world, SulfurBodyId body,
                                                       double scale);
+/// Whether it keeps its angle, whatever pushes it.
+SULFUR_API SulfurResult sulfur_body_fixed_rotation(const SulfurWorld* world, SulfurBodyId body,
+                                                   bool* on);
+/// Changes that; World::setFixedRotation.
+SULFUR_API SulfurResult sulfur_body_set_fixed_rotation(SulfurWorld* world, SulfurBodyId body,
+                                                       bool on);
+/// 1/s, of its centre of mass.
+SULFUR_API SulfurResult sulfur_body_linear_damping(const SulfurWorld* world, SulfurBodyId body,
+                                                   double* damping);
+/// 1/s, of how it turns about that.
+SULFUR_API SulfurResult sulfur_body_angular_damping(const SulfurWorld* world, SulfurBodyId body,
+                                                    double* damping);
+/// Changes both, each 0 to the tick rate; World::setDamping.
+SULFUR_API SulfurResult sulfur_body_set_damping(SulfurWorld* world, SulfurBodyId body,
+                                                double linear, double angular);
 /// The caller's number; 0 at first.
 SULFUR_API SulfurResult sulfur_body_user_data(const SulfurWorld* world, SulfurBodyId body,
                                               uint64_t* data);
@@ -91,6 +106,16 @@ SULFUR_API SulfurResult sulfur_body_asleep(const SulfurWorld* world, SulfurBodyI
                                            bool* asleep);
 /// Wakes it and its island.
 SULFUR_API SulfurResult sulfur_body_wake(SulfurWorld* world, SulfurBodyId body);
+/// Puts it to sleep with its island. `asleep` is false, and nothing has changed, where that may not
+/// be; World::putToSleep.
+SULFUR_API SulfurResult sulfur_body_put_to_sleep(SulfurWorld* world, SulfurBodyId body,
+                                                 bool* asleep);
+/// Whether it may fall asleep.
+SULFUR_API SulfurResult sulfur_body_sleeping_allowed(const SulfurWorld* world, SulfurBodyId body,
+                                                     bool* allowed);
+/// Changes that; World::setSleepingAllowed.
+SULFUR_API SulfurResult sulfur_body_set_sleeping_allowed(SulfurWorld* world, SulfurBodyId body,
+                                                         bool allowed);
 
 /// Two bodies.
 typedef struct SulfurBodyPair {

@@ -55,6 +55,10 @@ typedef struct SulfurWorldSettings {
     SulfurFriction friction;  ///< of all contacts
     bool tell_persisting;     ///< whether SulfurEvents::contacts_persisted is filled
     int32_t sweeps;           ///< 1 to 100 passes over the constraints in a step
+    bool has_sleep_speed;     ///< else it follows gravity
+    double sleep_speed;       ///< m/s, 0 to 2000: what stays slower falls asleep; 0: nothing does
+    bool has_rebound_speed;   ///< else it follows gravity
+    double rebound_speed;     ///< m/s, 0 to 2000: what meets slower does not rebound
 } SulfurWorldSettings;
 /// 500 ticks a second, gravity of the Earth.
 SULFUR_API SulfurWorldSettings sulfur_world_settings_default(void);
