@@ -14,6 +14,10 @@ SulfurJointSpec sulfur_joint_spec_default(void) {
     return toC(JointSpec{});
 }
 
+SulfurAngularJointSpec sulfur_angular_joint_spec_default(void) {
+    return toC(AngularJointSpec{});
+}
+
 SulfurSkin sulfur_skin_default(void) {
     return {"", nullptr, 0, nullptr, 0};
 }
@@ -173,6 +177,32 @@ SulfurResult sulfur_blueprint_add_joint(SulfurBlueprint* blueprint, SulfurJointS
         auto& joints = of(blueprint).joints;
         joints.push_back(fromC(joint));
         if (index) *index = static_cast<std::uint32_t>(joints.size() - 1);
+    });
+}
+
+SulfurResult sulfur_blueprint_angle_count(const SulfurBlueprint* blueprint, size_t* count) {
+    return give(count, [&] { return of(blueprint).angles.size(); });
+}
+
+SulfurResult sulfur_blueprint_angle(const SulfurBlueprint* blueprint, size_t index,
+                                    SulfurAngularJointSpec* angle) {
+    return give(angle, [&] { return entry(of(blueprint).angles, index, "angular joint"); });
+}
+
+SulfurResult sulfur_blueprint_set_angle(SulfurBlueprint* blueprint, size_t index,
+                                        SulfurAngularJointSpec angle) {
+    return call([&] {
+        const AngularJointSpec spec = fromC(angle);
+        entry(of(blueprint).angles, index, "angular joint") = spec;
+    });
+}
+
+SulfurResult sulfur_blueprint_add_angle(SulfurBlueprint* blueprint, SulfurAngularJointSpec angle,
+                                        uint32_t* index) {
+    return call([&] {
+        auto& angles = of(blueprint).angles;
+        angles.push_back(fromC(angle));
+        if (index) *index = static_cast<std::uint32_t>(angles.size() - 1);
     });
 }
 

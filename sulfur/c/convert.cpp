@@ -68,6 +68,15 @@ JointSpec fromC(const SulfurJointSpec& joint) {
             optional(joint.has_material, joint.material)};
 }
 
+AngularJointSpec fromC(const SulfurAngularJointSpec& angle) {
+    return {angle.a,
+            angle.b,
+            angle.c,
+            real(angle.stiffness),
+            real(angle.damping),
+            optional(angle.has_rest_angle, angle.rest_angle)};
+}
+
 Skin fromC(const SulfurSkin& skin) {
     Skin result;
     result.texture = &required(skin.texture, "the name of the texture");
@@ -194,6 +203,16 @@ SulfurJointSpec toC(const JointSpec& joint) {
             toC(joint.strength),
             joint.material.has_value(),
             toC(joint.material.value_or(Material{}))};
+}
+
+SulfurAngularJointSpec toC(const AngularJointSpec& angle) {
+    return {angle.a,
+            angle.b,
+            angle.c,
+            toC(angle.stiffness),
+            toC(angle.damping),
+            angle.restAngle.has_value(),
+            toC(angle.restAngle.value_or(0))};
 }
 
 SulfurSkin toC(const Skin& skin, std::vector<SulfurVec>& uv) {

@@ -58,6 +58,7 @@ inline Filter fromC(const SulfurFilter& filter) {
 Material fromC(const SulfurMaterial& material);
 ParticleSpec fromC(const SulfurParticleSpec& particle);
 JointSpec fromC(const SulfurJointSpec& joint);
+AngularJointSpec fromC(const SulfurAngularJointSpec& angle);
 Skin fromC(const SulfurSkin& skin);
 BodyKind bodyKind(SulfurBodyKind kind);
 Zone fromC(const SulfurZone& zone);
@@ -152,6 +153,7 @@ inline SulfurBodyKind toC(BodyKind kind) {
 SulfurMaterial toC(const Material& material);
 SulfurParticleSpec toC(const ParticleSpec& particle);
 SulfurJointSpec toC(const JointSpec& joint);
+SulfurAngularJointSpec toC(const AngularJointSpec& angle);
 SulfurZone toC(const Zone& zone);
 SulfurField toC(const Field& field);
 SulfurWorldSettings toC(const WorldSettings& settings);
@@ -159,6 +161,7 @@ SulfurStatistics toC(const Statistics& statistics);
 SulfurMemoryUse toC(const MemoryUse& use);
 SulfurParticleInfo toC(const ParticleInfo& info);
 SulfurJointInfo toC(const JointInfo& info);
+SulfurAngleInfo toC(const AngleInfo& info);
 SulfurAttachmentInfo toC(const AttachmentInfo& info);
 SulfurGrabInfo toC(const GrabInfo& info);
 SulfurConnectOptions toC(const ConnectOptions& options);

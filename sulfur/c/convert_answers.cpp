@@ -18,6 +18,8 @@ SulfurStatistics toC(const Statistics& s) {
     result.implicit_joints = s.implicitJoints;
     result.rigid_joints = s.rigidJoints;
     result.swept_joints = s.sweptJoints;
+    result.explicit_angles = s.explicitAngles;
+    result.implicit_angles = s.implicitAngles;
     result.clusters = s.clusters;
     result.trees = s.trees;
     result.chain_steps = s.chainSteps;
@@ -55,6 +57,11 @@ SulfurJointInfo toC(const JointInfo& info) {
     return {toC(info.body),       toC(info.a),         toC(info.b),
             toC(info.restLength), toC(info.stiffness), toC(info.damping),
             toC(info.radius),     toC(info.strength),  toC(info.force)};
+}
+
+SulfurAngleInfo toC(const AngleInfo& info) {
+    return {toC(info.a),       toC(info.b),         toC(info.c),     toC(info.stiffness),
+            toC(info.damping), toC(info.restAngle), toC(info.angle), toC(info.torque)};
 }
 
 SulfurAttachmentInfo toC(const AttachmentInfo& info) {

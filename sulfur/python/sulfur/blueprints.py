@@ -71,6 +71,14 @@ class Blueprint:
         call("sulfur_blueprint_add_joint", self._handle, spec, ctypes.byref(index))
         return index.value
 
+    def add_angle(self, a, b, c, **options):
+        """Makes the corner b between a and c elastic and returns the index of this angular joint:
+        stiffness, damping, rest_angle."""
+        spec = options_of("angular_joint_spec", {"a": a, "b": b, "c": c, **options})
+        index = ctypes.c_uint32()
+        call("sulfur_blueprint_add_angle", self._handle, spec, ctypes.byref(index))
+        return index.value
+
     def particles(self):
         """Copies of its particles."""
         count = get(ctypes.c_size_t, "sulfur_blueprint_particle_count", self._handle)
@@ -83,6 +91,12 @@ class Blueprint:
         return [get(c.JointSpec, "sulfur_blueprint_joint", self._handle, i)
                 for i in range(count)]
 
+    def angles(self):
+        """Copies of its angular joints."""
+        count = get(ctypes.c_size_t, "sulfur_blueprint_angle_count", self._handle)
+        return [get(c.AngularJointSpec, "sulfur_blueprint_angle", self._handle, i)
+                for i in range(count)]
+
     def set_particle(self, index, spec):
         """Changes a particle."""
         call("sulfur_blueprint_set_particle", self._handle, index, spec)
@@ -90,6 +104,10 @@ class Blueprint:
     def set_joint(self, index, spec):
         """Changes a joint."""
         call("sulfur_blueprint_set_joint", self._handle, index, spec)
+
+    def set_angle(self, index, spec):
+        """Changes an angular joint."""
+        call("sulfur_blueprint_set_angle", self._handle, index, spec)
 
     def wear(self, texture, uv, triangles):
         """Gives it a skin: a name, a place in it for each particle, triples of particles."""

@@ -124,6 +124,18 @@ class JointSpec(Structure):
     ]
 
 
+class AngularJointSpec(Structure):
+    _fields_ = [
+        ("a", c_uint32),
+        ("b", c_uint32),
+        ("c", c_uint32),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("has_rest_angle", c_bool),
+        ("rest_angle", c_double),
+    ]
+
+
 class Skin(Structure):
     _fields_ = [
         ("texture", c_char_p),
@@ -352,6 +364,8 @@ class Statistics(Structure):
         ("implicit_joints", c_uint32),
         ("rigid_joints", c_uint32),
         ("swept_joints", c_uint32),
+        ("explicit_angles", c_uint32),
+        ("implicit_angles", c_uint32),
         ("clusters", c_uint32),
         ("trees", c_uint32),
         ("chain_steps", c_uint32),
@@ -441,6 +455,19 @@ class Field(Structure):
         ("uniform", UniformField),
         ("radial", RadialField),
         ("wind", WindField),
+    ]
+
+
+class AngleInfo(Structure):
+    _fields_ = [
+        ("a", ParticleId),
+        ("b", ParticleId),
+        ("c", ParticleId),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("rest_angle", c_double),
+        ("angle", c_double),
+        ("torque", c_double),
     ]
 
 
@@ -797,6 +824,7 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_may_collide": (c_bool, [Filter, Filter]),
     "sulfur_particle_spec_default": (ParticleSpec, []),
     "sulfur_joint_spec_default": (JointSpec, []),
+    "sulfur_angular_joint_spec_default": (AngularJointSpec, []),
     "sulfur_skin_default": (Skin, []),
     "sulfur_blueprint_create": (c_int32, [POINTER(c_void_p)]),
     "sulfur_blueprint_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
@@ -826,6 +854,10 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_blueprint_joint": (c_int32, [c_void_p, c_size_t, POINTER(JointSpec)]),
     "sulfur_blueprint_set_joint": (c_int32, [c_void_p, c_size_t, JointSpec]),
     "sulfur_blueprint_add_joint": (c_int32, [c_void_p, JointSpec, POINTER(c_uint32)]),
+    "sulfur_blueprint_angle_count": (c_int32, [c_void_p, POINTER(c_size_t)]),
+    "sulfur_blueprint_angle": (c_int32, [c_void_p, c_size_t, POINTER(AngularJointSpec)]),
+    "sulfur_blueprint_set_angle": (c_int32, [c_void_p, c_size_t, AngularJointSpec]),
+    "sulfur_blueprint_add_angle": (c_int32, [c_void_p, AngularJointSpec, POINTER(c_uint32)]),
     "sulfur_ground_options_default": (GroundOptions, []),
     "sulfur_shape_ground": (c_int32, [POINTER(GroundOptions), POINTER(c_void_p)]),
     "sulfur_shape_floor": (c_int32, [Vec, Vec, c_double, POINTER(c_void_p)]),
@@ -900,6 +932,7 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_body_particles": (c_int32, [c_void_p, BodyId, POINTER(ParticleId), c_size_t, POINTER(c_size_t)]),
     "sulfur_body_particle": (c_int32, [c_void_p, BodyId, c_size_t, POINTER(ParticleId)]),
     "sulfur_body_joints": (c_int32, [c_void_p, BodyId, POINTER(JointId), c_size_t, POINTER(c_size_t)]),
+    "sulfur_body_angles": (c_int32, [c_void_p, BodyId, POINTER(AngleInfo), c_size_t, POINTER(c_size_t)]),
     "sulfur_body_name": (c_int32, [c_void_p, BodyId, POINTER(c_char_p)]),
     "sulfur_body_kind": (c_int32, [c_void_p, BodyId, POINTER(c_int32)]),
     "sulfur_body_skin": (c_int32, [c_void_p, BodyId, POINTER(Skin), POINTER(c_bool)]),

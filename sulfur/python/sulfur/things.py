@@ -142,6 +142,11 @@ class Body(Thing):
         return [Joint(self.world, id) for id in self._ask_list(c.JointId, "joints")]
 
     @property
+    def angles(self):
+        """What its angular joints are at the moment, without those that are gone."""
+        return self._ask_list(c.AngleInfo, "angles")
+
+    @property
     def visitors(self):
         """Who is in it, if it is a sensor."""
         return [Body(self.world, id) for id in self._ask_list(c.BodyId, "visitors")]

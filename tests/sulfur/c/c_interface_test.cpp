@@ -58,6 +58,10 @@ TEST(CInterface, Blueprints) {
     EXPECT_STREQ(c_check_blueprint(), nullptr) << sulfur_last_error();
 }
 
+TEST(CInterface, Angles) {
+    EXPECT_STREQ(c_check_angles(), nullptr) << sulfur_last_error();
+}
+
 TEST(CInterface, Parts) {
     EXPECT_STREQ(c_check_parts(), nullptr) << sulfur_last_error();
 }

@@ -15,6 +15,7 @@ const char* c_make_scene(SulfurWorld** world, SulfurBodyId crates[5]);
 
 const char* c_check_bodies(void);
 const char* c_check_blueprint(void);
+const char* c_check_angles(void);
 const char* c_check_parts(void);
 const char* c_check_queries(void);
 const char* c_check_events(void);

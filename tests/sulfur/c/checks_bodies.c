@@ -309,3 +309,78 @@ const char* c_check_blueprint(void) {
     sulfur_blueprint_destroy(plan);
     return wrong;
 }
+
+/* Two rods of 1 m at a right angle, which would rather be one. */
+static const char* make_corner(SulfurBlueprint** plan) {
+    const SulfurVec places[3] = {{0, 0}, {1, 0}, {1, 1}};
+    SulfurParticleSpec particle = sulfur_particle_spec_default();
+    SulfurJointSpec joint = sulfur_joint_spec_default();
+    SulfurAngularJointSpec angle = sulfur_angular_joint_spec_default();
+    uint32_t i;
+    size_t count;
+    OK(sulfur_blueprint_create(plan));
+    for (i = 0; i < 3; ++i) {
+        particle.position = places[i];
+        OK(sulfur_blueprint_add_particle(*plan, particle, NULL));
+    }
+    for (i = 0; i < 2; ++i) {
+        joint.a = i;
+        joint.b = i + 1;
+        OK(sulfur_blueprint_add_joint(*plan, joint, NULL));
+    }
+    CHECK(angle.stiffness == 0 && !angle.has_rest_angle);
+    angle.b = 1;
+    angle.c = 2;
+    angle.stiffness = 7;
+    angle.damping = 0.125;
+    OK(sulfur_blueprint_add_angle(*plan, angle, &i));
+    OK(sulfur_blueprint_angle_count(*plan, &count));
+    CHECK(i == 0 && count == 1);
+    OK(sulfur_blueprint_angle(*plan, 0, &angle));
+    CHECK(angle.b == 1 && angle.c == 2 && angle.stiffness == 7 && !angle.has_rest_angle);
+    CHECK(sulfur_blueprint_angle(*plan, 1, &angle) == SULFUR_BAD_INDEX);
+    angle.stiffness = 2;
+    angle.has_rest_angle = true;
+    OK(sulfur_blueprint_set_angle(*plan, 0, angle));
+    CHECK(sulfur_blueprint_set_angle(*plan, 1, angle) == SULFUR_BAD_INDEX);
+    return NULL;
+}
+
+static const char* check_corner(SulfurWorld* world, const SulfurBlueprint* plan) {
+    const double right = 1.5707963267948966;
+    SulfurStatistics statistics;
+    SulfurAngleInfo info;
+    SulfurBodyId body;
+    SulfurJointId rod;
+    SulfurParticleId corner;
+    size_t count;
+    OK(sulfur_world_add_body(world, plan, at(0, 0, 0), &body));
+    OK(sulfur_body_particle(world, body, 1, &corner));
+    OK(sulfur_body_angles(world, body, &info, 1, &count));
+    CHECK(count == 1 && info.b.index == corner.index && fabs(info.angle - right) < 1e-6);
+    CHECK(info.stiffness == 2 && info.damping == 0.125 && info.rest_angle == 0);
+    OK(sulfur_world_step(world));
+    OK(sulfur_body_angles(world, body, &info, 1, &count));
+    CHECK(fabs(info.torque + 2 * right) < 0.02 && info.angle < right);
+    OK(sulfur_world_statistics(world, &statistics));
+    CHECK(statistics.explicit_angles == 1 && statistics.implicit_angles == 0);
+    OK(sulfur_body_joints(world, body, &rod, 1, &count));
+    OK(sulfur_joint_remove(world, rod));
+    OK(sulfur_world_step(world));
+    OK(sulfur_world_statistics(world, &statistics));
+    CHECK(statistics.explicit_angles == 0);
+    return NULL;
+}
+
+const char* c_check_angles(void) {
+    SulfurWorldSettings settings = sulfur_world_settings_default();
+    SulfurWorld* world = NULL;
+    SulfurBlueprint* plan = NULL;
+    const char* wrong = make_corner(&plan);
+    settings.gravity = v(0, 0);
+    if (!wrong) OK(sulfur_world_create(&settings, &world));
+    if (!wrong) wrong = check_corner(world, plan);
+    sulfur_blueprint_destroy(plan);
+    sulfur_world_destroy(world);
+    return wrong;
+}

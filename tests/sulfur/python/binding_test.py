@@ -136,6 +136,25 @@ class Plans(unittest.TestCase):
         self.assertEqual((copy.filter.mask, copy.material.restitution), (3, 1))
         self.assertTrue(copy.sensor and copy.self_collision)
 
+    def test_have_elastic_angles(self):
+        plan = sulfur.Blueprint()
+        for place in ((0, 0), (1, 0), (1, 1)):
+            plan.add_particle(place)
+        plan.add_joint(0, 1)
+        plan.add_joint(1, 2)
+        self.assertEqual(plan.add_angle(0, 1, 2, stiffness=7, rest_angle=0.5), 0)
+        spec = plan.angles()[0]
+        self.assertEqual((spec.c, spec.stiffness, spec.rest_angle), (2, 7, 0.5))
+        spec.stiffness, spec.rest_angle = 2, 0
+        plan.set_angle(0, spec)
+        world = sulfur.World(gravity=(0, 0))
+        body = world.add(plan)
+        self.assertAlmostEqual(body.angles[0].angle, math.pi / 2, 6)
+        self.assertEqual(body.angles[0].b, body.particles[1].id)
+        world.step()
+        self.assertAlmostEqual(body.angles[0].torque, -math.pi, 1)
+        self.assertEqual(world.statistics.explicit_angles, 1)
+
     def test_of_all_shapes_make_bodies(self):
         world = sulfur.World()
         line, triangle = [(0, 0), (3, 0), (4, 1)], [(0, 0), (1, 0), (0, 1)]

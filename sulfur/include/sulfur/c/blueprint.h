@@ -35,6 +35,19 @@ typedef struct SulfurJointSpec {
 /// Rigid and unbreakable, without a surface, between no particles yet.
 SULFUR_API SulfurJointSpec sulfur_joint_spec_default(void);
 
+/// An elastic angle at a particle between two others; sulfur::AngularJointSpec.
+typedef struct SulfurAngularJointSpec {
+    uint32_t a;           ///< index of a particle of the blueprint
+    uint32_t b;           ///< index of another one, the corner
+    uint32_t c;           ///< index of a third one
+    double stiffness;     ///< N m/rad, 0 to 1e12
+    double damping;       ///< N m s/rad, 0 to 1e12
+    bool has_rest_angle;  ///< else as the particles stand
+    double rest_angle;    ///< radians, -pi to pi
+} SulfurAngularJointSpec;
+/// Without stiffness, between no particles yet.
+SULFUR_API SulfurAngularJointSpec sulfur_angular_joint_spec_default(void);
+
 /// A texture worn by a body; sulfur::Skin.
 typedef struct SulfurSkin {
     const char* texture;        ///< asset name, UTF-8
@@ -134,6 +147,18 @@ SULFUR_API SulfurResult sulfur_blueprint_set_joint(SulfurBlueprint* blueprint, s
 /// Adds one behind the others, whose index is then `index`, which may be null.
 SULFUR_API SulfurResult sulfur_blueprint_add_joint(SulfurBlueprint* blueprint,
                                                    SulfurJointSpec joint, uint32_t* index);
+/// The number of its angular joints.
+SULFUR_API SulfurResult sulfur_blueprint_angle_count(const SulfurBlueprint* blueprint,
+                                                     size_t* count);
+/// One of them, by its index.
+SULFUR_API SulfurResult sulfur_blueprint_angle(const SulfurBlueprint* blueprint, size_t index,
+                                               SulfurAngularJointSpec* angle);
+/// Changes one.
+SULFUR_API SulfurResult sulfur_blueprint_set_angle(SulfurBlueprint* blueprint, size_t index,
+                                                   SulfurAngularJointSpec angle);
+/// Adds one behind the others, whose index is then `index`, which may be null.
+SULFUR_API SulfurResult sulfur_blueprint_add_angle(SulfurBlueprint* blueprint,
+                                                   SulfurAngularJointSpec angle, uint32_t* index);
 
 #ifdef __cplusplus
 }

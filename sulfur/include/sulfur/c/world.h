@@ -145,6 +145,8 @@ typedef struct SulfurStatistics {
     uint32_t implicit_joints;            ///< elastic, at least in part beyond the explicit range
     uint32_t rigid_joints;               ///< solved as constraints
     uint32_t swept_joints;               ///< of the implicit and rigid ones, those in no tree
+    uint32_t explicit_angles;            ///< angular joints that are forces alone
+    uint32_t implicit_angles;            ///< those that are constraints, at least in part
     uint32_t clusters;                   ///< rigid components awake
     uint32_t trees;                      ///< chains and trees awake that are solved directly
     uint32_t chain_steps;                ///< steps that these took
