@@ -162,6 +162,7 @@ SulfurMemoryUse toC(const MemoryUse& use);
 SulfurParticleInfo toC(const ParticleInfo& info);
 SulfurJointInfo toC(const JointInfo& info);
 SulfurAngleInfo toC(const AngleInfo& info);
+SulfurPreSolveContact toC(const PreSolveContact& contact);
 SulfurAttachmentInfo toC(const AttachmentInfo& info);
 SulfurGrabInfo toC(const GrabInfo& info);
 SulfurConnectOptions toC(const ConnectOptions& options);

@@ -107,6 +107,11 @@ SulfurContactInfo toC(const ContactInfo& contact) {
             toC(contact.normal), toC(contact.impulse), toC(contact.friction)};
 }
 
+SulfurPreSolveContact toC(const PreSolveContact& contact) {
+    return {toC(contact.a),      toC(contact.b),     toC(contact.point),
+            toC(contact.normal), toC(contact.speed), toC(contact.gap)};
+}
+
 SulfurContactBegun toC(const ContactBegun& event) {
     return {toC(event.a),      toC(event.b),     toC(event.point),
             toC(event.normal), toC(event.speed), toC(event.impulse)};

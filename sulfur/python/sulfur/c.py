@@ -814,6 +814,23 @@ class DebugDraw(Structure):
     ]
 
 
+ShouldCollideFunction = CFUNCTYPE(c_bool, c_void_p, BodyId, BodyId)
+
+
+class PreSolveContact(Structure):
+    _fields_ = [
+        ("a", BodyId),
+        ("b", BodyId),
+        ("point", Vec),
+        ("normal", Vec),
+        ("speed", c_double),
+        ("gap", c_double),
+    ]
+
+
+PreSolveFunction = CFUNCTYPE(c_bool, c_void_p, POINTER(PreSolveContact), POINTER(Material))
+
+
 FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_last_error": (c_char_p, []),
     "sulfur_result_name": (c_char_p, [c_int32]),
@@ -1038,4 +1055,6 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_draw_options_default": (DrawOptions, []),
     "sulfur_debug_draw_default": (DebugDraw, []),
     "sulfur_world_draw": (c_int32, [c_void_p, POINTER(DebugDraw), POINTER(DrawOptions)]),
+    "sulfur_world_set_should_collide": (c_int32, [c_void_p, ShouldCollideFunction, c_void_p]),
+    "sulfur_world_set_pre_solve": (c_int32, [c_void_p, PreSolveFunction, c_void_p]),
 }

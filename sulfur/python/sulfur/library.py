@@ -49,17 +49,17 @@ library = _load()
 _pending = threading.local()  # .error: what a function of the caller has raised
 
 
-def guarded(function):
+def guarded(function, otherwise=False):
     """The same for C to call: what it raises waits until the library has returned, and nothing of
-    the caller's runs until then."""
+    the caller's runs until then; the answer is `otherwise`."""
     def run(*arguments):
         if _pending.error is not None:
-            return False
+            return otherwise
         try:
             return function(*arguments)
         except BaseException as error:  # pylint: disable=broad-except
             _pending.error = error
-            return False
+            return otherwise
     return run
 
 

@@ -1,5 +1,6 @@
 """The world, and threads for it."""
 import ctypes
+import weakref
 
 from . import c
 from .library import call, entries, find, get, guarded, library
@@ -30,6 +31,7 @@ class World:
             ctypes.c_void_p, "sulfur_world_create",
             ctypes.byref(options_of("world_settings", options)))
         self._pool = None
+        self._callbacks = {}  # by name: what C calls, which must live as long as it may
 
     def __del__(self):
         if getattr(self, "_handle", None):
@@ -174,6 +176,33 @@ class World:
         """Lends it threads; None takes them away."""
         self._tell("set_thread_pool", pool._handle if pool else None)
         self._pool = pool  # which must live as long
+
+    # --- callbacks --------------------------------------------------------------------------
+
+    def _set_callback(self, name, kind, function):
+        callback = kind(guarded(function, otherwise=True)) if function else kind()
+        self._tell(f"set_{name}", callback, None)
+        self._callbacks[name] = callback  # not before: the world may have refused it
+
+    def set_should_collide(self, function):
+        """Asks function(a, b) whether two bodies that come near each other collide; None asks
+        nobody. It may look at the world, but not change it; what it raises comes out of step()
+        when the tick has gone to its end as if nobody had been asked; sulfur/c/callbacks.h."""
+        world = weakref.ref(self)  # else the world would keep itself
+        self._set_callback("should_collide", c.ShouldCollideFunction, function and (
+            lambda _, a, b: bool(function(Body(world(), a), Body(world(), b)))))
+
+    def set_pre_solve(self, function):
+        """Asks function(contact, surface) of each contact, before it is solved, whether it acts;
+        None asks nobody. contact is a sulfur.c.PreSolveContact, surface a Material, which it may
+        change. Otherwise as set_should_collide()."""
+        def ask(_, contact, surface):
+            changed = c.Material.from_buffer_copy(surface.contents)
+            acts = bool(function(c.PreSolveContact.from_buffer_copy(contact.contents), changed))
+            surface[0] = changed
+            return acts
+
+        self._set_callback("pre_solve", c.PreSolveFunction, function and ask)
 
     # --- what happened ----------------------------------------------------------------------
 

@@ -90,6 +90,45 @@ TEST(CInterface, Threads) {
     EXPECT_STREQ(c_check_threads(), nullptr) << sulfur_last_error();
 }
 
+TEST(CInterface, Callbacks) {
+    EXPECT_STREQ(c_check_callbacks(), nullptr) << sulfur_last_error();
+}
+
+/// What a callback in C answers arrives as it does in C++.
+TEST(CInterface, CallbacksHaveTheBitsOfTheSameInCpp) {
+    World world({.gravity = {0, Real(-9.75)}, .airFriction = Real(0.0625)});
+    makeScene(world);
+    world.setShouldCollide([](BodyId a, BodyId b) { return (a.index + b.index) % 3 != 0; });
+    world.setPreSolve([](const PreSolveContact& contact, Material& surface) {
+        surface.staticFriction = surface.kineticFriction = Real(0.125);
+        surface.surfaceSpeed = contact.gap < Real(0.001) ? contact.speed : Real(1);
+        return contact.a.index % 4 != 0;
+    });
+    SulfurWorld* other = nullptr;
+    SulfurBodyId ids[5];
+    ASSERT_STREQ(c_make_scene(&other, ids), nullptr);
+    sulfur_world_set_should_collide(
+        other, [](void*, SulfurBodyId a, SulfurBodyId b) { return (a.index + b.index) % 3 != 0; },
+        nullptr);
+    sulfur_world_set_pre_solve(
+        other,
+        [](void*, const SulfurPreSolveContact* contact, SulfurMaterial* surface) {
+            surface->static_friction = surface->kinetic_friction = 0.125;
+            const bool near = contact->gap < static_cast<double>(Real(0.001));
+            surface->surface_speed = near ? contact->speed : 1;
+            return contact->a.index % 4 != 0;
+        },
+        nullptr);
+    std::uint64_t hash = 0;
+    for (int i = 0; i < 250; ++i) {
+        world.step();
+        ASSERT_EQ(sulfur_world_step(other), SULFUR_OK) << sulfur_last_error();
+        ASSERT_EQ(sulfur_world_hash(other, &hash), SULFUR_OK);
+        ASSERT_EQ(hash, world.hash()) << i;
+    }
+    sulfur_world_destroy(other);
+}
+
 /// Expects that a blueprint made in C, which it destroys, makes the same body as one made in C++.
 void expectSame(SulfurResult result, SulfurBlueprint*& made, const Blueprint& plan,
                 const char* what) {
@@ -435,6 +474,12 @@ TEST(CInterface, NoExceptionLeavesIt) {
     std::size_t count = 77;
     EXPECT_EQ(sulfur_world_bodies_at(world, {-5, 0.6}, &filter, nullptr, 0, &count), SULFUR_FAILED);
     EXPECT_EQ(count, 77u);
+    std::uint64_t ticks = 0;
+    sulfur_world_set_should_collide(
+        world, [](void*, SulfurBodyId, SulfurBodyId) -> bool { throw 3; }, nullptr);
+    EXPECT_EQ(sulfur_world_step(world), SULFUR_FAILED);
+    EXPECT_EQ(sulfur_world_ticks(world, &ticks), SULFUR_OK);
+    EXPECT_EQ(ticks, 1u);
     sulfur_world_destroy(world);
 }
 

@@ -23,6 +23,7 @@ const char* c_check_state(void);
 const char* c_check_draw(void);
 const char* c_check_errors(void);
 const char* c_check_threads(void);
+const char* c_check_callbacks(void);
 
 #ifdef __cplusplus
 }

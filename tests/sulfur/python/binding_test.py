@@ -4,6 +4,7 @@ import math
 import re
 import sys
 import unittest
+import weakref
 
 import sulfur
 from sulfur import c
@@ -358,6 +359,91 @@ class Worlds(unittest.TestCase):
         body = crate_on_floor()[1]
         gc.collect()
         self.assertEqual(body.kind, sulfur.DYNAMIC)
+
+
+class Callbacks(unittest.TestCase):
+    def setUp(self):
+        self.world, self.crate = crate_on_floor()
+        self.floor = self.world.bodies[0]
+
+    def test_say_who_collides(self):
+        asked = []
+
+        def should_collide(a, b):
+            asked.append((a, b))
+            return b.mass > 5
+
+        self.world.set_should_collide(should_collide)
+        del should_collide
+        gc.collect()
+        self.world.run(0.5)
+        self.assertEqual(asked, [(self.floor, self.crate)])
+        self.assertLess(self.crate.position.y, -0.5)
+        self.world.set_should_collide(None)
+        self.crate.pose = ((0, 0.6), 0)
+        self.world.run(0.5)
+        self.assertEqual(len(asked), 1)
+
+    def test_say_how_contacts_act(self):
+        contacts = []
+
+        def belt(contact, surface):
+            contacts.append(contact)
+            surface.surface_speed = 2
+            return True
+
+        self.world.set_pre_solve(belt)
+        self.world.run(1)
+        self.assertAlmostEqual(abs(self.crate.velocity.x), 2, 1)
+        self.assertEqual(contacts[0].a, self.floor.id)
+        self.assertAlmostEqual(contacts[0].normal.y, -1, 5)
+        self.world.set_pre_solve(lambda contact, surface: False)
+        self.world.run(0.5)
+        self.assertLess(self.crate.position.y, -0.5)
+        self.world.set_pre_solve(None)
+
+    def test_raise_out_of_the_step(self):
+        other, _ = crate_on_floor()
+        calls = []
+
+        def broken(contact, surface):
+            calls.append(contact)
+            surface.surface_speed = 2
+            raise KeyError("contact")
+
+        for world in (self.world, other):
+            world.run(0.2)
+        self.world.set_pre_solve(broken)
+        with self.assertRaises(KeyError):
+            self.world.step()
+        other.step()
+        self.assertEqual((len(calls), self.world.hash), (1, other.hash))
+        self.world.set_pre_solve(lambda contact, surface: setattr(surface, "restitution", 7))
+        with self.assertRaisesRegex(sulfur.Error, "restitution"):
+            self.world.step()
+        self.world.set_pre_solve(None)
+        other.step()
+        self.assertEqual(self.world.hash, other.hash)
+
+    def test_change_nothing(self):
+        self.world.set_should_collide(lambda a, b: b.remove())
+        with self.assertRaises(sulfur.Error) as raised:
+            self.world.run(1)
+        self.assertEqual(raised.exception.code, c.IN_CALLBACK)
+        self.assertTrue(self.crate.exists)
+
+    def test_do_not_keep_their_world(self):
+        world, _ = crate_on_floor()
+        world.set_should_collide(lambda a, b: True)
+        world.set_pre_solve(lambda contact, surface: True)
+        world.step()
+        gone = weakref.ref(world)
+        gc.disable()
+        try:
+            del world, _
+            self.assertIsNone(gone())
+        finally:
+            gc.enable()
 
 
 class Errors(unittest.TestCase):

@@ -6,10 +6,11 @@
 /// header that is named beside it, and of World for all calls.
 ///
 /// Functions. What can fail returns a SulfurResult and is not SULFUR_OK then; nothing has changed,
-/// and what its pointers would have received is as it was. Results are left at the last parameters.
-/// No pointer may be null unless the function says so; a null pointer is refused. Pointers to
-/// options and filters may always be null: that means the defaults. No C++ exception leaves a
-/// function.
+/// and what its pointers would have received is as it was. (A tick in which callbacks failed has
+/// run: callbacks.h.) Results are left at the last parameters. No pointer may be null unless the
+/// function says so; a null pointer is refused. Pointers to options and filters, and what functions
+/// of the caller get as `user`, may always be null: for options that means the defaults. No C++
+/// exception leaves a function.
 ///
 /// Numbers are double in every build. Where the library computes in single precision, it rounds
 /// what it is given, and tells what it has.

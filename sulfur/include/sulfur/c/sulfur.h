@@ -6,6 +6,7 @@
 #include <sulfur/c/base.h>
 #include <sulfur/c/blueprint.h>
 #include <sulfur/c/bodies.h>
+#include <sulfur/c/callbacks.h>
 #include <sulfur/c/draw.h>
 #include <sulfur/c/events.h>
 #include <sulfur/c/fields.h>

@@ -78,7 +78,8 @@ SULFUR_API void sulfur_world_destroy(SulfurWorld* world);
 // --- time ---------------------------------------------------------------------------------------
 
 /// Advances by exactly one tick. SULFUR_NO_MEMORY in its middle leaves a torn world, which is
-/// refused with SULFUR_TORN until a snapshot is restored.
+/// refused with SULFUR_TORN until a snapshot is restored. It also returns, when the tick is over,
+/// what callbacks answered wrong; callbacks.h.
 SULFUR_API SulfurResult sulfur_world_step(SulfurWorld* world);
 /// Ticks since the world was made.
 SULFUR_API SulfurResult sulfur_world_ticks(const SulfurWorld* world, uint64_t* ticks);
