@@ -33,7 +33,10 @@ Blueprint ground(const GroundOptions& options);
 /// A fixed straight floor from `from` to `to`, metres; `radius` > 0 is half its thickness.
 Blueprint floor(Vec2 from, Vec2 to, Real radius = Real(0.05));
 
-/// A rectangle of four corner particles, four outer capsules and two diagonals.
+/// A rectangle of four corner particles, four outer capsules and two diagonals. The corners are
+/// particles 0 to 3, anticlockwise from the lower left: lower left, lower right, upper right, upper
+/// left, each by the radius of the capsules further inside than the outline. Joints 0 to 3 are the
+/// sides from these corners to the next ones.
 ///
 /// With `solidInertia` a fifth particle in the middle carries what the corners may not: about a
 /// third of the mass in the corners and two thirds in the middle have the moment of inertia of a
@@ -55,8 +58,10 @@ struct BoxOptions {
 Blueprint box(const BoxOptions& options = {});
 
 /// A convex or concave polygon: a capsule along each edge, diagonals that triangulate it, and a
-/// core particle, the last one, joined to all corners. With infinite stiffness it is rigid. The
-/// core may lie outside of a concave polygon; it touches nothing.
+/// core particle, the last one, joined to all corners. Particle i is the corner of points[i], by
+/// the radius of the capsules further inside, and joint i the edge from there to the next one. With
+/// infinite stiffness it is rigid. The core may lie outside of a concave polygon; it touches
+/// nothing.
 struct PolygonOptions {
     /// 3 to 200 corners in either sense of rotation, metres in the body's frame: the outer side of
     /// the capsules. The outline may not meet itself.

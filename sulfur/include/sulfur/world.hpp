@@ -419,7 +419,8 @@ public:
     void setPosition(ParticleId particle, Point position);
     /// m/s, each axis up to 2000 either way. Not for fixed bodies; nothing for pinned particles.
     void setVelocity(ParticleId particle, Vec2 velocity);
-    /// The same for all particles of a body.
+    /// The same for all particles of a body, which ceases to turn with that, but that discs keep
+    /// their spin: a ball goes on turning. Give the angular velocity too (below) to set it.
     void setVelocity(BodyId body, Vec2 velocity);
     /// Gives a body the motion of a rigid one: `linear` m/s of its centre of mass, and `angular`
     /// rad/s about it, -1e6 to 1e6, of all its particles and discs. None of them, nor the rim of a
