@@ -10,6 +10,40 @@ TEST(Shapes, PaperBoxHasFourParticlesAndSixJoints) {
     for (const auto& p : plan.particles) EXPECT_EQ(p.mass, Real(0.25));
 }
 
+/// Particle i is corner i, by the radius further inside, and joint i the side to the next corner.
+void expectCorners(const Blueprint& plan, const std::vector<Vec2>& corners) {
+    const auto count = static_cast<std::uint32_t>(corners.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        EXPECT_LT((plan.particles[i].position - corners[i]).norm(), 1e-6) << i;
+        EXPECT_EQ(plan.joints[i].a, i);
+        EXPECT_EQ(plan.joints[i].b, (i + 1) % count);
+    }
+}
+
+TEST(Shapes, CornersOfABoxGoAnticlockwiseFromTheLowerLeft) {
+    for (const bool solid : {false, true})
+        expectCorners(shapes::box({.size = {2, 1}, .radius = Real(0.1), .solidInertia = solid}),
+                      {{Real(-0.9), Real(-0.4)},
+                       {Real(0.9), Real(-0.4)},
+                       {Real(0.9), Real(0.4)},
+                       {Real(-0.9), Real(0.4)}});
+}
+
+TEST(Shapes, CornersOfAPolygonComeAsTheyAreGiven) {
+    expectCorners(
+        shapes::polygon({.points = {{0, 0}, {2, 0}, {2, 1}, {0, 1}}, .radius = Real(0.1)}),
+        {{Real(0.1), Real(0.1)},
+         {Real(1.9), Real(0.1)},
+         {Real(1.9), Real(0.9)},
+         {Real(0.1), Real(0.9)}});
+    expectCorners(
+        shapes::polygon({.points = {{2, 1}, {2, 0}, {0, 0}, {0, 1}}, .radius = Real(0.1)}),
+        {{Real(1.9), Real(0.9)},
+         {Real(1.9), Real(0.1)},
+         {Real(0.1), Real(0.1)},
+         {Real(0.1), Real(0.9)}});
+}
+
 TEST(Shapes, RopeRunsFromEndToEnd) {
     const Blueprint plan = shapes::rope({.from = {1, 2}, .to = {1, 0}, .links = 40, .mass = 2});
     EXPECT_EQ(plan.particles.size(), 41u);

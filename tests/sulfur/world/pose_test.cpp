@@ -94,6 +94,22 @@ TEST(Pose, FreeFlightIsThatOfMechanics) {
             expectFlight(rate, plan);
 }
 
+TEST(Pose, AVelocityAloneStopsAllButTheSpinOfDiscs) {
+    World world({.gravity = {0, 0}});
+    for (const Blueprint& plan :
+         {shapes::box(), kinematic(shapes::box()), shapes::jelly(), shapes::ball()}) {
+        const Body body = world.add(plan, {.position = {0, 9.0 * double(world.bodies().size())}});
+        body.setVelocity({0, 0}, 3);
+        test::run(world, 0.1);
+        body.setVelocity({1, 0});
+        const double kept = plan.particles.size() == 1 ? 3 : 0;
+        EXPECT_NEAR(body.angularVelocity(), kept, 1e-9) << plan.name;
+        test::run(world, 0.1);
+        EXPECT_NEAR(body.angularVelocity(), kept, 1e-3) << plan.name;
+        EXPECT_NEAR(double(body.meanVelocity().x()), 1, 1e-6) << plan.name;
+    }
+}
+
 TEST(Pose, AThousandTurnsAreCountedExactly) {
     World world({.gravity = {0, 0}, .sleeping = false});
     const double spin = 60;
