@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) {
     using namespace sulfur;
-    Picture picture(argc, argv, {-4.4, -0.3}, {6.2, 3.7});
+    Picture picture(argc, argv, {-4.4, -0.3}, {6.4, 3.5});
 
     constexpr double speed = 1.2, height = 2.2;  // m/s, m
     World world;
@@ -26,12 +26,12 @@ int main(int argc, char** argv) {
     const BodyId hatch = belt(0, 1.4);
     belt(1.4, 3.6);
     picture.paint(hatch, "gold");
-    constexpr double width = 2.4, underHatch = 0.2, underEnd = 3.5;  // m, of two bins
+    constexpr double width = 2.7, underHatch = -0.2, underEnd = 3.4;  // m, of two bins
     for (const double left : {underHatch, underEnd})
-        world.add(shapes::ground({.points = {{0, 1},
+        world.add(shapes::ground({.points = {{0, Real(1.4)},
                                              {0, 0},
                                              {static_cast<Real>(width), 0},
-                                             {static_cast<Real>(width), 1}}}),
+                                             {static_cast<Real>(width), Real(1.4)}}}),
                   {.position = {left, 0}});
 
     constexpr Real limit = 5;  // kg
