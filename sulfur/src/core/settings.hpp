@@ -157,7 +157,7 @@ inline constexpr double ropeFrequency = 60, ropeDamping = 0.3;
 /// How far apart, in the list of a body, angular joints may be that push the same thing, to be
 /// solved as a whole: those of a strip are two apart.
 inline constexpr std::uint32_t widestGroup = 8;
-/// How many times steeper an angle may become, by arms that shorten, until its joint pulls less.
+/// How many times steeper an angle may become, by arms that shorten, until its damper brakes less.
 inline constexpr double mostSteepened = 4;
 /// Of a link's length, beyond which it is strained: a body has no rigid components then, and a tree
 /// needs more sweeps.

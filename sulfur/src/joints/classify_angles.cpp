@@ -93,6 +93,18 @@ bool isHeld(const State& state, std::uint32_t i) {
     return c != none && cluster[angles.a[i]] == c && cluster[angles.c[i]] == c;
 }
 
+/// Whether both arms keep their length. Others may shorten, where the angle is steeper.
+bool hasRigidArms(const State& state, std::uint32_t i) {
+    const Angles& angles = state.angles;
+    const auto isRigid = [&](JointId arm, std::uint32_t end) {
+        if (state.jointSlots.contains(arm))
+            return state.joints.stiffness[state.jointSlots.dense(arm)] == infinite;
+        const auto cluster = state.particles.cluster[end];
+        return cluster != none && cluster == state.particles.cluster[angles.b[i]];
+    };
+    return isRigid(angles.before[i], angles.a[i]) && isRigid(angles.after[i], angles.c[i]);
+}
+
 class AngleClassifier {
 public:
     AngleClassifier(State& state, const Counts& before)
@@ -128,10 +140,11 @@ private:
         if (isHeld(state_, i)) return;
         const TurnedParts parts = partsOf(state_, i);
         const double sum = parts[0].size + parts[1].size + parts[2].size;
+        const double steepened = hasRigidArms(state_, i) ? 1 : tuned::mostSteepened;
         for (const TurnedPart& part : parts) {
             if (part.mover == none) continue;
             AngularLoad& load = loads_[part.mover - before_.particles];
-            const double each = step() * part.size * sum;
+            const double each = steepened * step() * part.size * sum;
             load.stiffness += step() * each * static_cast<double>(state_.angles.stiffness[i]);
             load.damping += each * static_cast<double>(state_.angles.damping[i]);
         }
@@ -183,8 +196,10 @@ private:
         if (most > left) angles.explicitDamping[i] *= static_cast<Real>(left / most);
     }
 
+    /// Real holds no load of arms that are next to nothing.
     static double asForces(double load, double scale) {
-        return scale * static_cast<double>(explicitLoad(static_cast<Real>(load / scale)));
+        const double most = std::min(load / scale, 1e30);
+        return scale * static_cast<double>(explicitLoad(static_cast<Real>(most)));
     }
 
     State& state_;

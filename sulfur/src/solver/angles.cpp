@@ -35,7 +35,8 @@ void push(State& state, std::uint32_t particle, const Point& newtons) {
     c.spin += h * static_cast<double>(c.inverseInertia) * cross(arm, newtons);
 }
 
-/// Arms that are short make it steeper than forces may be: it pulls less there.
+/// Arms that are short make it steeper than forces may be: a damper brakes less there. (An elastic
+/// torque that did would be no gradient of an energy.)
 double softened(double torque, const Angles& angles, std::uint32_t i, const Turn& turn) {
     const auto squareOf = [](Real arm) {
         return static_cast<double>(arm) * static_cast<double>(arm);
@@ -58,7 +59,7 @@ void addTorque(State& state, std::uint32_t i) {
                         turn.slopes[2].dot(p.velocity[c]);
     const double stiffness = static_cast<double>(angles.explicitStiffness[i]);
     const double damping = static_cast<double>(angles.explicitDamping[i]);
-    const double torque = softened(-stiffness * turn.bend - damping * rate, angles, i, turn);
+    const double torque = -stiffness * turn.bend - softened(damping * rate, angles, i, turn);
     angles.torque[i] = static_cast<Real>(torque);
     push(state, a, torque * turn.slopes[0]);
     push(state, b, torque * turn.slopes[1]);

@@ -89,12 +89,12 @@ Whole wholeOf(State& state, const BodyRecord& body) {
 /// Damping is air friction that acts on the motion of a body as a whole, by the same trapezoidal
 /// rule: with a for all other accelerations, k for the kick's duration and c for both together,
 /// v' - v = k a - k c (v + v') / 2. Solved for v' it is an acceleration of what is known before.
-/// Being at most as fast as the ticks, it turns no motion around.
+/// It turns no motion around, not even where the rate has changed and a kick is longer than a tick.
 void damp(State& state, const BodyRecord& body) {
     const double h = static_cast<double>(state.h), kick = (state.lastStep + h) / 2;
     const double air = static_cast<double>(state.settings.airFriction);
     const auto share = [&](Real damping) {
-        const double c = static_cast<double>(damping);
+        const double c = std::clamp(2 / kick - air, 0.0, static_cast<double>(damping));
         return -c / (1 + kick * (air + c) / 2);
     };
     const Whole whole = wholeOf(state, body);

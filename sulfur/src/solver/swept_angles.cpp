@@ -145,17 +145,21 @@ private:
             const Point before = s.before + corner - moved(0), after = s.after + moved(2) - corner;
             if (!hasTurn(before, after)) continue;
             s.present = turnOf(state_.angles, angles_[k], before, after);
-            holds &= !s.whips && !turnsFar(s.before, before) && !turnsFar(s.after, after);
-            s.change = wanted(s);
+            const bool own = !s.whips && !turnsFar(s.before, before) && !turnsFar(s.after, after);
+            holds &= own;
+            const Turn& along = own ? s.start : s.present;
+            double turned = 0;
+            for (std::size_t i = 0; i < 3; ++i) turned += along.slopes[i].dot(moved(i));
+            s.change = wanted(s, turned);
         }
         return holds;
     }
     static bool turnsFar(const Point& v, const Point& w) {
         return v.dot(w) < std::sqrt(v.squaredNorm() * w.squaredNorm()) / 2;
     }
-    /// rad, to be made by changes of the multipliers.
-    static double wanted(const SweptAngle& s) {
-        const double turned = withoutTurns(s.present.bend - s.start.bend);
+    /// rad, to be made by changes of the multipliers. `turned`: what displacements turn along the
+    /// slopes that push, so that dampers only take.
+    static double wanted(const SweptAngle& s, double turned) {
         return -(s.hk * s.present.bend + s.hb * turned + s.lambda) / (s.hk + s.hb);
     }
 

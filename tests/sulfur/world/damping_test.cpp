@@ -152,5 +152,18 @@ TEST(Damping, RefusesWhatIsOutOfRange) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// The first kick of a tick that is shorter than the last one is longer than it.
+TEST(Damping, TurnsNothingAroundWhereTheRateChanges) {
+    World world({.gravity = {0, 0}, .tickRate = 60});
+    const Body box = world.add(shapes::box());
+    box.setVelocity({10, 0}, 5);
+    world.step();
+    world.setTickRate(10000);
+    box.setDamping(10000, 10000);
+    world.step();
+    EXPECT_GE(box.meanVelocity()[0], Real(-1e-4));
+    EXPECT_GE(box.angularVelocity(), -1e-4);
+}
+
 }  // namespace
 }  // namespace sulfur

@@ -40,7 +40,7 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 16895935747689850108u);
+    EXPECT_EQ(world.hash(), 10312478677431052266u);
 #else
     EXPECT_EQ(world.hash(), 7409153725109991385u);
 #endif
