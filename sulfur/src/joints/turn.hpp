@@ -28,8 +28,9 @@ struct ArmShare {
 /// An arm that is pressed to nothing turns round. What its angle holds vanishes before, or that
 /// would make energy.
 inline ArmShare shareOfArm(const Point& arm, Real whole) {
-    const double half = static_cast<double>(whole) / 2, length = arm.norm();
-    if (length >= half) return {};
+    const double half = static_cast<double>(whole) / 2, square = arm.squaredNorm();
+    if (square >= half * half) return {};
+    const double length = std::sqrt(square);
     return {length / half, arm / (half * length)};
 }
 
