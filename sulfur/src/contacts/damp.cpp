@@ -30,6 +30,13 @@ struct Rigid {
     std::uint32_t bodies = 0;
 };
 
+/// What a body touches with a corner, and where that is: m along the side and away from it, from
+/// the middle of the body.
+struct Foothold {
+    std::uint32_t on = none;
+    Vec2 arm{0, 0};
+};
+
 class Damper {
 public:
     explicit Damper(State& state)
@@ -39,7 +46,7 @@ public:
           sticks_(slowSpeedsOf(state.settings).sticking * state.h),
           sets_(movers_.size(), &state.arena),
           stands_(movers_.size(), none, &state.arena),
-          corners_(movers_.size(), {none, 0}, &state.arena),
+          corners_(movers_.size(), Foothold{}, &state.arena),
           rigids_(&state.arena) {}
 
     void run() {
@@ -94,6 +101,20 @@ private:
                 }
     }
 
+    /// One corner of a body on a side that nothing pushes. A second one that is farther from it
+    /// than a surface is thick makes it stand; pieces of a body may share a corner, which touches
+    /// twice.
+    void standOnCorner(std::uint32_t m, std::uint32_t on, bool cornerMoves, const TouchBlock& t,
+                       const TouchShape& shape, std::size_t l) {
+        const Vec2 arm = cornerMoves ? Vec2(t.normalArmP[l], t.tangentArmP[l])
+                                     : Vec2(t.normalArmA[l], t.tangentArmA[l]);
+        Foothold& first = corners_[m];
+        if (first.on != on)
+            first = {on, arm};
+        else if ((arm - first.arm).norm() > 2 * shape.share[l] * shape.thickness[l])
+            stand(m, on);
+    }
+
     /// Two corners of a body on sides that nothing pushes.
     void countTouches() {
         for (const auto c : core_.rows.inUse()) {
@@ -109,17 +130,12 @@ private:
                     if (cornerMoves == sideMoves) continue;
                     const auto m = cornerMoves ? t.p[l] : t.a[l];
                     const auto on = cornerMoves ? t.a[l] : t.p[l];
-                    auto& [what, count] = corners_[m];
-                    if (what != on) {
-                        what = on;
-                        count = 0;
-                    }
                     const Motion3 vp = motionNow(movers_, t.p[l]), va = motionNow(movers_, t.a[l]);
                     const Real slides = -t.normalY[l] * (vp.x - va.x) +
                                         t.normalX[l] * (vp.y - va.y) + t.tangentArmP[l] * vp.turn -
                                         t.tangentArmA[l] * va.turn;
                     if (std::abs(slides) > sticks_) continue;
-                    if (++count == 2) stand(m, on);
+                    standOnCorner(m, on, cornerMoves, t, shape, l);
                 }
             }
         }
@@ -201,7 +217,7 @@ private:
     Real sticks_;  // m: what slides farther in a step does not stick
     DisjointSets sets_;
     std::pmr::vector<std::uint32_t> stands_;  // by mover: what it stands on, or none, or torn
-    std::pmr::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;
+    std::pmr::vector<Foothold> corners_;      // by mover
     std::pmr::vector<Rigid> rigids_;
 };
 
