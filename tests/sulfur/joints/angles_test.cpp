@@ -284,7 +284,7 @@ TEST(Angles, GoOnAfterRestoreToTheBit) {
     }
 }
 
-/// Without bending eight of these twelve sleep, and 76 of their links are folded.
+/// Without bending 143 of their links are folded at rest.
 TEST(Angles, RopesFallIntoCoilsAndSleep) {
     int folded = 0;
     for (int k = 0; k < 12; ++k) {
