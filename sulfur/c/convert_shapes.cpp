@@ -1,323 +1,281 @@
-// Options of ready-made blueprints.
+// Options of ready-made blueprints. What members of a struct for C and of ours belong together is
+// told once; it is read both ways.
+#include <concepts>
+#include <type_traits>
+
 #include "convert.hpp"
 
 namespace sulfur::c {
 
+namespace {
+
+/// Either of them may be the one that is read.
+template <class Type, class Plain>
+concept Is = std::same_as<std::remove_const_t<Type>, Plain>;
+
+struct FromC {
+    void operator()(double c, Real& own) const { own = real(c); }
+    void operator()(SulfurVec c, Vec2& own) const { own = vec(c); }
+    void operator()(const SulfurMaterial& c, Material& own) const { own = fromC(c); }
+    template <std::integral Number>
+    void operator()(Number c, Number& own) const {
+        own = c;
+    }
+    void operator()(bool has, double c, std::optional<Real>& own) const {
+        own = has ? std::optional<Real>(real(c)) : std::nullopt;
+    }
+};
+
+struct ToC {
+    void operator()(double& c, Real own) const { c = static_cast<double>(own); }
+    void operator()(SulfurVec& c, const Vec2& own) const { c = toC(own); }
+    void operator()(SulfurMaterial& c, const Material& own) const { c = toC(own); }
+    template <std::integral Number>
+    void operator()(Number& c, Number own) const {
+        c = own;
+    }
+    void operator()(bool& has, double& c, const std::optional<Real>& own) const {
+        has = own.has_value();
+        c = static_cast<double>(own.value_or(0));
+    }
+};
+
+template <class Copy, Is<SulfurGroundOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.closed, own.closed);
+    copy(c.radius, own.radius);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurBoxOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.size, own.size);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.strength, own.strength);
+    copy(c.solid_inertia, own.solidInertia);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurPolygonOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.strength, own.strength);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurBallOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.radius, own.radius);
+    copy(c.mass, own.mass);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurWheelOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.radius, own.radius);
+    copy(c.segments, own.segments);
+    copy(c.mass, own.mass);
+    copy(c.rim_radius, own.rimRadius);
+    copy(c.spoke_stiffness, own.spokeStiffness);
+    copy(c.spoke_damping, own.spokeDamping);
+    copy(c.strength, own.strength);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurRopeOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.from, own.from);
+    copy(c.to, own.to);
+    copy(c.links, own.links);
+    copy(c.has_slack, c.slack, own.slack);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.bending, own.bending);
+    copy(c.strength, own.strength);
+    copy(c.pin_first, own.pinFirst);
+    copy(c.pin_last, own.pinLast);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurChainOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.from, own.from);
+    copy(c.to, own.to);
+    copy(c.links, own.links);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.strength, own.strength);
+    copy(c.pin_first, own.pinFirst);
+    copy(c.pin_last, own.pinLast);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurBridgeOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.from, own.from);
+    copy(c.to, own.to);
+    copy(c.planks, own.planks);
+    copy(c.sag, own.sag);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.strength, own.strength);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurJellyOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.size, own.size);
+    copy(c.columns, own.columns);
+    copy(c.rows, own.rows);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.strength, own.strength);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurClothOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.size, own.size);
+    copy(c.columns, own.columns);
+    copy(c.rows, own.rows);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.diagonals, own.diagonals);
+    copy(c.pin_corners, own.pinCorners);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.strength, own.strength);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurWallOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.size, own.size);
+    copy(c.columns, own.columns);
+    copy(c.rows, own.rows);
+    copy(c.mass, own.mass);
+    copy(c.radius, own.radius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.strength, own.strength);
+    copy(c.pin_bottom, own.pinBottom);
+    copy(c.material, own.material);
+}
+
+template <class Copy, Is<SulfurBlobOptions> C, class Own>
+void members(const Copy& copy, C& c, Own& own) {
+    copy(c.radius, own.radius);
+    copy(c.segments, own.segments);
+    copy(c.mass, own.mass);
+    copy(c.skin_radius, own.skinRadius);
+    copy(c.stiffness, own.stiffness);
+    copy(c.damping, own.damping);
+    copy(c.material, own.material);
+}
+
+template <class Own, class C>
+Own ours(const C& options) {
+    Own result;
+    members(FromC{}, options, result);
+    return result;
+}
+
+template <class C, class Own>
+C theirs(const Own& options) {
+    C result{};
+    members(ToC{}, result, options);
+    return result;
+}
+
+}  // namespace
+
 shapes::GroundOptions fromC(const SulfurGroundOptions& options) {
-    shapes::GroundOptions result;
+    auto result = ours<shapes::GroundOptions>(options);
     result.points = vectors(options.points, options.point_count);
-    result.closed = options.closed;
-    result.radius = real(options.radius);
-    result.material = fromC(options.material);
     return result;
 }
-
 SulfurGroundOptions toC(const shapes::GroundOptions& options) {
-    SulfurGroundOptions result{};
-    result.closed = options.closed;
-    result.radius = static_cast<double>(options.radius);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurGroundOptions>(options);
 }
-
 shapes::BoxOptions fromC(const SulfurBoxOptions& options) {
-    shapes::BoxOptions result;
-    result.size = vec(options.size);
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.strength = real(options.strength);
-    result.solidInertia = options.solid_inertia;
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::BoxOptions>(options);
 }
-
 SulfurBoxOptions toC(const shapes::BoxOptions& options) {
-    SulfurBoxOptions result{};
-    result.size = toC(options.size);
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.strength = static_cast<double>(options.strength);
-    result.solid_inertia = options.solidInertia;
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurBoxOptions>(options);
 }
-
 shapes::PolygonOptions fromC(const SulfurPolygonOptions& options) {
-    shapes::PolygonOptions result;
+    auto result = ours<shapes::PolygonOptions>(options);
     result.points = vectors(options.points, options.point_count);
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.strength = real(options.strength);
-    result.material = fromC(options.material);
     return result;
 }
-
 SulfurPolygonOptions toC(const shapes::PolygonOptions& options) {
-    SulfurPolygonOptions result{};
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.strength = static_cast<double>(options.strength);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurPolygonOptions>(options);
 }
-
 shapes::BallOptions fromC(const SulfurBallOptions& options) {
-    shapes::BallOptions result;
-    result.radius = real(options.radius);
-    result.mass = real(options.mass);
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::BallOptions>(options);
 }
-
 SulfurBallOptions toC(const shapes::BallOptions& options) {
-    SulfurBallOptions result{};
-    result.radius = static_cast<double>(options.radius);
-    result.mass = static_cast<double>(options.mass);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurBallOptions>(options);
 }
-
 shapes::WheelOptions fromC(const SulfurWheelOptions& options) {
-    shapes::WheelOptions result;
-    result.radius = real(options.radius);
-    result.segments = options.segments;
-    result.mass = real(options.mass);
-    result.rimRadius = real(options.rim_radius);
-    result.spokeStiffness = real(options.spoke_stiffness);
-    result.spokeDamping = real(options.spoke_damping);
-    result.strength = real(options.strength);
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::WheelOptions>(options);
 }
-
 SulfurWheelOptions toC(const shapes::WheelOptions& options) {
-    SulfurWheelOptions result{};
-    result.radius = static_cast<double>(options.radius);
-    result.segments = options.segments;
-    result.mass = static_cast<double>(options.mass);
-    result.rim_radius = static_cast<double>(options.rimRadius);
-    result.spoke_stiffness = static_cast<double>(options.spokeStiffness);
-    result.spoke_damping = static_cast<double>(options.spokeDamping);
-    result.strength = static_cast<double>(options.strength);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurWheelOptions>(options);
 }
-
 shapes::RopeOptions fromC(const SulfurRopeOptions& options) {
-    shapes::RopeOptions result;
-    result.from = vec(options.from);
-    result.to = vec(options.to);
-    result.links = options.links;
-    if (options.has_slack) result.slack = real(options.slack);
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.bending = real(options.bending);
-    result.strength = real(options.strength);
-    result.pinFirst = options.pin_first;
-    result.pinLast = options.pin_last;
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::RopeOptions>(options);
 }
-
 SulfurRopeOptions toC(const shapes::RopeOptions& options) {
-    SulfurRopeOptions result{};
-    result.from = toC(options.from);
-    result.to = toC(options.to);
-    result.links = options.links;
-    result.has_slack = options.slack.has_value();
-    result.slack = static_cast<double>(options.slack.value_or(0));
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.bending = static_cast<double>(options.bending);
-    result.strength = static_cast<double>(options.strength);
-    result.pin_first = options.pinFirst;
-    result.pin_last = options.pinLast;
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurRopeOptions>(options);
 }
-
 shapes::ChainOptions fromC(const SulfurChainOptions& options) {
-    shapes::ChainOptions result;
-    result.from = vec(options.from);
-    result.to = vec(options.to);
-    result.links = options.links;
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.strength = real(options.strength);
-    result.pinFirst = options.pin_first;
-    result.pinLast = options.pin_last;
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::ChainOptions>(options);
 }
-
 SulfurChainOptions toC(const shapes::ChainOptions& options) {
-    SulfurChainOptions result{};
-    result.from = toC(options.from);
-    result.to = toC(options.to);
-    result.links = options.links;
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.strength = static_cast<double>(options.strength);
-    result.pin_first = options.pinFirst;
-    result.pin_last = options.pinLast;
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurChainOptions>(options);
 }
-
 shapes::BridgeOptions fromC(const SulfurBridgeOptions& options) {
-    shapes::BridgeOptions result;
-    result.from = vec(options.from);
-    result.to = vec(options.to);
-    result.planks = options.planks;
-    result.sag = real(options.sag);
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.strength = real(options.strength);
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::BridgeOptions>(options);
 }
-
 SulfurBridgeOptions toC(const shapes::BridgeOptions& options) {
-    SulfurBridgeOptions result{};
-    result.from = toC(options.from);
-    result.to = toC(options.to);
-    result.planks = options.planks;
-    result.sag = static_cast<double>(options.sag);
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.strength = static_cast<double>(options.strength);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurBridgeOptions>(options);
 }
-
 shapes::JellyOptions fromC(const SulfurJellyOptions& options) {
-    shapes::JellyOptions result;
-    result.size = vec(options.size);
-    result.columns = options.columns;
-    result.rows = options.rows;
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.strength = real(options.strength);
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::JellyOptions>(options);
 }
-
 SulfurJellyOptions toC(const shapes::JellyOptions& options) {
-    SulfurJellyOptions result{};
-    result.size = toC(options.size);
-    result.columns = options.columns;
-    result.rows = options.rows;
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.strength = static_cast<double>(options.strength);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurJellyOptions>(options);
 }
-
 shapes::ClothOptions fromC(const SulfurClothOptions& options) {
-    shapes::ClothOptions result;
-    result.size = vec(options.size);
-    result.columns = options.columns;
-    result.rows = options.rows;
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.diagonals = options.diagonals;
-    result.pinCorners = options.pin_corners;
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.strength = real(options.strength);
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::ClothOptions>(options);
 }
-
 SulfurClothOptions toC(const shapes::ClothOptions& options) {
-    SulfurClothOptions result{};
-    result.size = toC(options.size);
-    result.columns = options.columns;
-    result.rows = options.rows;
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.diagonals = options.diagonals;
-    result.pin_corners = options.pinCorners;
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.strength = static_cast<double>(options.strength);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurClothOptions>(options);
 }
-
 shapes::WallOptions fromC(const SulfurWallOptions& options) {
-    shapes::WallOptions result;
-    result.size = vec(options.size);
-    result.columns = options.columns;
-    result.rows = options.rows;
-    result.mass = real(options.mass);
-    result.radius = real(options.radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.strength = real(options.strength);
-    result.pinBottom = options.pin_bottom;
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::WallOptions>(options);
 }
-
 SulfurWallOptions toC(const shapes::WallOptions& options) {
-    SulfurWallOptions result{};
-    result.size = toC(options.size);
-    result.columns = options.columns;
-    result.rows = options.rows;
-    result.mass = static_cast<double>(options.mass);
-    result.radius = static_cast<double>(options.radius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.strength = static_cast<double>(options.strength);
-    result.pin_bottom = options.pinBottom;
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurWallOptions>(options);
 }
-
 shapes::BlobOptions fromC(const SulfurBlobOptions& options) {
-    shapes::BlobOptions result;
-    result.radius = real(options.radius);
-    result.segments = options.segments;
-    result.mass = real(options.mass);
-    result.skinRadius = real(options.skin_radius);
-    result.stiffness = real(options.stiffness);
-    result.damping = real(options.damping);
-    result.material = fromC(options.material);
-    return result;
+    return ours<shapes::BlobOptions>(options);
 }
-
 SulfurBlobOptions toC(const shapes::BlobOptions& options) {
-    SulfurBlobOptions result{};
-    result.radius = static_cast<double>(options.radius);
-    result.segments = options.segments;
-    result.mass = static_cast<double>(options.mass);
-    result.skin_radius = static_cast<double>(options.skinRadius);
-    result.stiffness = static_cast<double>(options.stiffness);
-    result.damping = static_cast<double>(options.damping);
-    result.material = toC(options.material);
-    return result;
+    return theirs<SulfurBlobOptions>(options);
 }
 
 }  // namespace sulfur::c
