@@ -74,6 +74,26 @@ struct SensorLeft {
     BodyId visitor = {};  ///< what left; no longer valid when it was removed
 };
 
+/// A limit of a mechanism began to push; see Drive.
+struct LimitReached {
+    MechanismId mechanism = {};  ///< whose
+    bool upper = false;          ///< which of both
+};
+
+/// A limit of a mechanism no longer pushes.
+struct LimitLeft {
+    MechanismId mechanism = {};  ///< whose
+    bool upper = false;          ///< which of both
+};
+
+/// A mechanism was loaded beyond the strength of its drive and is gone.
+struct MechanismBroken {
+    MechanismId mechanism = {};  ///< no longer valid; for comparison only
+    BodyId a = {};               ///< one of its bodies
+    BodyId b = {};               ///< the other one
+    Real force = 0;              ///< N m or N at which it broke
+};
+
 /// Events of one tick, overwritten by the next World::step. The order is fixed: joints oldest
 /// first, pairs of bodies by the smaller of their handles, then the larger, each pair at most once.
 /// Of a tick of several steps (Statistics::substeps), joints and sensors of its steps stand one
@@ -89,6 +109,9 @@ struct Events {
     std::vector<SensorEntered> sensorsEntered = {};
     /// Bodies that left sensors, in the same order.
     std::vector<SensorLeft> sensorsLeft = {};
+    std::vector<LimitReached> limitsReached = {};        ///< limits that began to push
+    std::vector<LimitLeft> limitsLeft = {};              ///< limits that no longer push
+    std::vector<MechanismBroken> mechanismsBroken = {};  ///< mechanisms that broke
 };
 
 }  // namespace sulfur

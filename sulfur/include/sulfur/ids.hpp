@@ -27,5 +27,6 @@ using BodyId = Handle<struct BodyTag>;              ///< a body
 using AttachmentId = Handle<struct AttachmentTag>;  ///< an attachment; see World::attach
 using FieldId = Handle<struct FieldTag>;            ///< a force field
 using GrabId = Handle<struct GrabTag>;              ///< a grab; see World::grab
+using MechanismId = Handle<struct MechanismTag>;    ///< a hinge, slider, ...; see World::hinge
 
 }  // namespace sulfur

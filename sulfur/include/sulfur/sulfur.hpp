@@ -13,6 +13,7 @@
 #include <sulfur/ids.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
+#include <sulfur/mechanisms.hpp>
 #include <sulfur/presets.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/shapes.hpp>

@@ -18,6 +18,7 @@
 #include <sulfur/ids.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
+#include <sulfur/mechanisms.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/statistics.hpp>
 #include <sulfur/tasks.hpp>
@@ -205,6 +206,39 @@ public:
     /// Lets go. A grab also ends when what it holds is removed.
     void release(GrabId grab);
 
+    // Mechanisms join two bodies, of which at least one is dynamic. Points are of the world. A
+    // rigid body holds any point within some fifty of its sizes, one whose particles are in a line
+    // those on that line; a soft body holds a point by the particles around it. Drives are in
+    // mechanisms.hpp. A mechanism is gone when a body of it is, or what it holds of it.
+
+    /// Lets two bodies turn about a common point. Where that is no particle of either, a pin joins
+    /// them: a body of one particle, with a thousandth of the mass of the lighter one.
+    MechanismId hinge(BodyId a, BodyId b, Point at, const HingeOptions& options = {});
+    /// The same with a drive that holds the angle.
+    MechanismId weld(BodyId a, BodyId b, Point at, const WeldOptions& options = {});
+    /// Leads the point `at` of b along the line through it, in the direction `axis`, that moves
+    /// with a.
+    MechanismId slider(BodyId a, BodyId b, Point at, Vec2 axis, const SliderOptions& options = {});
+    /// Hangs a wheel on a body: a slider with a spring, and a motor that turns it.
+    WheelIds wheel(BodyId body, BodyId wheel, Point at, Vec2 axis,
+                   const WheelOptions& options = {});
+    /// Keeps the distance of two points in limits, or drives it: with an upper limit alone a rope,
+    /// with a motor a winch.
+    MechanismId distance(BodyId a, Point atA, BodyId b, Point atB,
+                         const DistanceOptions& options = {});
+    /// Hangs two bodies on the ends of one rope without mass, which runs over two points of a third
+    /// body without friction.
+    MechanismId pulley(BodyId a, Point atA, Point overA, BodyId b, Point atB, Point overB,
+                       BodyId frame, const PulleyOptions& options = {});
+    /// Couples two mechanisms: the value of the first plus `ratio` times that of the second stays
+    /// what it is. Hinges make gears, a hinge and a slider a rack.
+    MechanismId gear(MechanismId first, MechanismId second, Real ratio);
+    /// Changes what acts along the coordinate of a mechanism, and wakes both bodies. A gear's drive
+    /// holds with the stiffness `infinite` and the rest 0.
+    void setDrive(MechanismId mechanism, const Drive& drive);
+    /// Lets both bodies go.
+    void remove(MechanismId mechanism);
+
     /// Whether a handle is valid: neither null nor of something that was removed.
     bool contains(BodyId body) const;
     /// Whether a handle is valid.
@@ -217,6 +251,8 @@ public:
     bool contains(FieldId field) const;
     /// Whether a handle is valid.
     bool contains(GrabId grab) const;
+    /// Whether a handle is valid.
+    bool contains(MechanismId mechanism) const;
 
     // --- looking ---------------------------------------------------------------------------
 
@@ -232,6 +268,8 @@ public:
     const Field& field(FieldId id) const;
     /// Grabs, oldest first.
     std::vector<GrabId> grabs() const;
+    /// Mechanisms, oldest first.
+    std::vector<MechanismId> mechanisms() const;
     /// The body of a handle.
     Body body(BodyId body);
     /// Particles of a body in the order of its blueprint. Valid until it changes.
@@ -326,6 +364,8 @@ public:
     AttachmentInfo info(AttachmentId attachment) const;
     /// What a grab is.
     GrabInfo info(GrabId grab) const;
+    /// What a mechanism is.
+    MechanismInfo info(MechanismId mechanism) const;
     /// Where a particle is, metres.
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/mechanism_bodies.hpp"
 #include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
 #include "core/disjoint_sets.hpp"
@@ -95,6 +96,7 @@ void forEachTie(const State& state, Function&& f) {
             if (joints.body[j] == none) f(body[joints.a[j]], body[joints.b[j]]);
     }
     for (const Attachment& held : state.attachments) f(body[held.particle], body[held.support[0]]);
+    for (const Mechanism& m : state.mechanisms.list) forEachTieOf(state, m, f);
 }
 
 /// Unites dynamic bodies that are near or tied to each other. Calls onDriver(body) for those that

@@ -19,6 +19,15 @@ inline constexpr int leastStepRate = 480;
 /// kilogram gets an eighth of a joule.
 inline constexpr double closingSpeed = 5, attachingSpeed = closingSpeed / 10;
 
+/// Mass of the pin of a hinge, as a share of the lighter body: so little that nobody sees it, and
+/// far from what the arithmetic loses.
+inline constexpr double pinShare = 1e-3;
+
+/// Passes over mechanisms that push each other, in a sweep, and the share of a multiplier whose
+/// change asks for another one.
+inline constexpr int mostRowPasses = 32;
+inline constexpr double settledRow = 1e-6;
+
 // What is slow, under a gravity of leastGravity to mostGravity, m/s^2. Beyond, these speeds are in
 // proportion to it (model/slow_speeds.hpp): else what is thrown under a small gravity would fall
 // asleep where it turns around, and where lengths are in millimetres hardly anything would be slow.

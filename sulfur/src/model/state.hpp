@@ -24,6 +24,7 @@
 #include "model/explicit_joints.hpp"
 #include "model/influences.hpp"
 #include "model/joints.hpp"
+#include "model/mechanisms.hpp"
 #include "model/particles.hpp"
 #include "model/sensing.hpp"
 #include "model/swept_joints.hpp"
@@ -198,6 +199,7 @@ struct State {
     std::vector<BodyId> bodyIds;     // of the others
     Counts gone;                     // what is no longer there and still takes place
     Influences influences;
+    Mechanisms mechanisms;
 
     Slots<ParticleId> particleSlots;
     Slots<JointId> jointSlots;

@@ -214,7 +214,7 @@ bool onlyContactsAsk(const State& state) {
     const WorkLists& work = state.work;
     return !work.holdsClusters && work.attachments.empty() && work.hinges.empty() &&
            work.watchedClusters.empty() && state.triangles.awake.held.empty() &&
-           state.influences.grabs.empty();
+           state.influences.grabs.empty() && state.mechanisms.empty();
 }
 
 void spreadDisplacements(State& state) {

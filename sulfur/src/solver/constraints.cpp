@@ -12,6 +12,7 @@
 #include "solver/areas.hpp"
 #include "solver/constraint_kinds.hpp"
 #include "solver/grabs.hpp"
+#include "solver/mechanisms.hpp"
 #include "solver/momenta.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
@@ -33,6 +34,7 @@ bool sweepsJoints(const State& state) {
     return !work.implicitJoints.empty() || !work.implicitAngles.empty() ||
            !work.rigidJoints.empty() || !work.attachments.empty() || !work.hinges.empty() ||
            !work.lines.empty() || !state.influences.grabs.empty() ||
+           !state.mechanisms.rows.empty() ||
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
@@ -46,6 +48,7 @@ void countRows(State& state) {
 void sweepRigid(State& state, int number) {
     solveAttachments(state);
     solveGrabs(state);
+    solveMechanisms(state);
     solveRigidJoints(state);
     sweepTrees(state, number);
 }
@@ -98,7 +101,9 @@ void solveConstraints(State& state) {
     clearMultipliers(state);
     startAngles(state);
     startGrabs(state);
+    settleMechanisms(state);
     touchTrees(state);
+    answerMechanisms(state);
     startAreas(state);
     strikeRows(state);
     shareBlows(state);
@@ -116,6 +121,7 @@ void solveConstraints(State& state) {
     recordTreeForces(state);
     recordForces(state);
     recordAngles(state);
+    recordMechanisms(state);
     recoverLoads(state);
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "bodies/mechanism_bodies.hpp"
 #include "core/disjoint_sets.hpp"
 #include "model/contact_core.hpp"
 
@@ -103,6 +104,8 @@ private:
             link(body[state_.joints.a[j]], body[state_.joints.b[j]]);
         for (const Attachment& held : state_.attachments)
             link(body[held.particle], body[held.support[0]]);
+        for (const Mechanism& m : state_.mechanisms.list)
+            forEachTieOf(state_, m, [&](std::uint32_t a, std::uint32_t b) { link(a, b); });
         for (const Grab& grab : state_.influences.grabs)
             link(body[state_.particleSlots.dense(grab.support[0])], none);
         for (const auto i : state_.work.heldNodes) link(body[i], none);

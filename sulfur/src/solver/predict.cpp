@@ -11,6 +11,7 @@
 #include "rigid/disc_turns.hpp"
 #include "rigid/find_clusters.hpp"
 #include "rigid/loads.hpp"
+#include "solver/mechanisms.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -110,6 +111,7 @@ void predict(State& state) {
     if (!state.discTurns.empty()) takeSpins(state);
     startFreshParticles(state);
     adoptStirredClusters(state);
+    startMechanisms(state);
     predictParticles(state);
     driveKinematicBodies(state);
     predictClusters(state);

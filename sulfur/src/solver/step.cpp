@@ -7,6 +7,7 @@
 #include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "rigid/cluster_motion.hpp"
+#include "solver/mechanisms.hpp"
 #include "solver/stages.hpp"
 
 namespace sulfur::detail {
@@ -43,6 +44,9 @@ void clear(Events& events) {
     events.particlesLost.clear();
     events.sensorsEntered.clear();
     events.sensorsLeft.clear();
+    events.limitsReached.clear();
+    events.limitsLeft.clear();
+    events.mechanismsBroken.clear();
 }
 
 /// What the stages of collision and constraints loop over.
@@ -56,7 +60,8 @@ void noteItems(State& state) {
                  state.core.rows.size() + work.implicitJoints.size() + work.rigidJoints.size() +
                      work.implicitAngles.size() + work.attachments.size() + work.hinges.size() +
                      work.lines.size() + state.triangles.pressed.size() +
-                     state.trees.touchedAlone.size() + state.influences.grabs.size());
+                     state.trees.touchedAlone.size() + state.influences.grabs.size() +
+                     state.mechanisms.rows.size());
 }
 
 /// Whether something has been changed by hand since the lists were made.
@@ -91,6 +96,11 @@ void updateNarrowPhase(State& state) {
     if (core.loadsAgain != 0 || manyNew) loadStacks(state);
 }
 
+void breakage(State& state) {
+    breakJoints(state);
+    breakMechanisms(state);
+}
+
 void runStages(State& state) {
     state.arena.reset();
     // Stages that derive anew what has changed ask for all members.
@@ -104,7 +114,7 @@ void runStages(State& state) {
     timed(state, Stage::constraints, solveConstraints);
     timed(state, Stage::velocities, updateVelocities);
     noteItems(state);
-    timed(state, Stage::breakage, breakJoints);
+    timed(state, Stage::breakage, breakage);
     // Before anybody falls asleep or wakes: who slept through the tick still touches what it did.
     tellContacts(state);
     timed(state, Stage::sleep, updateSleep);

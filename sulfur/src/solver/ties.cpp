@@ -51,6 +51,13 @@ public:
             for (std::uint32_t k = 0; k < grab.count; ++k)
                 addParticle(state_.particleSlots.dense(grab.support[k]));
     }
+    void addMechanisms() {
+        for (const MechanismRow& row : state_.mechanisms.rows)
+            for (const TurnedMover& m : row.slopes) {
+                if (m.cluster != none) add(moverOfCluster(state_, m.cluster));
+                if (m.particle != none) addParticle(m.particle);
+            }
+    }
     void addTriangles() {
         for (const PressedTriangle& t : state_.triangles.pressed)
             for (const Grip& corner : t.corners) addParticle(corner.particle);
@@ -78,6 +85,7 @@ void listTied(State& state) {
     ties.addTrees(state.trees.touchedAlone);
     ties.addNetworkTouches();
     ties.addPoints();
+    ties.addMechanisms();
     ties.addTriangles();
 }
 

@@ -66,7 +66,7 @@ public:
     NetworkSweeper(State& state, std::uint32_t tree)
         : state_(state), tree_(state.trees.list[tree]) {}
     void remember();
-    void share(const std::pmr::vector<Freedoms>& given);
+    void share(std::span<const Freedoms> given);
     void sweep();
     double strain();
 

@@ -44,7 +44,7 @@ public:
     }
 
     /// Takes away by how much links have grown longer by blows, along the directions of the step.
-    void share(const std::pmr::vector<Freedoms>& given) {
+    void share(std::span<const Freedoms> given) {
         const NetworkRows rows = stepRows(state_, tree_);
         work_.values.assign(links_, {0, 0});
         for (std::size_t l = 0; l < links_; ++l) {
@@ -52,8 +52,8 @@ public:
             if (n.kind == LinkKind::joint && state_.joints.kind[n.link] != JointKind::rigid)
                 continue;
             for (std::size_t r = 0; r < 2; ++r)
-                work_.values[l][r] = rows.links[l].here[r].dot(given[tree_.first + n.here]) +
-                                     rows.links[l].there[r].dot(given[tree_.first + n.there]);
+                work_.values[l][r] = rows.links[l].here[r].dot(given[n.here]) +
+                                     rows.links[l].there[r].dot(given[n.there]);
         }
         work_.nodes.assign(count_, Freedoms::Zero());
         correctNetwork(state_, tree_, rows, stepSystem(state_, tree_), work_.nodes, work_.values);
@@ -393,7 +393,7 @@ void NetworkSweeper::remember() {
     SweptNetwork(state_, tree_).remember();
 }
 
-void NetworkSweeper::share(const std::pmr::vector<Freedoms>& given) {
+void NetworkSweeper::share(std::span<const Freedoms> given) {
     SweptNetwork(state_, tree_).share(given);
 }
 

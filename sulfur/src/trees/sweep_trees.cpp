@@ -77,6 +77,8 @@ void touchTrees(State& state) {
     for (const Grab& grab : state.influences.grabs)
         for (std::uint32_t k = 0; k < grab.count; ++k)
             pull(state, gripOf(state, state.particleSlots.dense(grab.support[k])));
+    for (const MechanismRow& row : state.mechanisms.rows)
+        for (const TurnedMover& m : row.slopes) pull(state, {m.particle, m.cluster});
     for (const auto i : tied) trees.touched[i] = Trees::pulled;
     for (const auto i : state.work.lonelyTrees) {
         if (!trees.touched[i]) continue;
@@ -108,8 +110,19 @@ void shareBlows(State& state) {
                 given[k] = ofParticle[n.particle];
             any = any || !given[k].isZero(0);
         }
-        if (any) withSweeper(state, tree, [&](auto&& s) { s.share(given); });
+        const Tree& t = state.trees.list[tree];
+        if (any)
+            withSweeper(state, tree, [&](auto&& s) {
+                s.share(std::span(given).subspan(t.first, t.last - t.first));
+            });
     }
+}
+
+void answerOfTree(State& state, std::uint32_t tree, std::span<Freedoms> given) {
+    if (state.trees.list[tree].points)
+        TreeSweeper<2>(state, tree).answer(given);
+    else
+        TreeSweeper<3>(state, tree).answer(given);
 }
 
 void sweepTrees(State& state, int number) {

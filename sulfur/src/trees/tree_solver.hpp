@@ -1,6 +1,9 @@
 // How trees of stiff joints move: by themselves in steps of their own, and against contacts.
 #pragma once
 
+#include <Eigen/Core>
+#include <span>
+
 #include "core/limits.hpp"
 #include "model/state.hpp"
 
@@ -22,6 +25,9 @@ void touchTrees(State& state);
 /// What impacts have given to single nodes of the touched trees is shared along their links at
 /// once: how fast these grow does not change.
 void shareBlows(State& state);
+/// `given`: displacement and angle of each node of a tree that has no cycles and is touched. Of
+/// that becomes what its rigid links leave.
+void answerOfTree(State& state, std::uint32_t tree, std::span<Eigen::Vector3d> given);
 /// One sweep: every line through a mesh is solved as a whole, and every touched tree that the
 /// `number`-th sweep over rows has stirred; the first one solves all.
 void sweepTrees(State& state, int number);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory_resource>
+#include <span>
 #include <vector>
 
 #include "contacts/touch_rows.hpp"
@@ -48,33 +49,18 @@ public:
     /// `given`: displacement and angle of each node by impacts. Takes away by how much links have
     /// grown longer by them, along their directions when the step begins. (At the step's end a link
     /// that an impact has turned by much would be solved along a wrong one.)
-    void share(const std::pmr::vector<Freedoms>& given) {
-        for (std::size_t i = 1; i < count_; ++i) {
-            const TreeNode& n = node(i);
-            auto& link = solver_.links[i];
-            link.parent = n.parent;
-            link.rows = 0;
-            const Span span = spanOf(i, false);
-            const auto& here = given[tree_.first + i];
-            const auto& there = given[tree_.first + n.parent];
-            const auto at = [](const Freedoms& b, const Point& arm) {
-                return Point(b.head<2>() + b[2] * Point(-arm[1], arm[0]));
-            };
-            const Point parting = at(here, span.armHere) - at(there, span.armThere);
-            if (n.kind != LinkKind::joint) {
-                setMeeting<N>(link, span, span);
-                link.value = {parting[0], parting[1]};
-                continue;
-            }
-            const double length = span.apart.norm();
-            if (state_.joints.kind[n.link] != JointKind::rigid || !(length > 1e-12)) continue;
-            const Point direction = span.apart / length;
-            setDistance<N>(link, span, span, direction, direction);
-            link.value = {direction.dot(parting), 0};
-            link.compliance = {0, 0};
-        }
-        solver_.solve();
+    void share(std::span<const Freedoms> given) {
+        oppose(given, false);
         for (std::size_t i = 0; i < count_; ++i) apply(i);
+    }
+
+    /// The same for what nobody has given yet, along the directions that the links have now: of
+    /// each node what is left of it.
+    void answer(std::span<Freedoms> given) {
+        oppose(given, true);
+        for (std::size_t i = 0; i < count_; ++i)
+            for (int k = 0; k < N; ++k)
+                given[i][k] += solver_.nodes[i].inverseMass[k] * solver_.nodes[i].impulse[k];
     }
 
     void sweep() {
@@ -118,6 +104,33 @@ public:
 
 private:
     const TreeNode& node(std::size_t i) const { return state_.trees.nodes[tree_.first + i]; }
+
+    /// Finds the impulses at which rigid links do not grow by what is given.
+    void oppose(std::span<const Freedoms> given, bool now) {
+        for (std::size_t i = 1; i < count_; ++i) {
+            const TreeNode& n = node(i);
+            auto& link = solver_.links[i];
+            link.parent = n.parent;
+            link.rows = 0;
+            const Span span = spanOf(i, now);
+            const auto at = [](const Freedoms& b, const Point& arm) {
+                return Point(b.head<2>() + b[2] * Point(-arm[1], arm[0]));
+            };
+            const Point parting = at(given[i], span.armHere) - at(given[n.parent], span.armThere);
+            if (n.kind != LinkKind::joint) {
+                setMeeting<N>(link, span, span);
+                link.value = {parting[0], parting[1]};
+                continue;
+            }
+            const double length = span.apart.norm();
+            if (state_.joints.kind[n.link] != JointKind::rigid || !(length > 1e-12)) continue;
+            const Point direction = span.apart / length;
+            setDistance<N>(link, span, span, direction, direction);
+            link.value = {direction.dot(parting), 0};
+            link.compliance = {0, 0};
+        }
+        solver_.solve();
+    }
 
     void loadMasses(std::size_t i) {
         const TreeNode& n = node(i);

@@ -12,6 +12,7 @@
 #include "core/segments.hpp"
 #include "core/trigonometry.hpp"
 #include "solver/compact.hpp"
+#include "solver/mechanisms.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -323,6 +324,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
 void World::remove(BodyId id) {
     detail::State& state = impl_->changing();
     detail::removeBody(state, indexOf(state, id));
+    detail::forgetMechanisms(state);
 }
 
 JointId World::connect(ParticleId first, ParticleId second, const ConnectOptions& options) {
@@ -393,6 +395,7 @@ void World::remove(AttachmentId id) {
     for (const auto p : {held.particle, held.support[0]})
         detail::wakeBody(state, state.particles.body[p]);
     detail::compact(state, removal);
+    detail::forgetMechanisms(state);
 }
 
 void World::setPinned(ParticleId particle, bool pinned) {

@@ -12,7 +12,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x41735f7266756c53u;  // "Slfr_sA", little-endian
+constexpr std::uint64_t snapshotMark = 0x42735f7266756c53u;  // "Slfr_sB", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>
@@ -63,6 +63,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.bodySlots);
     a(state.attachmentSlots);
     a(state.influences);
+    a(state.mechanisms);
     a(state.structureChanged);
     a(state.sensing.visits);
 }
@@ -154,6 +155,7 @@ std::uint64_t World::hash() const {
         hasher(state.influences.fields);
         hasher(state.influences.grabs);
     }
+    if (!state.mechanisms.empty()) hasher(state.mechanisms.list);
     return hasher.result;
 }
 

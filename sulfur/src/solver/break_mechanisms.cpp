@@ -1,0 +1,83 @@
+// Mechanisms that go: overloaded, removed, or with what they held.
+#include <algorithm>
+#include <cmath>
+
+#include "bodies/sleep.hpp"
+#include "shape/make_shapes.hpp"
+#include "solver/compact.hpp"
+#include "solver/coordinates.hpp"
+#include "solver/mechanisms.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// The two bodies may collide again, if it was the mechanism that forbade it.
+void allowCollision(State& state, const Mechanism& m) {
+    if (m.vetoes == 0) return;
+    const auto pair = BodyPair::of(m.a, m.b);
+    const auto at = std::lower_bound(state.vetoes.begin(), state.vetoes.end(), pair);
+    if (at == state.vetoes.end() || *at != pair) return;
+    state.vetoes.erase(at);
+    for (const BodyId body : {m.a, m.b})
+        if (state.bodySlots.contains(body)) shapeIsStale(state, body.index - 1);
+}
+
+void removePins(State& state, const Mechanism& m) {
+    const auto isThere = [&](AttachmentId id) { return id && state.attachmentSlots.contains(id); };
+    if (std::none_of(m.pins.begin(), m.pins.end(), isThere)) return;
+    Removal removal(state);
+    for (const AttachmentId pin : m.pins)
+        if (isThere(pin)) removal.attachments[state.attachmentSlots.dense(pin)] = true;
+    compact(state, removal);
+}
+
+/// N
+Vec2 pinForceOf(const State& state, const Mechanism& m) {
+    const bool isPinned = m.pins[0] && state.attachmentSlots.contains(m.pins[0]);
+    return isPinned ? state.attachments[state.attachmentSlots.dense(m.pins[0])].force : Vec2(0, 0);
+}
+
+}  // namespace
+
+void dropMechanism(State& state, std::uint32_t index) {
+    Mechanisms& all = state.mechanisms;
+    const Mechanism m = all.list[index];
+    all.slots.erase(m.id);
+    all.list.erase(all.list.begin() + index);
+    for (auto i = index; i < all.list.size(); ++i) all.slots.move(all.list[i].id, i);
+    for (const BodyId body : {m.a, m.b})
+        if (state.bodySlots.contains(body)) wakeBody(state, state.bodySlots.dense(body));
+    allowCollision(state, m);
+    removePins(state, m);
+    for (const BodyId own : m.own)
+        if (own && state.bodySlots.contains(own)) removeBody(state, state.bodySlots.dense(own));
+    state.structure.changed();
+    state.work.changed();
+}
+
+void forgetMechanisms(State& state) {
+    Mechanisms& all = state.mechanisms;
+    // A gear goes after its parts, which may stand anywhere: until nothing goes any more.
+    for (std::size_t before = all.list.size() + 1; all.list.size() < before;) {
+        before = all.list.size();
+        for (auto i = static_cast<std::uint32_t>(before); i-- > 0;)
+            if (i < all.list.size() && !holds(state, all.list[i])) dropMechanism(state, i);
+    }
+}
+
+void breakMechanisms(State& state) {
+    Mechanisms& all = state.mechanisms;
+    if (all.empty()) return;
+    for (auto i = static_cast<std::uint32_t>(all.list.size()); i-- > 0;) {
+        const Mechanism& m = all.list[i];
+        const Real driven = std::abs(m.forces[0].sum()), held = pinForceOf(state, m).norm();
+        if (driven <= m.drive.strength && held <= m.pinStrength) continue;
+        const Real force = held > m.pinStrength ? held : driven;
+        state.events.mechanismsBroken.push_back({m.id, m.a, m.b, force});
+        dropMechanism(state, i);
+    }
+    forgetMechanisms(state);
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,235 @@
+#include "solver/coordinates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/trigonometry.hpp"
+#include "rigid/grip.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+constexpr double nothing = 1e-12;  // m: what has no direction
+
+/// Adds a slope (per metre) of a place of one particle.
+void add(const State& state, std::uint32_t particle, const Point& slope, Slopes& to) {
+    const Grip grip = gripOf(state, particle);
+    const auto isSame = [&](const TurnedMover& m) {
+        return grip.cluster != none ? m.cluster == grip.cluster : m.particle == particle;
+    };
+    auto* mover = std::find_if(to.begin(), to.end(), isSame);
+    if (mover == to.end()) {
+        ++to.count;
+        *mover = {};
+        if (grip.cluster == none) {
+            mover->particle = particle;
+            mover->inverseMass = static_cast<double>(state.particles.inverseMass[particle]);
+        } else {
+            const Cluster& c = state.clusters.list[grip.cluster];
+            mover->cluster = grip.cluster;
+            mover->inverseMass = static_cast<double>(c.inverseMass);
+            mover->inverseInertia = static_cast<double>(c.inverseInertia);
+        }
+    }
+    mover->force += slope;
+    if (grip.cluster != none) mover->turning += cross(grip.arm.cast<double>(), slope);
+}
+
+/// Adds a slope of an angle of a whole rigid component.
+void addTurning(const State& state, std::uint32_t particle, double slope, Slopes& to) {
+    add(state, particle, Point(0, 0), to);
+    const auto cluster = state.particles.cluster[particle];
+    auto* mover = std::find_if(to.begin(), to.end(),
+                               [&](const TurnedMover& m) { return m.cluster == cluster; });
+    mover->turning += slope;
+}
+
+void add(const State& state, const MechanismPoint& point, const Point& slope, Slopes& to) {
+    for (std::uint32_t k = 0; k < point.count; ++k)
+        add(state, state.particleSlots.dense(point.support[k]),
+            static_cast<double>(point.weight[k]) * slope, to);
+}
+
+bool isAngular(MechanismKind kind) {
+    return kind == MechanismKind::hinge || kind == MechanismKind::weld;
+}
+
+struct ArmEnds {
+    std::uint32_t from, to;
+    bool isComponent;
+};
+
+ArmEnds endsOf(const State& state, const MechanismArm& arm) {
+    const auto from = state.particleSlots.dense(arm.from), to = state.particleSlots.dense(arm.to);
+    const auto cluster = state.particles.cluster[from];
+    return {from, to, cluster != none && cluster == state.particles.cluster[to]};
+}
+
+Point spanOf(const State& state, const ArmEnds& ends, bool moved) {
+    const Particles& p = state.particles;
+    Point span = p.position[ends.to] - p.position[ends.from];
+    if (moved)
+        span += (displacementOf(state, gripOf(state, ends.to)) -
+                 displacementOf(state, gripOf(state, ends.from)))
+                    .cast<double>();
+    return span;
+}
+
+void addAngle(const State& state, const MechanismArm& arm, double factor, Slopes& to) {
+    const ArmEnds ends = endsOf(state, arm);
+    if (ends.isComponent) return addTurning(state, ends.from, factor, to);
+    const Point span = spanOf(state, ends, false);
+    const double square = span.squaredNorm();
+    if (!(square > nothing * nothing)) return;
+    const Point slope = factor / square * Point(-span[1], span[0]);
+    add(state, ends.to, slope, to);
+    add(state, ends.from, -slope, to);
+}
+
+/// Of a slider: what it leads, from the line's first point, along the line and across it.
+struct OnLine {
+    Point along{0, 0}, across{0, 0};        // unit
+    double length = 0, place = 0, off = 0;  // m
+};
+
+OnLine onLine(const State& state, const Mechanism& m, bool moved) {
+    const Point from = placeOf(state, m.points[1], moved);
+    const Point line = placeOf(state, m.points[2], moved) - from;
+    const Point reached = placeOf(state, m.points[0], moved) - from;
+    OnLine on;
+    on.length = line.norm();
+    if (!(on.length > nothing)) return on;
+    on.along = line / on.length;
+    on.across = perpendicular(on.along);
+    on.place = on.along.dot(reached);
+    on.off = on.across.dot(reached);
+    return on;
+}
+
+void addOnLine(const State& state, const Mechanism& m, bool isAcross, double factor, Slopes& to) {
+    const OnLine on = onLine(state, m, false);
+    if (!(on.length > nothing)) return;
+    // The line turns with its ends: d along = across d angle, d across = -along d angle.
+    const Point own = factor * (isAcross ? on.across : on.along);
+    const Point turning = factor * (isAcross ? -on.place : on.off) / on.length * on.across;
+    add(state, m.points[0], own, to);
+    add(state, m.points[1], -own - turning, to);
+    add(state, m.points[2], turning, to);
+}
+
+void addDistance(const State& state, const Mechanism& m, std::size_t first, double factor,
+                 Slopes& to) {
+    const Point apart =
+        placeOf(state, m.points[first + 1], false) - placeOf(state, m.points[first], false);
+    const double length = apart.norm();
+    if (!(length > nothing)) return;
+    const Point slope = factor / length * apart;
+    add(state, m.points[first + 1], slope, to);
+    add(state, m.points[first], -slope, to);
+}
+
+double distanceOf(const State& state, const Mechanism& m, std::size_t first, bool moved) {
+    return (placeOf(state, m.points[first + 1], moved) - placeOf(state, m.points[first], moved))
+        .norm();
+}
+
+const Mechanism& partOf(const State& state, const Mechanism& gear, std::size_t k) {
+    return state.mechanisms.list[state.mechanisms.slots.dense(gear.parts[k])];
+}
+
+void addSlopes(const State& state, const Mechanism& m, RowOf row, double factor, Slopes& to) {
+    if (row == RowOf::across) return addOnLine(state, m, true, factor, to);
+    if (row == RowOf::angle || isAngular(m.kind)) {
+        addAngle(state, m.arms[1], factor, to);
+        addAngle(state, m.arms[0], -factor, to);
+    } else if (m.kind == MechanismKind::slider) {
+        addOnLine(state, m, false, factor, to);
+    } else if (m.kind == MechanismKind::distance || m.kind == MechanismKind::pulley) {
+        addDistance(state, m, 0, factor, to);
+        if (m.kind == MechanismKind::pulley)
+            addDistance(state, m, 2, factor * static_cast<double>(m.ratio), to);
+    }
+}
+
+}  // namespace
+
+Point placeOf(const State& state, const MechanismPoint& point, bool moved) {
+    Point sum(0, 0);
+    for (std::uint32_t k = 0; k < point.count; ++k) {
+        const auto i = state.particleSlots.dense(point.support[k]);
+        Point place = state.particles.position[i];
+        if (moved) place += displacementOf(state, gripOf(state, i)).cast<double>();
+        sum += static_cast<double>(point.weight[k]) * place;
+    }
+    return sum;
+}
+
+double angleOf(const State& state, const MechanismArm& arm, bool moved) {
+    const ArmEnds ends = endsOf(state, arm);
+    double angle = arm.angle;
+    if (ends.isComponent) {
+        const Cluster& c = state.clusters.list[state.particles.cluster[ends.from]];
+        const Point line = ends.from == ends.to ? c.heading : spanOf(state, ends, false);
+        angle = angleOf(line) + (moved ? c.angle : 0);
+    } else if (ends.from == ends.to) {
+        angle = angleOf(state.bodies[state.particles.body[ends.from]].turn);
+    } else if (const Point line = spanOf(state, ends, moved); line.norm() > nothing) {
+        angle = angleOf(line);
+    }
+    return angle + fullTurn * std::nearbyint((arm.angle - angle) / fullTurn);
+}
+
+double valueOf(const State& state, const Mechanism& m, RowOf row, bool moved) {
+    if (row == RowOf::across) return onLine(state, m, moved).off;
+    if (row == RowOf::angle)
+        return angleOf(state, m.arms[1], moved) - angleOf(state, m.arms[0], moved) - m.zeroAngle;
+    switch (m.kind) {
+        case MechanismKind::hinge:
+        case MechanismKind::weld:
+            return angleOf(state, m.arms[1], moved) - angleOf(state, m.arms[0], moved) - m.zero;
+        case MechanismKind::slider:
+            return onLine(state, m, moved).place - m.zero;
+        case MechanismKind::distance:
+            return distanceOf(state, m, 0, moved);
+        case MechanismKind::pulley:
+            return distanceOf(state, m, 0, moved) +
+                   static_cast<double>(m.ratio) * distanceOf(state, m, 2, moved);
+        case MechanismKind::gear:
+            return valueOf(state, partOf(state, m, 0), row, moved) +
+                   static_cast<double>(m.ratio) * valueOf(state, partOf(state, m, 1), row, moved) -
+                   m.zero;
+    }
+    return 0;
+}
+
+Slopes slopesOf(const State& state, const Mechanism& m, RowOf row) {
+    Slopes slopes;
+    if (m.kind == MechanismKind::gear) {
+        addSlopes(state, partOf(state, m, 0), row, 1, slopes);
+        addSlopes(state, partOf(state, m, 1), row, static_cast<double>(m.ratio), slopes);
+    } else {
+        addSlopes(state, m, row, 1, slopes);
+    }
+    return slopes;
+}
+
+bool holds(const State& state, const Mechanism& m) {
+    if (m.kind == MechanismKind::gear) {
+        const Mechanisms& all = state.mechanisms;
+        return std::all_of(m.parts.begin(), m.parts.end(), [&](MechanismId part) {
+            return all.slots.contains(part) && holds(state, all.list[all.slots.dense(part)]);
+        });
+    }
+    const auto isThere = [&](ParticleId id) { return !id || state.particleSlots.contains(id); };
+    for (const MechanismPoint& point : m.points)
+        for (std::uint32_t k = 0; k < point.count; ++k)
+            if (!isThere(point.support[k])) return false;
+    for (const MechanismArm& arm : m.arms)
+        if (!isThere(arm.from) || !isThere(arm.to)) return false;
+    for (const AttachmentId pin : m.pins)
+        if (pin && !state.attachmentSlots.contains(pin)) return false;
+    return state.bodySlots.contains(m.a) && state.bodySlots.contains(m.b);
+}
+
+}  // namespace sulfur::detail

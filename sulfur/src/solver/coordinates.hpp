@@ -1,0 +1,26 @@
+// The coordinate of a mechanism: its value, and how that changes with what moves.
+#pragma once
+
+#include "model/state.hpp"
+
+namespace sulfur::detail {
+
+/// Which of the rows of a mechanism: what its drive acts on, a slider's distance from its line, and
+/// its angle.
+enum class RowOf : std::uint32_t { drive, across, angle };
+
+/// Whether what a mechanism holds is still there; of a gear both of its parts.
+bool holds(const State& state, const Mechanism& mechanism);
+
+/// Of the present places; with `moved` after the displacements of this step, so far. Rad or m;
+/// angles are the ones nearest to those of the last step.
+double valueOf(const State& state, const Mechanism& mechanism, RowOf row, bool moved);
+/// Of the present places. Empty where a coordinate has none, as two points at one place have no
+/// direction.
+Slopes slopesOf(const State& state, const Mechanism& mechanism, RowOf row);
+/// rad, of a body as its arm shows it, with whole turns.
+double angleOf(const State& state, const MechanismArm& arm, bool moved);
+/// Where a point of a body is.
+Point placeOf(const State& state, const MechanismPoint& point, bool moved);
+
+}  // namespace sulfur::detail

@@ -1,0 +1,26 @@
+// Mechanisms, as the stages of a step see them.
+#pragma once
+
+#include "model/state.hpp"
+
+namespace sulfur::detail {
+
+/// When velocities are predicted: finds the rows of what is awake, and gives them the forces of the
+/// last step to begin with.
+void startMechanisms(State& state);
+/// When the constraints begin: leaves the rows that act, with what they may do in this step.
+void settleMechanisms(State& state);
+/// Once trees are known to be pulled: how these answer the rows.
+void answerMechanisms(State& state);
+/// One sweep.
+void solveMechanisms(State& state);
+/// The forces that the multipliers stand for; what limits began and ceased to push.
+void recordMechanisms(State& state);
+/// Removes what was loaded beyond its strength, and what holds nothing any more.
+void breakMechanisms(State& state);
+/// Removes what holds nothing any more.
+void forgetMechanisms(State& state);
+/// Removes a mechanism and what belongs to it alone: pins and a veto. Wakes both bodies.
+void dropMechanism(State& state, std::uint32_t index);
+
+}  // namespace sulfur::detail
