@@ -112,7 +112,7 @@ struct Mechanism {
 };
 
 /// How a coordinate changes with what moves: the particles and rigid components, each once.
-struct Slopes {
+struct CoordinateSlopes {
     static constexpr std::size_t most = 12;  // a pulley has four points of three particles
 
     std::array<TurnedMover, most> movers;
@@ -141,7 +141,7 @@ struct RowHold {
 struct MechanismRow {
     std::uint32_t mechanism = 0, number = 0;  // which of its rows
     std::uint32_t group = 0;                  // the first row of its own
-    Slopes slopes;                            // when the step began
+    CoordinateSlopes slopes;                  // when the step began
     std::array<TreeAnswer, 4> answers;
     double start = 0;                       // rad or m, when the step began
     double mobility = 0;                    // of the coordinate, for a unit of the multiplier

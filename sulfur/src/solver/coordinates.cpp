@@ -13,7 +13,7 @@ namespace {
 constexpr double nothing = 1e-12;  // m: what has no direction
 
 /// Adds a slope (per metre) of a place of one particle.
-void add(const State& state, std::uint32_t particle, const Point& slope, Slopes& to) {
+void add(const State& state, std::uint32_t particle, const Point& slope, CoordinateSlopes& to) {
     const Grip grip = gripOf(state, particle);
     const auto isSame = [&](const TurnedMover& m) {
         return grip.cluster != none ? m.cluster == grip.cluster : m.particle == particle;
@@ -37,7 +37,7 @@ void add(const State& state, std::uint32_t particle, const Point& slope, Slopes&
 }
 
 /// Adds a slope of an angle of a whole rigid component.
-void addTurning(const State& state, std::uint32_t particle, double slope, Slopes& to) {
+void addTurning(const State& state, std::uint32_t particle, double slope, CoordinateSlopes& to) {
     add(state, particle, Point(0, 0), to);
     const auto cluster = state.particles.cluster[particle];
     auto* mover = std::find_if(to.begin(), to.end(),
@@ -45,7 +45,8 @@ void addTurning(const State& state, std::uint32_t particle, double slope, Slopes
     mover->turning += slope;
 }
 
-void add(const State& state, const MechanismPoint& point, const Point& slope, Slopes& to) {
+void add(const State& state, const MechanismPoint& point, const Point& slope,
+         CoordinateSlopes& to) {
     for (std::uint32_t k = 0; k < point.count; ++k)
         add(state, state.particleSlots.dense(point.support[k]),
             static_cast<double>(point.weight[k]) * slope, to);
@@ -76,7 +77,7 @@ Point spanOf(const State& state, const ArmEnds& ends, bool moved) {
     return span;
 }
 
-void addAngle(const State& state, const MechanismArm& arm, double factor, Slopes& to) {
+void addAngle(const State& state, const MechanismArm& arm, double factor, CoordinateSlopes& to) {
     const ArmEnds ends = endsOf(state, arm);
     if (ends.isComponent) return addTurning(state, ends.from, factor, to);
     const Point span = spanOf(state, ends, false);
@@ -107,7 +108,8 @@ OnLine onLine(const State& state, const Mechanism& m, bool moved) {
     return on;
 }
 
-void addOnLine(const State& state, const Mechanism& m, bool isAcross, double factor, Slopes& to) {
+void addOnLine(const State& state, const Mechanism& m, bool isAcross, double factor,
+               CoordinateSlopes& to) {
     const OnLine on = onLine(state, m, false);
     if (!(on.length > nothing)) return;
     // The line turns with its ends: d along = across d angle, d across = -along d angle.
@@ -119,7 +121,7 @@ void addOnLine(const State& state, const Mechanism& m, bool isAcross, double fac
 }
 
 void addDistance(const State& state, const Mechanism& m, std::size_t first, double factor,
-                 Slopes& to) {
+                 CoordinateSlopes& to) {
     const Point apart =
         placeOf(state, m.points[first + 1], false) - placeOf(state, m.points[first], false);
     const double length = apart.norm();
@@ -138,7 +140,8 @@ const Mechanism& partOf(const State& state, const Mechanism& gear, std::size_t k
     return state.mechanisms.list[state.mechanisms.slots.dense(gear.parts[k])];
 }
 
-void addSlopes(const State& state, const Mechanism& m, RowOf row, double factor, Slopes& to) {
+void addSlopes(const State& state, const Mechanism& m, RowOf row, double factor,
+               CoordinateSlopes& to) {
     if (row == RowOf::across) return addOnLine(state, m, true, factor, to);
     if (row == RowOf::angle || isAngular(m.kind)) {
         addAngle(state, m.arms[1], factor, to);
@@ -203,8 +206,8 @@ double valueOf(const State& state, const Mechanism& m, RowOf row, bool moved) {
     return 0;
 }
 
-Slopes slopesOf(const State& state, const Mechanism& m, RowOf row) {
-    Slopes slopes;
+CoordinateSlopes slopesOf(const State& state, const Mechanism& m, RowOf row) {
+    CoordinateSlopes slopes;
     if (m.kind == MechanismKind::gear) {
         addSlopes(state, partOf(state, m, 0), row, 1, slopes);
         addSlopes(state, partOf(state, m, 1), row, static_cast<double>(m.ratio), slopes);

@@ -17,7 +17,7 @@ bool holds(const State& state, const Mechanism& mechanism);
 double valueOf(const State& state, const Mechanism& mechanism, RowOf row, bool moved);
 /// Of the present places. Empty where a coordinate has none, as two points at one place have no
 /// direction.
-Slopes slopesOf(const State& state, const Mechanism& mechanism, RowOf row);
+CoordinateSlopes slopesOf(const State& state, const Mechanism& mechanism, RowOf row);
 /// rad, of a body as its arm shows it, with whole turns.
 double angleOf(const State& state, const MechanismArm& arm, bool moved);
 /// Where a point of a body is.

@@ -2,33 +2,25 @@
 //
 // A row begins with the force of the last step, given as a blow before anything is predicted, so
 // that trees, which go through the step by themselves, bear it. What the sweeps then find is only
-// how it changes. A row on a tree pushes all of it at once, so that what the tree's links answer
-// needs no sweeps of its own.
+// how it changes.
 #include "solver/mechanisms.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory_resource>
-#include <span>
 
-#include "core/disjoint_sets.hpp"
+#include "contacts/touch_rows.hpp"
 #include "core/limits.hpp"
 #include "core/settings.hpp"
 #include "particles/motion.hpp"
-#include "rigid/grip.hpp"
 #include "solver/coordinates.hpp"
-#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
 namespace {
 
-/// More rows in a group than that are solved one part after the other.
-constexpr std::uint32_t mostRows = 64;
-
 /// Changes velocities by an impulse (N s or N m s) along the coordinate.
-void strike(State& state, const Slopes& slopes, double impulse) {
+void strike(State& state, const CoordinateSlopes& slopes, double impulse) {
     for (const TurnedMover& m : slopes) {
         if (m.cluster == none) {
             state.particles.velocity[m.particle] += m.inverseMass * impulse * m.force;
@@ -38,37 +30,6 @@ void strike(State& state, const Slopes& slopes, double impulse) {
         c.velocity += m.inverseMass * impulse * m.force;
         c.spin += m.inverseInertia * impulse * m.turning;
     }
-}
-
-/// Changes displacements of one mover by a push (kg m or kg m^2).
-void push(State& state, const TurnedMover& m, double impulse) {
-    if (m.cluster == none) {
-        state.particles.displacement[m.particle] +=
-            (m.inverseMass * impulse * m.force).cast<Real>();
-        return;
-    }
-    Cluster& c = state.clusters.list[m.cluster];
-    c.displacement += (m.inverseMass * impulse * m.force).cast<Real>();
-    turnBy(c, m.inverseInertia * impulse * m.turning);
-}
-
-void moveNode(State& state, const TreeNode& node, const Eigen::Vector3d& by) {
-    if (node.cluster != none) {
-        Cluster& c = state.clusters.list[node.cluster];
-        c.displacement += by.head<2>().cast<Real>();
-        turnBy(c, by[2]);
-    } else if (node.particle != none) {
-        state.particles.displacement[node.particle] += by.head<2>().cast<Real>();
-    }
-}
-
-/// The tree, moving alone, that moves it and takes part in the sweeps; or none.
-std::uint32_t treeOf(const State& state, const TurnedMover& m) {
-    const Trees& trees = state.trees;
-    const auto tree = m.cluster != none ? trees.ofCluster[m.cluster] : trees.ofParticle[m.particle];
-    const bool takesPart = tree != none && trees.list[tree].alone != 0 &&
-                           trees.list[tree].network == none && trees.touched[tree] != 0;
-    return takesPart ? tree : none;
 }
 
 /// Multiplier (kg m or kg m^2) for 1 N or 1 N m in a step.
@@ -120,263 +81,59 @@ bool hasRow(const Mechanism& m, RowOf row) {
     return m.kind == MechanismKind::slider && (row == RowOf::across || m.turns == 0);
 }
 
-bool canMove(const Slopes& slopes) {
+bool canMove(const CoordinateSlopes& slopes) {
     return std::any_of(slopes.begin(), slopes.end(),
                        [](const TurnedMover& m) { return m.inverseMass + m.inverseInertia > 0; });
 }
 
-/// Whether it does anything in this step. A limit that is farther away than twice what the step
-/// goes does not.
-bool acts(const MechanismRow& row, const Drive& drive, double now) {
+/// Who is pushed by contacts in this step: movers, and trees that have such nodes.
+class Pushed {
+public:
+    explicit Pushed(State& state)
+        : state_(state), trees_(state.trees.list.size(), unknown, &state.arena) {}
+
+    bool any(const MechanismRow& row) {
+        return std::any_of(row.slopes.begin(), row.slopes.end(), [&](const TurnedMover& m) {
+            const auto tree =
+                m.cluster != none ? state_.trees.ofCluster[m.cluster] : ofParticle(m.particle);
+            return tree == none ? isPushed(m.cluster, m.particle) : isPushed(tree);
+        });
+    }
+
+private:
+    static constexpr std::uint8_t unknown = 2;
+
+    std::uint32_t ofParticle(std::uint32_t particle) const {
+        return state_.trees.ofParticle[particle];
+    }
+    bool isPushed(std::uint32_t cluster, std::uint32_t particle) const {
+        const auto mover =
+            cluster != none ? moverOfCluster(state_, cluster) : moverOfParticle(state_, particle);
+        return mover != none && state_.core.movers.colours[mover] != 0;
+    }
+    bool isPushed(std::uint32_t tree) {
+        if (trees_[tree] != unknown) return trees_[tree] != 0;
+        const Tree& t = state_.trees.list[tree];
+        const auto first = state_.trees.nodes.begin();
+        trees_[tree] = std::any_of(first + t.first, first + t.last, [&](const TreeNode& n) {
+            return (n.cluster != none || n.particle != none) && isPushed(n.cluster, n.particle);
+        });
+        return trees_[tree] != 0;
+    }
+
+    const State& state_;
+    std::pmr::vector<std::uint8_t> trees_;
+};
+
+/// Whether it does anything in this step. A limit does not that is farther away than twice what the
+/// step goes, unless contacts may push towards it.
+bool acts(const MechanismRow& row, const Drive& drive, double now, Pushed& pushed) {
+    if (hasSpring(drive) || drive.motorMax > 0 || row.low != 0 || row.high != 0) return true;
     const double ahead = 2 * (now - row.start);
-    return hasSpring(drive) || drive.motorMax > 0 || row.low != 0 || row.high != 0 ||
-           row.start + std::min(ahead, 0.0) < row.lower ||
-           row.start + std::max(ahead, 0.0) > row.upper;
-}
-
-/// What a row does where its coordinate is: spring, motor and limits, one after the other; a limit
-/// has the last word. Changes its multipliers, as if nothing but itself moved it.
-class RowLaw {
-public:
-    explicit RowLaw(MechanismRow& row) : row_(row) {}
-
-    void run() {
-        if (!(row_.mobility > 0)) return;
-        pullSpring();
-        if (row_.most > 0) set(row_.motor, change(row_.start + row_.way), -row_.most, row_.most);
-        if (row_.lower > -any) set(row_.low, change(row_.lower), 0, any);
-        if (row_.upper < any) set(row_.high, change(row_.upper), -any, 0);
-    }
-
-private:
-    static constexpr double any = std::numeric_limits<double>::infinity();
-
-    /// Of the multiplier, to get there.
-    double change(double goal) const { return (goal - row_.now) / row_.mobility; }
-    void set(double& multiplier, double by, double least, double most) {
-        const double before = multiplier;
-        multiplier = std::clamp(before + by, least, most);
-        row_.now += row_.mobility * (multiplier - before);
-    }
-    void pullSpring() {
-        if (row_.rigid) return set(row_.spring, change(row_.rest), -any, any);
-        if (row_.hk + row_.hb == 0) return;
-        const double wanted =
-            -(row_.hk * (row_.now - row_.rest) + row_.hb * (row_.now - row_.start));
-        const double steep = 1 + (row_.hk + row_.hb) * row_.mobility;
-        set(row_.spring, (wanted - row_.spring) / steep, -any, any);
-    }
-
-    MechanismRow& row_;
-};
-
-/// What holds a row when the step begins: its coordinate plus `compliance` times this multiplier is
-/// to be `goal`.
-RowHold holdOf(const MechanismRow& row) {
-    if (row.low > 0) return {&MechanismRow::low, row.lower};
-    if (row.high < 0) return {&MechanismRow::high, row.upper};
-    if (row.rigid) return {&MechanismRow::spring, row.rest};
-    if (row.most > 0 && std::abs(row.motor) < row.most)
-        return {&MechanismRow::motor, row.start + row.way};
-    const double stiff = row.hk + row.hb;
-    if (stiff == 0) return {};
-    return {&MechanismRow::spring, (row.hk * row.rest + row.hb * row.start) / stiff, 1 / stiff};
-}
-
-/// Rows in the space of their multipliers. What held in the last step is solved at once; then each
-/// row does what its law says, until nothing changes any more.
-class GroupSweep {
-public:
-    GroupSweep(State& state, const MechanismGroup& group)
-        : rows_(std::span(state.mechanisms.rows).subspan(group.first, group.last - group.first)),
-          matrix_(state.mechanisms.numbers.data() + group.matrix),
-          factor_(state.mechanisms.numbers.data() + group.factor) {}
-
-    void factorise() {
-        const std::size_t n = rows_.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            const RowHold& hold = rows_[k].hold = holdOf(rows_[k]);
-            for (std::size_t j = 0; j <= k; ++j) {
-                const bool both = hold.multiplier && rows_[j].hold.multiplier;
-                double sum = both ? matrix(k, j) + (j == k ? hold.compliance : 0) : 0;
-                for (std::size_t i = 0; i < j; ++i)
-                    sum -= factor(k, i) * factor(j, i) * factor(i, i);
-                if (j < k)
-                    factor(k, j) = factor(j, j) > 0 ? sum / factor(j, j) : 0;
-                else
-                    factor(k, k) = sum > tuned::redundantPivot * matrix(k, k) ? sum : 0;
-            }
-        }
-    }
-
-    void run() {
-        for (MechanismRow& row : rows_) row.change = row.sum();
-        if (rows_.size() > 1) solveHeld();
-        for (int i = 0; i < tuned::mostRowPasses && pass(); ++i) {
-        }
-        for (MechanismRow& row : rows_) row.change = row.sum() - row.change;
-    }
-
-private:
-    double& matrix(std::size_t k, std::size_t j) const { return matrix_[k * rows_.size() + j]; }
-    double& factor(std::size_t k, std::size_t j) const { return factor_[k * rows_.size() + j]; }
-
-    void solveHeld() {
-        const std::size_t n = rows_.size();
-        std::array<double, mostRows> x{};
-        for (std::size_t k = 0; k < n; ++k) {
-            const MechanismRow& row = rows_[k];
-            if (!row.hold.multiplier) continue;
-            x[k] = row.hold.goal - row.now - row.hold.compliance * row.*row.hold.multiplier;
-            for (std::size_t j = 0; j < k; ++j) x[k] -= factor(k, j) * x[j];
-        }
-        for (std::size_t k = n; k-- > 0;) {
-            if (!(factor(k, k) > 0)) continue;
-            x[k] /= factor(k, k);
-            for (std::size_t j = k + 1; j < n; ++j)
-                if (factor(j, j) > 0) x[k] -= factor(j, k) * x[j];
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-            if (!(factor(k, k) > 0)) continue;
-            rows_[k].*rows_[k].hold.multiplier += x[k];
-            for (std::size_t j = 0; j < n; ++j) rows_[j].now += matrix(j, k) * x[k];
-        }
-    }
-
-    /// Returns whether that has changed anything worth another one.
-    bool pass() {
-        bool changed = false;
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            MechanismRow& row = rows_[k];
-            const double before = row.sum(), was = row.now;
-            RowLaw(row).run();
-            const double change = row.sum() - before;
-            row.now = was;
-            for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now += matrix(j, k) * change;
-            changed |= std::abs(change) > tuned::settledRow * std::abs(row.sum());
-        }
-        return changed && rows_.size() > 1;
-    }
-
-    std::span<MechanismRow> rows_;
-    double* matrix_;
-    double* factor_;
-};
-
-/// Gives what moves the change of a row.
-void give(State& state, const MechanismRow& row) {
-    if (row.change == 0) return;
-    const Trees& trees = state.trees;
-    for (const TurnedMover& m : row.slopes)
-        if (treeOf(state, m) == none) push(state, m, row.change);
-    for (const TreeAnswer& answer : row.answers) {
-        if (answer.tree == none) break;
-        const Tree& tree = trees.list[answer.tree];
-        for (auto k = tree.first; k < tree.last; ++k)
-            moveNode(state, trees.nodes[k],
-                     row.change * state.mechanisms.answers[answer.first + (k - tree.first)]);
-    }
-}
-
-/// What of a unit of the row arrives at a node of a tree.
-double alongNode(const TurnedMover& m, const Eigen::Vector3d& moved) {
-    return m.force.dot(moved.head<2>()) + m.turning * moved[2];
-}
-
-/// Its place among the nodes of its tree.
-std::uint32_t nodeOf(const State& state, const TurnedMover& m, const Tree& tree) {
-    for (auto k = tree.first; k < tree.last; ++k) {
-        const TreeNode& n = state.trees.nodes[k];
-        if (m.cluster != none ? n.cluster == m.cluster : n.particle == m.particle)
-            return k - tree.first;
-    }
-    return none;
-}
-
-/// How a tree answers a row: what the row gives its nodes, and what its links then take.
-void answer(State& state, MechanismRow& row, std::uint32_t tree) {
-    const Tree& t = state.trees.list[tree];
-    auto& answers = state.mechanisms.answers;
-    const auto first = static_cast<std::uint32_t>(answers.size());
-    answers.resize(answers.size() + (t.last - t.first), Eigen::Vector3d::Zero());
-    for (const TurnedMover& m : row.slopes) {
-        if (treeOf(state, m) != tree) continue;
-        Eigen::Vector3d& own = answers[first + nodeOf(state, m, t)];
-        own.head<2>() = m.inverseMass * m.force;
-        own[2] = m.inverseInertia * m.turning;
-    }
-    answerOfTree(state, tree, std::span(answers).subspan(first, t.last - t.first));
-    for (TreeAnswer& free : row.answers) {
-        if (free.tree != none) continue;
-        free = {tree, first};
-        return;
-    }
-}
-
-/// How far a unit of one row moves the coordinate of another one.
-double response(const State& state, const MechanismRow& to, const MechanismRow& by) {
-    double sum = 0;
-    for (const TurnedMover& m : to.slopes) {
-        const auto tree = treeOf(state, m);
-        if (tree == none) {
-            for (const TurnedMover& n : by.slopes)
-                if (m.particle == n.particle && m.cluster == n.cluster)
-                    sum += m.inverseMass * m.force.dot(n.force) +
-                           m.inverseInertia * m.turning * n.turning;
-            continue;
-        }
-        for (const TreeAnswer& answer : by.answers)
-            if (answer.tree == tree)
-                sum += alongNode(
-                    m, state.mechanisms
-                           .answers[answer.first + nodeOf(state, m, state.trees.list[tree])]);
-    }
-    return sum;
-}
-
-/// Joins rows that push the same things or trees.
-void groupRows(State& state) {
-    Mechanisms& all = state.mechanisms;
-    const auto count = static_cast<std::uint32_t>(all.rows.size());
-    const auto clusters = static_cast<std::uint32_t>(state.clusters.list.size()),
-               particles = static_cast<std::uint32_t>(state.particles.size());
-    DisjointSets sets(count, &state.arena);
-    std::pmr::vector<std::uint32_t> firstAt(clusters + particles + state.trees.list.size(), none,
-                                            &state.arena);
-    for (std::uint32_t i = 0; i < count; ++i)
-        for (const TurnedMover& m : all.rows[i].slopes) {
-            if (!(m.inverseMass + m.inverseInertia > 0)) continue;
-            const auto tree = treeOf(state, m);
-            const auto at = tree != none        ? clusters + particles + tree
-                            : m.cluster != none ? m.cluster
-                                                : clusters + m.particle;
-            if (firstAt[at] == none)
-                firstAt[at] = i;
-            else
-                sets.unite(firstAt[at], i);
-        }
-    // The first row of a group comes before all groups that begin later.
-    std::pmr::vector<std::uint32_t> firstOf(count, none, &state.arena), order(count, &state.arena);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        auto& first = firstOf[sets.find(i)];
-        if (first == none) first = i;
-        order[i] = first;
-    }
-    for (std::uint32_t i = 0; i < count; ++i) all.rows[i].group = order[i];
-    std::stable_sort(
-        all.rows.begin(), all.rows.end(),
-        [](const MechanismRow& a, const MechanismRow& b) { return a.group < b.group; });
-    all.groups.clear();
-    std::uint32_t places = 0;
-    for (std::uint32_t first = 0, last = 0; first < count; first = last) {
-        while (last < count && last - first < mostRows &&
-               all.rows[last].group == all.rows[first].group)
-            ++last;
-        const std::uint32_t size = (last - first) * (last - first);
-        all.groups.push_back({first, last, places, places + size});
-        places += 2 * size;
-    }
-    all.numbers.assign(places, 0);
+    if (row.start + std::min(ahead, 0.0) < row.lower ||
+        row.start + std::max(ahead, 0.0) > row.upper)
+        return true;
+    return (drive.lower > -infinite || drive.upper < infinite) && pushed.any(row);
 }
 
 bool isAwake(const State& state, const Mechanism& m) {
@@ -418,46 +175,14 @@ void startMechanisms(State& state) {
 
 void settleMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
+    if (all.rows.empty()) return;
+    Pushed pushed(state);
     std::erase_if(all.rows, [&](MechanismRow& row) {
         const Mechanism& m = all.list[row.mechanism];
         const Drive& drive = driveOf(m, row.number);
         settle(state, drive, row);
-        return !acts(row, drive, valueOf(state, m, RowOf(row.number), true));
+        return !acts(row, drive, valueOf(state, m, RowOf(row.number), true), pushed);
     });
-}
-
-void answerMechanisms(State& state) {
-    Mechanisms& all = state.mechanisms;
-    if (all.rows.empty()) return;
-    groupRows(state);
-    for (MechanismRow& row : all.rows)
-        for (const TurnedMover& m : row.slopes) {
-            const auto tree = treeOf(state, m);
-            const bool isNew = std::none_of(row.answers.begin(), row.answers.end(),
-                                            [&](const TreeAnswer& a) { return a.tree == tree; });
-            if (tree != none && isNew) answer(state, row, tree);
-        }
-    for (const MechanismGroup& group : all.groups) {
-        const std::uint32_t size = group.last - group.first;
-        for (std::uint32_t k = 0; k < size; ++k)
-            for (std::uint32_t j = 0; j < size; ++j)
-                all.numbers[group.matrix + k * size + j] =
-                    response(state, all.rows[group.first + k], all.rows[group.first + j]);
-        for (std::uint32_t k = 0; k < size; ++k)
-            all.rows[group.first + k].mobility = all.numbers[group.matrix + k * size + k];
-        GroupSweep(state, group).factorise();
-    }
-}
-
-void solveMechanisms(State& state) {
-    Mechanisms& all = state.mechanisms;
-    for (const MechanismGroup& group : all.groups) {
-        const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
-        for (MechanismRow& row : rows)
-            row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
-        GroupSweep(state, group).run();
-        for (const MechanismRow& row : rows) give(state, row);
-    }
 }
 
 void recordMechanisms(State& state) {

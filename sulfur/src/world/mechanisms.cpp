@@ -3,13 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "bodies/pose.hpp"
 #include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/room.hpp"
 #include "core/trigonometry.hpp"
-#include "rigid/grip.hpp"
+#include "solver/compact.hpp"
 #include "solver/coordinates.hpp"
 #include "solver/mechanisms.hpp"
 #include "world/impl.hpp"
@@ -24,7 +23,7 @@ using detail::State;
 
 namespace {
 
-constexpr double most = 1e12;  // of stiffness and damping
+constexpr double stiffest = 1e12;  // also of damping
 
 void requireStrength(Real strength, const char* what) {
     if (strength == infinite) return;
@@ -39,8 +38,8 @@ void validateDrive(const Drive& d) {
                         std::to_string(static_cast<double>(d.upper)) +
                         "; allowed is a lower one that is not above the upper one");
     if (d.stiffness != infinite)
-        detail::requireRange(static_cast<double>(d.stiffness), 0, most, "drive: stiffness");
-    detail::requireRange(static_cast<double>(d.damping), 0, most, "drive: damping");
+        detail::requireRange(static_cast<double>(d.stiffness), 0, stiffest, "drive: stiffness");
+    detail::requireRange(static_cast<double>(d.damping), 0, stiffest, "drive: damping");
     detail::requireRange(static_cast<double>(d.rest), -1e6, 1e6, "drive: rest");
     detail::requireRange(static_cast<double>(d.motorSpeed), -1e6, 1e6, "drive: motor speed");
     detail::requireNonNegativeOrInfinite(static_cast<double>(d.motorMax), "drive: motor maximum");
@@ -193,8 +192,6 @@ void wakeBoth(State& state, const Mechanism& m) {
         if (state.bodySlots.contains(body)) detail::wakeBody(state, state.bodySlots.dense(body));
 }
 
-}  // namespace
-
 /// Adds mechanisms: what several calls of World make together goes again if one of them throws.
 class MechanismMaker {
 public:
@@ -212,10 +209,9 @@ public:
     MechanismMaker& operator=(const MechanismMaker&) = delete;
     ~MechanismMaker() {
         if (done_) return;
-        for (const AttachmentId pin : m_.pins)
-            if (pin) world_.remove(pin);
+        // With the bodies of its own go the attachments that hold them.
         for (const BodyId own : m_.own)
-            if (own) world_.remove(own);
+            if (own) detail::removeBody(state_, state_.bodySlots.dense(own));
     }
 
     Found a(const Point& at) const { return find(state_, couple_.a, at, poseA_); }
@@ -314,6 +310,8 @@ private:
     Mechanism m_;
     bool done_ = false;
 };
+
+}  // namespace
 
 MechanismId World::hinge(BodyId a, BodyId b, Point at, const HingeOptions& options) {
     validateDrive(options.drive);

@@ -164,10 +164,10 @@ MemoryUse ofRows(const State& state) {
 
 MemoryUse ofBodies(const State& state) {
     Sum sum;
-    sum.add(state.bodies, state.bodyIds, state.attachments);
+    sum.add(state.bodies, state.bodyIds, state.attachments, state.mechanisms.list);
     for (const auto& body : state.bodies) sum.add(body.particles, body.joints, body.name);
     sum.addBytes(state.particleSlots.bytes() + state.jointSlots.bytes() + state.bodySlots.bytes() +
-                 state.attachmentSlots.bytes());
+                 state.attachmentSlots.bytes() + state.mechanisms.slots.bytes());
     return sum.as("bodies, and all handles", state.bodies.size(), false);
 }
 
@@ -181,6 +181,8 @@ MemoryUse ofScratch(const State& state) {
     return Sum()
         .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.lengths,
              c.blows, c.knocks, c.impulses, c.struck, c.held, c.places)
+        .add(state.mechanisms.rows, state.mechanisms.answers, state.mechanisms.groups,
+             state.mechanisms.numbers)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)

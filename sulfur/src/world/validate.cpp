@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/limits.hpp"
+#include "solver/coordinates.hpp"
 
 namespace sulfur::detail {
 
@@ -296,13 +297,66 @@ std::string validateStructure(const State& state) {
     return s.colours.size() == state.joints.size() ? "" : "colours of other joints";
 }
 
+bool isWhole(const State& state, const Mechanism& m) {
+    const auto among = [](auto value, auto most) { return !(value > most); };
+    if (!among(m.kind, MechanismKind::weld) || !std::isfinite(m.zero) ||
+        !std::isfinite(m.zeroAngle) || !std::isfinite(m.ratio))
+        return false;
+    const Drive& d = m.drive;
+    for (const Real number : {d.damping, d.rest, d.motorSpeed, d.motorTarget.value_or(0)})
+        if (!std::isfinite(number)) return false;
+    for (const Real number : {d.stiffness, d.motorMax, d.strength, m.pinStrength})
+        if (!(number >= 0)) return false;
+    if (!(d.lower <= d.upper)) return false;
+    for (const RowForces& forces : m.forces)
+        if (!std::isfinite(forces.spring) || !std::isfinite(forces.motor) ||
+            !std::isfinite(forces.lower) || !std::isfinite(forces.upper))
+            return false;
+    const bool isGear = m.kind == MechanismKind::gear;
+    const auto points = m.kind == MechanismKind::slider     ? 3u
+                        : m.kind == MechanismKind::distance ? 2u
+                        : m.kind == MechanismKind::pulley   ? 4u
+                                                            : 0u;
+    for (std::size_t k = 0; k < m.points.size(); ++k) {
+        const MechanismPoint& point = m.points[k];
+        if (point.count > point.support.size() || (point.count > 0) != (k < points)) return false;
+        for (std::uint32_t i = 0; i < point.count; ++i)
+            if (!point.support[i] || !std::isfinite(point.weight[i])) return false;
+    }
+    const bool turns = m.kind == MechanismKind::hinge || m.kind == MechanismKind::weld ||
+                       (m.kind == MechanismKind::slider && m.turns == 0);
+    for (const MechanismArm& arm : m.arms)
+        if (!std::isfinite(arm.angle) || bool(arm.from) != turns || bool(arm.to) != turns)
+            return false;
+    for (const MechanismId part : m.parts) {
+        if (bool(part) != isGear) return false;
+        const Mechanisms& all = state.mechanisms;
+        if (isGear && (!all.slots.contains(part) || all.slots.dense(part) >= all.list.size() ||
+                       all.list[all.slots.dense(part)].kind == MechanismKind::gear))
+            return false;
+    }
+    return true;
+}
+
+std::string validateMechanisms(const State& state) {
+    const Mechanisms& all = state.mechanisms;
+    if (!all.slots.sound()) return "handles of mechanisms do not fit each other";
+    for (std::size_t i = 0; i < all.list.size(); ++i) {
+        const Mechanism& m = all.list[i];
+        if (!all.slots.contains(m.id) || all.slots.dense(m.id) != i)
+            return problem("mechanism handle leads elsewhere", i);
+        if (!isWhole(state, m) || !holds(state, m)) return problem("mechanism of nothing", i);
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string findBroken(const State& state) {
     for (const auto check :
          {validateArrays, validateParticles, validateJoints, validateAngles, validateAttachments,
           validateBodies, validateSleepers, validateVisits, validateContacts, validateDiscTurns,
-          validateClusters, validateTrees, validateStructure, validateAdded})
+          validateClusters, validateTrees, validateStructure, validateAdded, validateMechanisms})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }

@@ -1,0 +1,336 @@
+// Mechanisms in the sweeps. What pushes the same things or trees is a group: it is solved in the
+// space of its multipliers, where a tree is the answer of all of its links to each row.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory_resource>
+#include <span>
+
+#include "core/disjoint_sets.hpp"
+#include "core/settings.hpp"
+#include "rigid/grip.hpp"
+#include "solver/coordinates.hpp"
+#include "solver/mechanisms.hpp"
+#include "trees/tree_solver.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// More rows in a group than that are solved one part after the other.
+constexpr std::uint32_t mostRows = 64;
+
+/// Changes displacements of one mover by a push (kg m or kg m^2).
+void push(State& state, const TurnedMover& m, double impulse) {
+    if (m.cluster == none) {
+        state.particles.displacement[m.particle] +=
+            (m.inverseMass * impulse * m.force).cast<Real>();
+        return;
+    }
+    Cluster& c = state.clusters.list[m.cluster];
+    c.displacement += (m.inverseMass * impulse * m.force).cast<Real>();
+    turnBy(c, m.inverseInertia * impulse * m.turning);
+}
+
+void moveNode(State& state, const TreeNode& node, const Eigen::Vector3d& by) {
+    if (node.cluster != none) {
+        Cluster& c = state.clusters.list[node.cluster];
+        c.displacement += by.head<2>().cast<Real>();
+        turnBy(c, by[2]);
+    } else if (node.particle != none) {
+        state.particles.displacement[node.particle] += by.head<2>().cast<Real>();
+    }
+}
+
+/// The tree, moving alone, that moves it and takes part in the sweeps; or none.
+std::uint32_t treeOf(const State& state, const TurnedMover& m) {
+    const Trees& trees = state.trees;
+    const auto tree = m.cluster != none ? trees.ofCluster[m.cluster] : trees.ofParticle[m.particle];
+    const bool takesPart = tree != none && trees.list[tree].alone != 0 &&
+                           trees.list[tree].network == none && trees.touched[tree] != 0;
+    return takesPart ? tree : none;
+}
+
+/// What a row does where its coordinate is: spring, motor and limits, one after the other; a limit
+/// has the last word. Changes its multipliers, as if nothing but itself moved it.
+class RowLaw {
+public:
+    explicit RowLaw(MechanismRow& row) : row_(row) {}
+
+    void run() {
+        if (!(row_.mobility > 0)) return;
+        pullSpring();
+        if (row_.most > 0) set(row_.motor, change(row_.start + row_.way), -row_.most, row_.most);
+        if (row_.lower > -any) set(row_.low, change(row_.lower), 0, any);
+        if (row_.upper < any) set(row_.high, change(row_.upper), -any, 0);
+    }
+
+private:
+    static constexpr double any = std::numeric_limits<double>::infinity();
+
+    /// Of the multiplier, to get there.
+    double change(double goal) const { return (goal - row_.now) / row_.mobility; }
+    void set(double& multiplier, double by, double least, double most) {
+        const double before = multiplier;
+        multiplier = std::clamp(before + by, least, most);
+        row_.now += row_.mobility * (multiplier - before);
+    }
+    void pullSpring() {
+        if (row_.rigid) return set(row_.spring, change(row_.rest), -any, any);
+        if (row_.hk + row_.hb == 0) return;
+        const double wanted =
+            -(row_.hk * (row_.now - row_.rest) + row_.hb * (row_.now - row_.start));
+        const double steep = 1 + (row_.hk + row_.hb) * row_.mobility;
+        set(row_.spring, (wanted - row_.spring) / steep, -any, any);
+    }
+
+    MechanismRow& row_;
+};
+
+/// What holds a row when the step begins: its coordinate plus `compliance` times this multiplier is
+/// to be `goal`.
+RowHold holdOf(const MechanismRow& row) {
+    if (row.low > 0) return {&MechanismRow::low, row.lower};
+    if (row.high < 0) return {&MechanismRow::high, row.upper};
+    if (row.rigid) return {&MechanismRow::spring, row.rest};
+    if (row.most > 0 && std::abs(row.motor) < row.most)
+        return {&MechanismRow::motor, row.start + row.way};
+    const double stiff = row.hk + row.hb;
+    if (stiff == 0) return {};
+    return {&MechanismRow::spring, (row.hk * row.rest + row.hb * row.start) / stiff, 1 / stiff};
+}
+
+/// Rows in the space of their multipliers. What held in the last step is solved at once; then each
+/// row does what its law says, until nothing changes any more.
+class GroupSweep {
+public:
+    GroupSweep(State& state, const MechanismGroup& group)
+        : rows_(std::span(state.mechanisms.rows).subspan(group.first, group.last - group.first)),
+          matrix_(state.mechanisms.numbers.data() + group.matrix),
+          factor_(state.mechanisms.numbers.data() + group.factor) {}
+
+    void factorise() {
+        const std::size_t n = rows_.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const RowHold& hold = rows_[k].hold = holdOf(rows_[k]);
+            for (std::size_t j = 0; j <= k; ++j) {
+                const bool both = hold.multiplier && rows_[j].hold.multiplier;
+                double sum = both ? matrix(k, j) + (j == k ? hold.compliance : 0) : 0;
+                for (std::size_t i = 0; i < j; ++i)
+                    sum -= factor(k, i) * factor(j, i) * factor(i, i);
+                if (j < k)
+                    factor(k, j) = factor(j, j) > 0 ? sum / factor(j, j) : 0;
+                else
+                    factor(k, k) = sum > tuned::redundantPivot * matrix(k, k) ? sum : 0;
+            }
+        }
+    }
+
+    void run() {
+        for (MechanismRow& row : rows_) row.change = row.sum();
+        if (rows_.size() > 1) solveHeld();
+        for (int i = 0; i < tuned::mostRowPasses && pass(); ++i) {
+        }
+        for (MechanismRow& row : rows_) row.change = row.sum() - row.change;
+    }
+
+private:
+    double& matrix(std::size_t k, std::size_t j) const { return matrix_[k * rows_.size() + j]; }
+    double& factor(std::size_t k, std::size_t j) const { return factor_[k * rows_.size() + j]; }
+
+    void solveHeld() {
+        const std::size_t n = rows_.size();
+        std::array<double, mostRows> x{};
+        for (std::size_t k = 0; k < n; ++k) {
+            const MechanismRow& row = rows_[k];
+            if (!row.hold.multiplier) continue;
+            x[k] = row.hold.goal - row.now - row.hold.compliance * row.*row.hold.multiplier;
+            for (std::size_t j = 0; j < k; ++j) x[k] -= factor(k, j) * x[j];
+        }
+        for (std::size_t k = n; k-- > 0;) {
+            if (!(factor(k, k) > 0)) continue;
+            x[k] /= factor(k, k);
+            for (std::size_t j = k + 1; j < n; ++j)
+                if (factor(j, j) > 0) x[k] -= factor(j, k) * x[j];
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            if (!(factor(k, k) > 0)) continue;
+            rows_[k].*rows_[k].hold.multiplier += x[k];
+            for (std::size_t j = 0; j < n; ++j) rows_[j].now += matrix(j, k) * x[k];
+        }
+    }
+
+    /// Returns whether that has changed anything worth another one.
+    bool pass() {
+        bool changed = false;
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            MechanismRow& row = rows_[k];
+            const double before = row.sum(), was = row.now;
+            RowLaw(row).run();
+            const double change = row.sum() - before;
+            row.now = was;
+            for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now += matrix(j, k) * change;
+            changed |= std::abs(change) > tuned::settledRow * std::abs(row.sum());
+        }
+        return changed && rows_.size() > 1;
+    }
+
+    std::span<MechanismRow> rows_;
+    double* matrix_;
+    double* factor_;
+};
+
+/// Gives what moves the change of a row.
+void give(State& state, const MechanismRow& row) {
+    if (row.change == 0) return;
+    const Trees& trees = state.trees;
+    for (const TurnedMover& m : row.slopes)
+        if (treeOf(state, m) == none) push(state, m, row.change);
+    for (const TreeAnswer& answer : row.answers) {
+        if (answer.tree == none) break;
+        const Tree& tree = trees.list[answer.tree];
+        for (auto k = tree.first; k < tree.last; ++k)
+            moveNode(state, trees.nodes[k],
+                     row.change * state.mechanisms.answers[answer.first + (k - tree.first)]);
+    }
+}
+
+/// What of a unit of the row arrives at a node of a tree.
+double alongNode(const TurnedMover& m, const Eigen::Vector3d& moved) {
+    return m.force.dot(moved.head<2>()) + m.turning * moved[2];
+}
+
+/// Its place among the nodes of its tree.
+std::uint32_t nodeOf(const State& state, const TurnedMover& m, const Tree& tree) {
+    for (auto k = tree.first; k < tree.last; ++k) {
+        const TreeNode& n = state.trees.nodes[k];
+        if (m.cluster != none ? n.cluster == m.cluster : n.particle == m.particle)
+            return k - tree.first;
+    }
+    return none;
+}
+
+/// How a tree answers a row: what the row gives its nodes, and what its links then take.
+void answer(State& state, MechanismRow& row, std::uint32_t tree) {
+    const Tree& t = state.trees.list[tree];
+    auto& answers = state.mechanisms.answers;
+    const auto first = static_cast<std::uint32_t>(answers.size());
+    answers.resize(answers.size() + (t.last - t.first), Eigen::Vector3d::Zero());
+    for (const TurnedMover& m : row.slopes) {
+        if (treeOf(state, m) != tree) continue;
+        Eigen::Vector3d& own = answers[first + nodeOf(state, m, t)];
+        own.head<2>() = m.inverseMass * m.force;
+        own[2] = m.inverseInertia * m.turning;
+    }
+    answerOfTree(state, tree, std::span(answers).subspan(first, t.last - t.first));
+    for (TreeAnswer& free : row.answers) {
+        if (free.tree != none) continue;
+        free = {tree, first};
+        return;
+    }
+}
+
+/// How far a unit of one row moves the coordinate of another one.
+double response(const State& state, const MechanismRow& to, const MechanismRow& by) {
+    double sum = 0;
+    for (const TurnedMover& m : to.slopes) {
+        const auto tree = treeOf(state, m);
+        if (tree == none) {
+            for (const TurnedMover& n : by.slopes)
+                if (m.particle == n.particle && m.cluster == n.cluster)
+                    sum += m.inverseMass * m.force.dot(n.force) +
+                           m.inverseInertia * m.turning * n.turning;
+            continue;
+        }
+        for (const TreeAnswer& answer : by.answers)
+            if (answer.tree == tree)
+                sum += alongNode(
+                    m, state.mechanisms
+                           .answers[answer.first + nodeOf(state, m, state.trees.list[tree])]);
+    }
+    return sum;
+}
+
+/// Joins rows that push the same things or trees.
+void groupRows(State& state) {
+    Mechanisms& all = state.mechanisms;
+    const auto count = static_cast<std::uint32_t>(all.rows.size());
+    const auto clusters = static_cast<std::uint32_t>(state.clusters.list.size()),
+               particles = static_cast<std::uint32_t>(state.particles.size());
+    DisjointSets sets(count, &state.arena);
+    std::pmr::vector<std::uint32_t> firstAt(clusters + particles + state.trees.list.size(), none,
+                                            &state.arena);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (const TurnedMover& m : all.rows[i].slopes) {
+            if (!(m.inverseMass + m.inverseInertia > 0)) continue;
+            const auto tree = treeOf(state, m);
+            const auto at = tree != none        ? clusters + particles + tree
+                            : m.cluster != none ? m.cluster
+                                                : clusters + m.particle;
+            if (firstAt[at] == none)
+                firstAt[at] = i;
+            else
+                sets.unite(firstAt[at], i);
+        }
+    // The first row of a group comes before all groups that begin later.
+    std::pmr::vector<std::uint32_t> firstOf(count, none, &state.arena), order(count, &state.arena);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        auto& first = firstOf[sets.find(i)];
+        if (first == none) first = i;
+        order[i] = first;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) all.rows[i].group = order[i];
+    std::stable_sort(
+        all.rows.begin(), all.rows.end(),
+        [](const MechanismRow& a, const MechanismRow& b) { return a.group < b.group; });
+    all.groups.clear();
+    std::uint32_t places = 0;
+    for (std::uint32_t first = 0, last = 0; first < count; first = last) {
+        while (last < count && last - first < mostRows &&
+               all.rows[last].group == all.rows[first].group)
+            ++last;
+        const std::uint32_t size = (last - first) * (last - first);
+        all.groups.push_back({first, last, places, places + size});
+        places += 2 * size;
+    }
+    all.numbers.assign(places, 0);
+}
+
+}  // namespace
+
+void answerMechanisms(State& state) {
+    Mechanisms& all = state.mechanisms;
+    if (all.rows.empty()) return;
+    groupRows(state);
+    for (MechanismRow& row : all.rows)
+        for (const TurnedMover& m : row.slopes) {
+            const auto tree = treeOf(state, m);
+            const bool isNew = std::none_of(row.answers.begin(), row.answers.end(),
+                                            [&](const TreeAnswer& a) { return a.tree == tree; });
+            if (tree != none && isNew) answer(state, row, tree);
+        }
+    for (const MechanismGroup& group : all.groups) {
+        const std::uint32_t size = group.last - group.first;
+        for (std::uint32_t k = 0; k < size; ++k)
+            for (std::uint32_t j = 0; j < size; ++j)
+                all.numbers[group.matrix + k * size + j] =
+                    response(state, all.rows[group.first + k], all.rows[group.first + j]);
+        for (std::uint32_t k = 0; k < size; ++k)
+            all.rows[group.first + k].mobility = all.numbers[group.matrix + k * size + k];
+        GroupSweep(state, group).factorise();
+    }
+}
+
+void solveMechanisms(State& state) {
+    Mechanisms& all = state.mechanisms;
+    for (const MechanismGroup& group : all.groups) {
+        const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
+        for (MechanismRow& row : rows)
+            row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
+        GroupSweep(state, group).run();
+        for (const MechanismRow& row : rows) give(state, row);
+    }
+}
+
+}  // namespace sulfur::detail
