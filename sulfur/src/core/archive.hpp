@@ -162,6 +162,13 @@ public:
         else
             archiveEach(*this, list);
     }
+    /// What is not there has no bits.
+    template <class T>
+    void operator()(std::optional<T>& value) {
+        bool present = value.has_value();
+        (*this)(present);
+        if (present) (*this)(*value);
+    }
 
     std::uint64_t result = 0x9e3779b97f4a7c15u;
 
