@@ -59,6 +59,9 @@ struct Statistics {
     std::uint32_t fastPairs = 0;         ///< of the candidates, those whose ways were looked at
     std::uint32_t heldBack = 0;          ///< movers that were kept before what is in their way
     std::uint64_t idleTicks = 0;         ///< since the world was made: all rested, no stage ran
+    /// Since the world was made: entries of lists and arrays that were looked through because
+    /// bodies were removed. Those of what is awake once a tick, those of all when half are gaps.
+    std::uint64_t upkeep = 0;
     /// By Stage: bodies, particles, joints, candidates that it looked at; 0 had nothing to do.
     std::array<std::uint32_t, static_cast<std::size_t>(Stage::count)> items{};
     /// By Stage; zero unless profiling is on.

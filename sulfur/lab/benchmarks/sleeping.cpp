@@ -1,4 +1,5 @@
-// Worlds that sleep: what a tick costs in all, and with one body awake; what coming and going costs.
+// Worlds that sleep: what a tick costs in all, and with one body awake; what coming and going
+// costs.
 #include <chrono>
 #include <vector>
 
@@ -36,10 +37,11 @@ BENCHMARK(sleepers)
 
 enum class Part { remove, tickAfter, add };
 
-/// Of removing one of so many sleeping crates and putting it back: the call, or the next tick.
+/// Of removing one of so many crates that sleep, or else lie awake, and putting it back: the call,
+/// or the next tick. Arguments: crates; whether they sleep.
 void coming(benchmark::State& state, Part part) {
     WorldSettings settings = still({}, standardGravity);
-    settings.sleeping = true;
+    settings.sleeping = state.range(1) != 0;
     World world(settings);
     const auto count = static_cast<std::size_t>(state.range(0));
     addFloor(world, 1.5 * static_cast<double>(count), {});
@@ -62,25 +64,52 @@ void coming(benchmark::State& state, Part part) {
         timed(Part::remove, [&] { world.remove(crates[k]); });
         timed(Part::tickAfter, [&] { world.step(); });
         timed(Part::add, [&] { crates[k] = world.add(plan, {place(k)}); });
-        run(world, 0.7);
+        run(world, settings.sleeping ? 0.7 : 0.01);
     }
 }
 BENCHMARK_CAPTURE(coming, remove, Part::remove)
-    ->Arg(1000)
-    ->Arg(25000)
+    ->ArgNames({"n", "asleep"})
+    ->ArgsProduct({{1000, 10000}, {0, 1}})
     ->Iterations(40)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(coming, tickAfter, Part::tickAfter)
-    ->Arg(1000)
-    ->Arg(25000)
+    ->ArgNames({"n", "asleep"})
+    ->ArgsProduct({{1000, 10000}, {0, 1}})
     ->Iterations(40)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(coming, add, Part::add)
-    ->Arg(1000)
-    ->Arg(25000)
+    ->ArgNames({"n", "asleep"})
+    ->ArgsProduct({{1000, 10000}, {0, 1}})
     ->Iterations(40)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+
+/// Of removing every tenth of so many crates in one tick, one by one; each of them.
+void leaving(benchmark::State& state) {
+    WorldSettings settings = still({}, standardGravity);
+    settings.sleeping = state.range(1) != 0;
+    const auto count = static_cast<std::size_t>(state.range(0));
+    for (auto _ : state) {
+        World world(settings);
+        addFloor(world, 1.5 * static_cast<double>(count), {});
+        std::vector<Body> crates;
+        for (std::size_t i = 0; i < count; ++i)
+            crates.push_back(world.add(
+                crate(),
+                {Point(1.5 * (static_cast<double>(i) - static_cast<double>(count) / 2), 0.5)}));
+        run(world, 1.2);
+        const auto start = std::chrono::steady_clock::now();
+        for (std::size_t i = 0; i < count; i += 10) world.remove(crates[i]);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        state.SetIterationTime(took.count() * 10 / static_cast<double>(count));
+    }
+}
+BENCHMARK(leaving)
+    ->ArgNames({"n", "asleep"})
+    ->ArgsProduct({{1000, 10000}, {0, 1}})
+    ->Iterations(3)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 

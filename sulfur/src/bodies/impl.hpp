@@ -31,6 +31,8 @@ struct World::Impl {
     /// The same for one that is about to change it, with room for what any such call notes: who
     /// wakes, whose shape is stale, who was placed.
     detail::State& changing();
+    /// The same for one that asks for nothing of particles that are awake.
+    detail::State& changingKnown();
     [[noreturn]] static void refuseTorn();
 };
 

@@ -178,6 +178,40 @@ void unlistBody(State& state, std::uint32_t index) {
     take(core.awakeIsCluster, part);
 }
 
+/// A body that goes away leaves gaps in the lists, which the next step closes all at once.
+void leaveLists(State& state, std::uint32_t index) {
+    ContactCore& core = state.core;
+    if (core.listsStale || index >= core.listedBodies || !state.awake(index)) return;
+    core.listsStale = !core.tiedCapsules.empty();
+    if (core.listsStale) return;
+    core.listsHaveGaps = true;
+    forEachChunk(core, state.bodies[index].id.index - 1, [&](std::uint32_t c) {
+        const Chunk& chunk = core.shapes.chunks[c];
+        for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
+            core.denseOfMover[core.shapes.uses[u].mover] = none;
+    });
+}
+
+/// Before slots of chunks and movers that are gone become others'.
+void closeListGaps(State& state) {
+    ContactCore& core = state.core;
+    if (!std::exchange(core.listsHaveGaps, false) || core.listsStale) return;
+    state.statistics.upkeep +=
+        core.awakeChunks.size() + core.awakeStrips.size() + core.awakeMovers.size();
+    for (auto* list : {&core.awakeChunks, &core.awakeStrips})
+        std::erase_if(*list, [&](std::uint32_t c) { return core.shapes.chunks[c].body == none; });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
+        if (core.denseOfMover[core.awakeMovers[k]] == none) continue;
+        core.awakeMovers[kept] = core.awakeMovers[k];
+        core.awakeDense[kept] = core.awakeDense[k];
+        core.awakeIsCluster[kept++] = core.awakeIsCluster[k];
+    }
+    core.awakeMovers.resize(kept);
+    core.awakeDense.resize(kept);
+    core.awakeIsCluster.resize(kept);
+}
+
 /// Lists a body that is in no list, in the order of bodies.
 void enlistBody(State& state, std::uint32_t index) {
     ContactCore& core = state.core;
@@ -269,7 +303,6 @@ void followTurned(State& state) {
 void removeShape(State& state, std::uint32_t slot) {
     ContactCore& core = state.core;
     if (slot >= core.shapes.firstChunk.size() || core.shapes.firstChunk[slot] == none) return;
-    if (const auto body = state.bodySlots.denseOf(slot); body != none) unlistBody(state, body);
     forEachChunk(core, slot, [&](std::uint32_t c) {
         endPairs(state, c);
         core.grid.remove(core.shapes.chunks, c);
@@ -291,7 +324,8 @@ void forgetBody(State& state, std::uint32_t index) {
     if (!core.listsStale && index < core.listedBodies)
         core.bouncingPairs -= countBouncing(state, body);
     if (body.sensor) std::erase(state.sensing.bodies, index);
-    state.sensing.anew = true;
+    state.sensing.left = true;
+    leaveLists(state, index);
     removeShape(state, body.id.index - 1);
 }
 
@@ -303,6 +337,7 @@ bool hasLinks(const ContactCore& core, std::uint32_t bodySlot) {
 
 void updateShapes(State& state) {
     ContactCore& core = state.core;
+    closeListGaps(state);
     if (state.structureChanged) findLinks(state);
     state.structureChanged = false;
     if (!core.staleShapes.empty()) {

@@ -28,6 +28,7 @@ struct BodyRecord {
     bool selfCollision = false;       // its own parts touch each other
     bool strained = false;            // they were not, because it was bent out of shape
     std::uint32_t gone = 0;           // removed: so many of its particles still take place
+    std::uint32_t ties = 0;           // joints to other bodies and ends of attachments; derived
     Real restingTime = 0;             // s for which its island has been at rest
     BodyId nextAsleep;                // asleep: the next of a ring of all that must wake with it
     std::uint32_t firstParticle = 0;  // dense index

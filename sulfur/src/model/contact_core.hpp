@@ -203,6 +203,7 @@ struct ContactCore {
     std::vector<std::uint32_t> struckEncounters;
     std::vector<std::uint32_t> toWake;  // bodies by slot
     bool listsStale = true;
+    bool listsHaveGaps = false;      // chunks and movers that are gone are still in them
     std::uint32_t listedBodies = 0;  // the first so many are in the lists, if these are not stale
     bool keepsHeirs = false;
 

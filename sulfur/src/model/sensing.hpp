@@ -20,6 +20,7 @@ struct Sensing {
     std::vector<Visit> visits;          // after the last tick, sorted
     // Something was made or moved by hand, so that what is still has to be looked at too.
     bool anew = true;
+    bool left = false;  // somebody was removed, who may have been in a sensor
 
     // Scratch of a tick.
     std::vector<Visit> now;

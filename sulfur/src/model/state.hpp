@@ -129,6 +129,7 @@ struct WorkLists {
     std::vector<std::uint32_t> turned;      // bodies by slot that this step begins to follow
     std::uint32_t awakeParticles = 0, awakeSurfaces = 0;  // particles of bodies that move
     std::uint32_t sleepers = 0;                           // bodies
+    bool hasGaps = false;  // what is gone may still be in lists of bodies, clusters and joints
     bool stale = true;
     bool onlyAdded = false;  // by bodies that were added to those `listed`, and in no other way
     Counts listed;
@@ -196,7 +197,8 @@ struct State {
     Clusters clusters;
     Trees trees;
     std::vector<BodyRecord> bodies;  // also those that are gone, until their gaps are closed
-    std::vector<BodyId> bodyIds;     // of the others
+    std::vector<BodyId> bodyIds;     // of the others, once listedIds() was asked
+    bool idsHaveGaps = false;        // some of these are gone
     Counts gone;                     // what is no longer there and still takes place
     Influences influences;
     Mechanisms mechanisms;
@@ -250,6 +252,15 @@ struct State {
         return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep;
     }
 };
+
+/// The bodies, oldest first. Who goes leaves a gap, which is closed when somebody asks.
+inline std::vector<BodyId>& listedIds(State& state) {
+    if (std::exchange(state.idsHaveGaps, false)) {
+        state.statistics.upkeep += state.bodyIds.size();
+        std::erase_if(state.bodyIds, [&](BodyId id) { return !state.bodySlots.contains(id); });
+    }
+    return state.bodyIds;
+}
 
 /// Which step this is of all that a world of this rate takes, also of those that it skips because
 /// all sleeps.

@@ -196,8 +196,8 @@ ClusterLoad loadOf(const State& state, const Cluster& c) {
 
 void adoptStirredClusters(State& state) {
     if (!state.anyStirred) return;
-    for (Cluster& c : state.clusters.list)
-        if (c.stirred) adopt(state, c);
+    for (const auto c : state.work.awakeClusters)
+        if (state.clusters.list[c].stirred) adopt(state, state.clusters.list[c]);
     state.anyStirred = false;
 }
 
@@ -270,13 +270,31 @@ void moveClusters(State& state) {
     if (mayAskForMembers(state)) bringMembers(state);
 }
 
+namespace {
+
+/// Members to their clusters, which go on from here.
+void bring(State& state, const Block& block) {
+    PerCluster<ClusterPose> poses;
+    for (std::size_t k = 0; k < block.size(); ++k) poses[k] = poseOf(block[k]);
+    clusterKernels().place(membersOf(state), poses.data(), block.size(), maxSpeed);
+}
+
+}  // namespace
+
+void bringMembersOf(State& state, std::uint32_t cluster) {
+    const auto& awake = state.work.awakeClusters;
+    if (state.membersBehind && std::binary_search(awake.begin(), awake.end(), cluster))
+        bring(state, {state, &cluster, 1});
+}
+
 void bringMembers(State& state) {
     if (!std::exchange(state.membersBehind, false)) return;
-    forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
-        PerCluster<ClusterPose> poses;
-        for (std::size_t k = 0; k < block.size(); ++k) poses[k] = poseOf(block[k]);
-        clusterKernels().place(membersOf(state), poses.data(), block.size(), maxSpeed);
-    });
+    // What is gone stays as it was when it went.
+    if (state.work.hasGaps)
+        std::erase_if(state.work.awakeClusters, [&](std::uint32_t c) {
+            return state.bodies[state.clusters.list[c].body].gone > 0;
+        });
+    forEachBlock(state, state.work.awakeClusters, [&](const Block& block) { bring(state, block); });
 }
 
 Point placeNow(const State& state, std::uint32_t particle) {

@@ -31,6 +31,8 @@ void updateClusterVelocities(State& state);
 void moveClusters(State& state);
 /// Members that have not followed their clusters get position, displacement, velocity.
 void bringMembers(State& state);
+/// The same of one cluster.
+void bringMembersOf(State& state, std::uint32_t cluster);
 /// m, where a particle is now, also one that has not followed its cluster yet.
 Point placeNow(const State& state, std::uint32_t particle);
 /// Members of one cluster to their places, from centre and heading.

@@ -387,7 +387,7 @@ void followTurned(State& state) {
         if (!isPlain(state, body)) return work.changed();
         unlist(state, body);
         enlist(state, body);
-        state.anyForced = true;
+        state.anyForced = state.anyStirred = true;
     }
 }
 
@@ -413,7 +413,7 @@ void listAnew(State& state) {
         state.core.listsStale = true;
         countTrees(state);
     }
-    state.anyForced = true;  // of who woke, too
+    state.anyForced = state.anyStirred = true;  // of who woke, too
     work.listed = countsOf(state);
     for (auto* list : {&work.turned, &state.turned}) list->reserve(state.bodies.size());
     work.stale = work.onlyAdded = false;
@@ -427,6 +427,7 @@ void updateStructure(State& state) {
 }
 
 void applyChanges(State& state) {
+    closeListGaps(state);
     updateStructure(state);
     followTurned(state);
     WorkLists& work = state.work;

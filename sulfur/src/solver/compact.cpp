@@ -12,6 +12,7 @@
 #include "core/room.hpp"
 #include "joints/classify.hpp"
 #include "model/state.hpp"
+#include "rigid/cluster_motion.hpp"
 #include "rigid/find_clusters.hpp"
 #include "solver/compact.hpp"
 #include "solver/work_lists.hpp"
@@ -86,33 +87,25 @@ void forgetHandles(State& state, const Removal& removal) {
     });
 }
 
-/// Whether joints or attachments hold on to a body from outside.
-bool isTied(const State& state, std::uint32_t body) {
-    const bool linksAreKnown =
-        !state.structureChanged && (!state.structure.stale || state.structure.onlyAdded);
-    if (linksAreKnown) return hasLinks(state.core, state.bodies[body].id.index - 1);
-    const auto isOurs = [&](std::uint32_t i) { return state.particles.body[i] == body; };
-    const Joints& joints = state.joints;
-    for (std::uint32_t j = 0; j < joints.size(); ++j)
-        if (joints.body[j] == none && (isOurs(joints.a[j]) || isOurs(joints.b[j]))) return true;
-    return std::any_of(
-        state.attachments.begin(), state.attachments.end(), [&](const Attachment& held) {
-            const auto end = held.support.begin() + held.count;
-            return isOurs(held.particle) || std::any_of(held.support.begin(), end, isOurs);
-        });
+/// Whether a body that is tied to nothing is in no tree and leaves the lists by itself.
+bool goesAlone(const State& state, std::uint32_t index) {
+    const bool derived = !state.structure.stale ||
+                         (state.structure.onlyAdded && index < state.structure.before.bodies);
+    return !derived || isPlain(state, index);
 }
 
 /// Takes a body that is tied to nothing away and leaves a gap.
 void retire(State& state, std::uint32_t index) {
     BodyRecord& body = state.bodies[index];
-    const bool derived = !state.structure.stale ||
-                         (state.structure.onlyAdded && index < state.structure.before.bodies);
-    if (derived && isInTree(state, index))
+    if (goesAlone(state, index)) {
+        const Range clusters = clustersOf(state, index);
+        for (auto c = clusters.first; c < clusters.last; ++c) bringMembersOf(state, c);
+        retireFromLists(state, index);
+    } else if (isInTree(state, index)) {
         state.structure.changed();
-    else if (derived && !isPlain(state, index))
+    } else {
         state.work.changed();
-    else
-        unlist(state, index);
+    }
     forgetBody(state, index);
     state.idle = state.nearby.valid = false;
     for (const ParticleId id : body.particles) state.particleSlots.retire(id);
@@ -122,10 +115,7 @@ void retire(State& state, std::uint32_t index) {
     }
     std::erase_if(state.vetoes,
                   [&](const BodyPair& pair) { return pair.a == body.id || pair.b == body.id; });
-    const auto at =
-        std::partition_point(state.bodyIds.begin(), state.bodyIds.end(),
-                             [&](BodyId id) { return state.bodySlots.dense(id) < index; });
-    state.bodyIds.erase(at);
+    state.idsHaveGaps = true;
     state.bodySlots.retire(body.id);
     BodyRecord gap;
     gap.id = body.id;
@@ -144,6 +134,7 @@ void squeezeBodies(State& state, const Removal& removal) {
     squeeze(state.bodies, removal.bodies);
     std::uint32_t first = 0;
     state.bodyIds.clear();
+    state.idsHaveGaps = false;
     state.sensing.bodies.clear();
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i) {
         BodyRecord& body = state.bodies[i];
@@ -244,7 +235,23 @@ void renumberParticles(State& state, const std::vector<std::uint32_t>& newIndex)
     std::erase(state.fresh, none);
 }
 
+void countTies(State& state) {
+    for (BodyRecord& body : state.bodies) body.ties = 0;
+    const auto tie = [&](std::uint32_t particle) {
+        ++state.bodies[state.particles.body[particle]].ties;
+    };
+    const Joints& joints = state.joints;
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none)
+            for (const auto end : {joints.a[j], joints.b[j]}) tie(end);
+    for (const Attachment& held : state.attachments) {
+        tie(held.particle);
+        for (std::uint32_t k = 0; k < held.count; ++k) tie(held.support[k]);
+    }
+}
+
 void compact(State& state, Removal& removal) {
+    state.statistics.upkeep += state.particles.size() + state.joints.size() + state.bodies.size();
     for (std::size_t i = 0; i < removal.bodies.size(); ++i)
         if (state.bodies[i].gone > 0) removal.bodies[i] = true;
     state.gone = {};
@@ -269,6 +276,7 @@ void compact(State& state, Removal& removal) {
         squeezeParticles(state, removal);
         renumberParticles(state, removal.newParticle);
     }
+    countTies(state);
     updateReach(state);
     state.structure.changed();
     state.work.changed();  // its lists name what has moved
@@ -284,7 +292,7 @@ void makeRoomToCompact(State& state) {
 }
 
 void removeBody(State& state, std::uint32_t body) {
-    const bool tied = isTied(state, body);
+    const bool tied = state.bodies[body].ties > 0;
     const std::size_t gone = state.gone.particles + state.bodies[body].particles.size();
     const bool compacts = tied || 2 * gone >= state.particles.size();
     makeRoomToForget(state, state.bodies[body].id.index - 1);
@@ -296,6 +304,7 @@ void removeBody(State& state, std::uint32_t body) {
         removal.emplace(state);
     }
     // From here on nothing fails.
+    if (compacts || !goesAlone(state, body)) bringMembers(state);
     wakeTouching(state, body);
     if (!tied) retire(state, body);
     if (!compacts) return;

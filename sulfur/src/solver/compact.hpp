@@ -30,8 +30,11 @@ void compact(State& state, Removal& removal);
 /// particles, or bodies go for which makeRoomToForget() was not called.
 void makeRoomToCompact(State& state);
 /// Takes a body away, with what is tied to it. What touched it wakes. If there is no memory,
-/// nothing has changed.
+/// nothing has changed. Members of rigid components need not have followed these.
 void removeBody(State& state, std::uint32_t body);
+
+/// BodyRecord::ties of all bodies.
+void countTies(State& state);
 
 /// All that names particles by their index follows them to new ones, except the arrays themselves.
 /// Trees must have been dissolved. `none`: the particle is gone.

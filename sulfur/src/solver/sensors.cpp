@@ -97,13 +97,13 @@ void tell(State& state) {
 void updateSensors(State& state) {
     Sensing& sensing = state.sensing;
     if (sensing.bodies.empty() && sensing.visits.empty()) return;
-    if (state.idle && !sensing.anew) return;
+    if (state.idle && !sensing.anew && !sensing.left) return;
     prepareNearby(state);
     sensing.now.clear();
     sensing.looks = 0;
     for (const auto sensor : sensing.bodies) Feeling(state, sensor).run();
     state.looked(Stage::sensors, sensing.looks);
-    sensing.anew = false;
+    sensing.anew = sensing.left = false;
     std::sort(sensing.now.begin(), sensing.now.end());
     sensing.now.erase(std::unique(sensing.now.begin(), sensing.now.end()), sensing.now.end());
     tell(state);

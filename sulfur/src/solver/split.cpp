@@ -250,6 +250,7 @@ void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
         regroupAngles(state);
         reorderParticles(state);
     }
+    if (anySplit) countTies(state);
     if (anyLost) forgetLost(state, lost);
     keepFrames(state, frames);
 }

@@ -128,6 +128,41 @@ void unlist(State& state, std::uint32_t index) {
     }
 }
 
+void retireFromLists(State& state, std::uint32_t index) {
+    WorkLists& work = state.work;
+    const BodyRecord& body = state.bodies[index];
+    const bool isListed = index < work.listed.bodies && (!work.stale || work.onlyAdded);
+    if (!isListed || body.kind == BodyKind::fixed) return;
+    if (!std::binary_search(work.bodies.begin(), work.bodies.end(), index)) {
+        --work.sleepers;
+        return;
+    }
+    work.hasGaps = true;
+    const auto size = static_cast<std::uint32_t>(body.particles.size());
+    work.awakeParticles -= size;
+    work.awakeSurfaces -= countSurfaces(state, body);
+    for (auto* ranges : {&work.awake, &work.points, &work.free})
+        cut(*ranges, {body.firstParticle, body.firstParticle + size});
+}
+
+void closeListGaps(State& state) {
+    WorkLists& work = state.work;
+    if (!std::exchange(work.hasGaps, false) || (work.stale && !work.onlyAdded)) return;
+    const auto isGone = [&](std::uint32_t body) { return state.bodies[body].gone > 0; };
+    for (auto* list : {&work.bodies, &work.kinematic}) {
+        state.statistics.upkeep += list->size();
+        std::erase_if(*list, isGone);
+    }
+    for (auto* list : {&work.awakeClusters, &work.clusters, &work.watchedClusters}) {
+        state.statistics.upkeep += list->size();
+        std::erase_if(*list, [&](std::uint32_t c) { return isGone(state.clusters.list[c].body); });
+    }
+    state.statistics.upkeep += work.breakableJoints.size();
+    std::erase_if(work.breakableJoints, [&](std::uint32_t j) {
+        return state.joints.body[j] != none && isGone(state.joints.body[j]);
+    });
+}
+
 void enlist(State& state, std::uint32_t index) {
     WorkLists& work = state.work;
     const BodyRecord& body = state.bodies[index];

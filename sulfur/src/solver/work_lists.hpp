@@ -22,6 +22,10 @@ bool isInTree(const State& state, std::uint32_t body);
 bool isPlain(const State& state, std::uint32_t body);
 /// Takes a plain body out of the lists, where it is in them.
 void unlist(State& state, std::uint32_t body);
+/// The same for one that goes away: it leaves gaps in the longer lists, so that this costs nothing
+/// for others that are awake. They are closed all at once, before the next step needs the lists.
+void retireFromLists(State& state, std::uint32_t body);
+void closeListGaps(State& state);
 /// Enters a plain body that is in no list as it is now, awake or asleep.
 void enlist(State& state, std::uint32_t body);
 

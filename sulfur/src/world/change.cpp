@@ -90,7 +90,7 @@ void World::setTickRate(int tickRate) {
     if (tickRate == state.settings.tickRate) return;
     // Air friction and damping may not be faster than the ticks.
     requireRange(static_cast<double>(state.settings.airFriction), 0, tickRate, "air friction");
-    for (const BodyId id : state.bodyIds) {
+    for (const BodyId id : detail::listedIds(state)) {
         const detail::BodyRecord& body = state.bodies[indexOf(state, id)];
         requireDamping(body.linearDamping, body.angularDamping, tickRate);
     }

@@ -85,6 +85,8 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     j.ownMaterial.push_back(options.material.has_value() ? 1 : 0);
     j.body.push_back(body);
     j.id.push_back(state.jointSlots.insert(index));
+    if (body == none)
+        for (const auto p : {a, b}) ++state.bodies[state.particles.body[p]].ties;
     for (const auto p : {a, b})
         state.particles.reach[p] = std::max(state.particles.reach[p], options.radius);
     return j.id.back();
@@ -238,6 +240,9 @@ AttachmentId addAttachment(State& state, Attachment held, std::uint32_t particle
     held.particle = particle;
     held.id = state.attachmentSlots.insert(static_cast<std::uint32_t>(state.attachments.size()));
     state.attachments.push_back(held);
+    ++state.bodies[state.particles.body[particle]].ties;
+    for (std::uint32_t k = 0; k < held.count; ++k)
+        ++state.bodies[state.particles.body[held.support[k]]].ties;
     for (const auto p : {particle, held.support[0]}) wakeBody(state, state.particles.body[p]);
     bodyChanged(state);
     return held.id;
@@ -282,7 +287,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     plan.validate();
     detail::validateMasses(plan);
     detail::validatePose(pose);
-    detail::State& state = impl_->changing();
+    detail::State& state = impl_->changingKnown();
     detail::BodyRecord body = detail::recordOf(plan);
     detail::makeRoomForParticles(state, plan.particles.size(), plan.kind);
     detail::makeRoomForJoints(state, plan.joints.size());
@@ -322,7 +327,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
 }
 
 void World::remove(BodyId id) {
-    detail::State& state = impl_->changing();
+    detail::State& state = impl_->changingKnown();
     detail::removeBody(state, indexOf(state, id));
     detail::forgetMechanisms(state);
 }

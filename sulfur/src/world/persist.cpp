@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include "core/archive.hpp"
+#include "solver/compact.hpp"
 #include "trees/networks.hpp"
 #include "world/impl.hpp"
 #include "world/validate.hpp"
@@ -56,7 +57,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.gravityScaled);
     a(state.damped);
     a(state.angles);
-    a(state.bodyIds);
+    a(listedIds(state));
     a(state.gone);
     a(state.particleSlots);
     a(state.jointSlots);
@@ -181,6 +182,7 @@ void World::restore(const Snapshot& snapshot) {
     reader(seal);
     if (!reader.finished() || !detail::findBroken(fresh->data).empty()) detail::refuseDamaged();
     detail::prepareNetworks(fresh->data);
+    detail::countTies(fresh->data);
     fresh->data.profiling = impl_->data.profiling;
     fresh->data.tasks = impl_->data.tasks;
     fresh->data.callbacks = std::move(impl_->data.callbacks);
@@ -200,7 +202,8 @@ World World::clone() const {
 
 std::string World::validate() const {
     if (impl_->torn) return "a tick for which there was no memory";
-    return detail::findBroken(impl_->outside());
+    detail::listedIds(impl_->outside());
+    return detail::findBroken(impl_->data);
 }
 
 }  // namespace sulfur

@@ -65,7 +65,13 @@ void World::Impl::refuseTorn() {
 }
 
 detail::State& World::Impl::changing() {
-    detail::State& changed = outside();
+    detail::bringMembers(changingKnown());
+    return data;
+}
+
+detail::State& World::Impl::changingKnown() {
+    detail::State& changed = known();
+    detail::requireOutside(changed.callbacks);
     detail::makeRoom(changed.turned, changed.bodies.size());
     detail::makeRoom(changed.core.staleShapes, 2);
     detail::makeRoom(changed.placed, 1);
@@ -199,7 +205,7 @@ bool World::contains(AttachmentId id) const {
 }
 
 std::span<const BodyId> World::bodies() const {
-    return impl_->known().bodyIds;
+    return detail::listedIds(impl_->known());
 }
 
 std::vector<JointId> World::connections() const {

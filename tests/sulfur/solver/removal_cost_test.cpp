@@ -87,5 +87,68 @@ TEST(RemovalCost, WhatMovesElsewhereKeepsItsPairs) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// A thousand crates side by side, also awake: who goes looks through no list, and the next tick
+/// through each once, however many have gone.
+TEST(RemovalCost, IsNoWorkForOthers) {
+    for (const bool sleeping : {true, false}) {
+        World world({.sleeping = sleeping});
+        world.add(shapes::floor({-5, 0}, {2005, 0}));
+        std::vector<Body> crates;
+        for (int i = 0; i < 1000; ++i)
+            crates.push_back(world.add(shapes::box(), {.position = {2.0 * i, 0.55}}));
+        test::run(world, 1.5);
+        EXPECT_EQ(world.asleep(crates[0]), sleeping);
+        const auto before = world.statistics().upkeep;
+        for (std::size_t i = 0; i < 1000; i += 4) world.remove(crates[i]);
+        EXPECT_EQ(world.statistics().upkeep, before);
+        world.step();
+        EXPECT_LE(world.statistics().upkeep, before + (sleeping ? 0 : 6 * 1000));
+        const auto after = world.statistics().upkeep;
+        world.step();
+        EXPECT_EQ(world.statistics().upkeep, after);
+        EXPECT_EQ(world.bodies().size(), 751u);
+        EXPECT_EQ(world.validate(), "");
+    }
+}
+
+/// Gaps are closed when half of all is gaps, so that removing all of many costs a few looks at
+/// each, and not one at all the others for each.
+TEST(RemovalCost, OfAllIsThatOfEach) {
+    World world;
+    world.add(shapes::floor({-5, 0}, {2005, 0}));
+    std::vector<Body> crates;
+    for (int i = 0; i < 1000; ++i)
+        crates.push_back(world.add(shapes::box(), {.position = {2.0 * i, 0.55}}));
+    test::run(world, 1.5);
+    for (const Body& crate : crates) world.remove(crate);
+    EXPECT_EQ(world.bodies().size(), 1u);
+    // A crate has four particles and six joints.
+    EXPECT_LE(world.statistics().upkeep, 3u * 1000 * (1 + 4 + 6));
+    world.step();
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// Whether somebody has asked where things are in between is nobody's business: the gaps that are
+/// left are the same.
+TEST(RemovalCost, AsksForNothingThatDecides) {
+    const auto hashOf = [](bool asks) {
+        World world({.sleeping = false});
+        world.add(shapes::floor({-5, 0}, {205, 0}));
+        std::vector<Body> crates;
+        for (int i = 0; i < 100; ++i)
+            crates.push_back(world.add(shapes::box(), {.position = {2.0 * i, 3}}));
+        for (int i = 0; i < 90; ++i) {
+            world.step();
+            if (i % 3 != 0) continue;
+            if (asks) world.centreOfMass(crates[99]);
+            world.remove(crates[static_cast<std::size_t>(i)]);
+            if (asks) world.centreOfMass(crates[98]);
+            world.add(shapes::ball(), {.position = {2.0 * i, 9}});
+        }
+        return world.hash();
+    };
+    EXPECT_EQ(hashOf(true), hashOf(false));
+}
+
 }  // namespace
 }  // namespace sulfur
