@@ -264,6 +264,42 @@ SulfurResult sulfur_body_move_to(SulfurWorld* world, SulfurBodyId body, SulfurPo
     return call([&] { of(world).moveTo(fromC(body), fromC(pose)); });
 }
 
+// --- whether it takes part, and as what ----------------------------------------------------------
+
+SulfurResult sulfur_body_set_kind(SulfurWorld* world, SulfurBodyId body, SulfurBodyKind kind) {
+    return call([&] { of(world).setKind(fromC(body), bodyKind(kind)); });
+}
+
+SulfurResult sulfur_body_enabled(const SulfurWorld* world, SulfurBodyId body, bool* enabled) {
+    return give(enabled, [&] { return of(world).isEnabled(fromC(body)); });
+}
+
+SulfurResult sulfur_body_set_enabled(SulfurWorld* world, SulfurBodyId body, bool enabled) {
+    return call([&] { of(world).setEnabled(fromC(body), enabled); });
+}
+
+// --- its frame and that of the world -------------------------------------------------------------
+
+SulfurResult sulfur_body_to_world(const SulfurWorld* world, SulfurBodyId body, SulfurVec local,
+                                  SulfurVec* place) {
+    return give(place, [&] { return of(world).toWorld(fromC(body), point(local)); });
+}
+
+SulfurResult sulfur_body_from_world(const SulfurWorld* world, SulfurBodyId body, SulfurVec place,
+                                    SulfurVec* local) {
+    return give(local, [&] { return of(world).toBody(fromC(body), point(place)); });
+}
+
+SulfurResult sulfur_body_vector_to_world(const SulfurWorld* world, SulfurBodyId body,
+                                         SulfurVec local, SulfurVec* vector) {
+    return give(vector, [&] { return of(world).vectorToWorld(fromC(body), vec(local)); });
+}
+
+SulfurResult sulfur_body_vector_from_world(const SulfurWorld* world, SulfurBodyId body,
+                                           SulfurVec vector, SulfurVec* local) {
+    return give(local, [&] { return of(world).vectorToBody(fromC(body), vec(vector)); });
+}
+
 }  // extern "C"
 
 }  // namespace sulfur::c

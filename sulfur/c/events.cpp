@@ -43,6 +43,20 @@ SulfurResult sulfur_world_contacts(const SulfurWorld* world, SulfurContactInfo* 
     return giveList(out, capacity, count, [&] { return of(world).contacts(); });
 }
 
+SulfurResult sulfur_body_contacts(const SulfurWorld* world, SulfurBodyId body,
+                                  SulfurContactInfo* out, size_t capacity, size_t* count) {
+    return giveList(out, capacity, count, [&] {
+        std::vector<ContactInfo> found(of(world).contacts(fromC(body), {}));
+        of(world).contacts(fromC(body), found);
+        return found;
+    });
+}
+
+SulfurResult sulfur_world_touches(const SulfurWorld* world, SulfurBodyId a, SulfurBodyId b,
+                                  bool* touches) {
+    return give(touches, [&] { return of(world).touches(fromC(a), fromC(b)); });
+}
+
 }  // extern "C"
 
 }  // namespace sulfur::c

@@ -52,4 +52,10 @@ void expectRefused(World& world, ErrorCode code, Function&& call) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// A plan with somebody else to move it.
+inline Blueprint ofKind(Blueprint plan, BodyKind kind) {
+    plan.kind = kind;
+    return plan;
+}
+
 }  // namespace sulfur::test

@@ -3,13 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <sulfur/blueprint.hpp>
+#include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
+#include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
+#include <vector>
 
 namespace sulfur {
 
 class World;
+struct AngleInfo;
+struct ContactInfo;
 
 /// A body in a world: a handle with the world beside it. Copy it freely; it stays valid until the
 /// body is removed or the world is gone, and follows a world that is moved.
@@ -85,6 +94,85 @@ public:
     Real angularDamping() const;
     /// Changes both.
     void setDamping(Real linear, Real angular) const;
+
+    // What it is, and whether it takes part.
+
+    /// Whether it is still in its world; see World::contains.
+    bool exists() const;
+    /// Removes it; see World::remove.
+    void remove() const;
+    /// The name of its blueprint; see World::name.
+    const std::string& name() const;
+    /// Who moves it.
+    BodyKind kind() const;
+    /// Changes who does; see World::setKind.
+    void setKind(BodyKind kind) const;
+    /// Whether it takes part.
+    bool isEnabled() const;
+    /// Takes it out of the world for a while, or back in; see World::setEnabled.
+    void setEnabled(bool enabled) const;
+    /// Its angular joints; see World::angles.
+    std::vector<AngleInfo> angles() const;
+    /// What it wears; see World::skin.
+    const std::optional<Skin>& skin() const;
+    /// The caller's number; see World::setUserData.
+    std::uint64_t userData() const;
+    /// Changes that.
+    void setUserData(std::uint64_t data) const;
+
+    /// Its surface.
+    const Material& material() const;
+    /// Changes that; see World::setMaterial.
+    void setMaterial(const Material& material) const;
+    /// What it collides with.
+    const Filter& filter() const;
+    /// Changes that; see World::setFilter.
+    void setFilter(const Filter& filter) const;
+    /// Whether its own parts touch each other.
+    bool selfCollision() const;
+    /// Changes that; see World::setSelfCollision.
+    void setSelfCollision(bool on) const;
+    /// False after setCollision(other, false).
+    bool collision(BodyId other) const;
+    /// Lets it and another one pass through each other, or not; see World::setCollision.
+    void setCollision(BodyId other, bool on) const;
+    /// Whether it is a sensor.
+    bool sensor() const;
+    /// Makes it a sensor or an ordinary body; see World::setSensor.
+    void setSensor(bool sensor) const;
+    /// Who is in it, if it is a sensor; see World::visitors.
+    std::vector<BodyId> visitors() const;
+    /// Its contacts, as many as there is room for; returns how many there are. See World::contacts.
+    std::size_t contacts(std::span<ContactInfo> out) const;
+    /// Whether it touches another one; see World::touches.
+    bool touches(BodyId other) const;
+
+    /// Whether it sleeps; see World::asleep.
+    bool asleep() const;
+    /// Wakes it and its island.
+    void wake() const;
+    /// Puts it to sleep with its island and returns whether it sleeps now; see World::putToSleep.
+    bool putToSleep() const;
+    /// Whether it may fall asleep.
+    bool sleepingAllowed() const;
+    /// Changes that; see World::setSleepingAllowed.
+    void setSleepingAllowed(bool allowed) const;
+
+    /// Where a point of its frame is in the world, metres; see World::toWorld.
+    Point toWorld(Point local) const;
+    /// Where a point of the world is in its frame, metres.
+    Point toBody(Point point) const;
+    /// A vector of its frame as it is in the world: turned.
+    Vec2 vectorToWorld(Vec2 local) const;
+    /// And the other way.
+    Vec2 vectorToBody(Vec2 vector) const;
+
+    /// Moves it, if it is kinematic, to be at `pose` after the next tick; see World::moveTo.
+    void moveTo(const Pose& pose) const;
+    /// Holds a particle of another body at a point of its frame; see World::attach.
+    AttachmentId attach(ParticleId particle, Vec2 localPoint) const;
+    /// Pulls a point of its frame, if it is dynamic, towards `target`; see World::grab.
+    GrabId grab(Vec2 localPoint, Point target, const GrabOptions& options = {}) const;
 
 private:
     World& world() const { return **home_; }

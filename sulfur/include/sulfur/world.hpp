@@ -283,6 +283,8 @@ public:
     const std::string& name(BodyId body) const;
     /// Who moves a body.
     BodyKind kind(BodyId body) const;
+    /// Whether a body takes part; see setEnabled().
+    bool isEnabled(BodyId body) const;
     /// The surface of a body.
     const Material& material(BodyId body) const;
     /// The surface of a joint: its own, or that of its body.
@@ -329,6 +331,17 @@ public:
     Pose interpolatedPose(BodyId body, double alpha) const;
     /// The angle of pose(), -pi to pi.
     double angle(BodyId body) const;
+    /// Where a point of a body's frame is in the world, metres, by pose(). Points here and below
+    /// are -1e9 to 1e9 m on each axis. For what is bent it is where the point would be if it were
+    /// not; attach() tells of points that follow the particles around them.
+    Point toWorld(BodyId body, Point local) const;
+    /// Where a point of the world is in a body's frame, metres.
+    Point toBody(BodyId body, Point point) const;
+    /// A direction, velocity or force in a body's frame (each component -1e12 to 1e12) as it is in
+    /// the world: turned by angle().
+    Vec2 vectorToWorld(BodyId body, Vec2 local) const;
+    /// And the other way.
+    Vec2 vectorToBody(BodyId body, Vec2 vector) const;
     /// The mass-weighted mean place of its particles, metres.
     Point centreOfMass(BodyId body) const;
     /// The mass-weighted mean velocity of its particles, m/s.
@@ -380,6 +393,14 @@ public:
     /// Contacts that push, in a fixed order: those of the last tick, and those of sleepers. Sensors
     /// have none.
     std::vector<ContactInfo> contacts() const;
+    /// Those of one body, with others and between its own parts, in a fixed order: as many as there
+    /// is room for come to `out`. Returns how many there are. It takes no memory once it has been
+    /// asked about as many. Complexity: linear in what is near the body, and in the impacts of the
+    /// last step; in all contacts for a body to which a capsule of connect() leads.
+    std::size_t contacts(BodyId body, std::span<ContactInfo> out) const;
+    /// Whether two bodies touched at the end of the last tick, as events() tell it; also sleepers,
+    /// and parts of one body. Sensors touch nobody. Complexity: constant.
+    bool touches(BodyId a, BodyId b) const;
     /// Kinetic plus gravitational plus elastic energy of all dynamic bodies, joules, at the time of
     /// the velocities: half a tick before the positions (see velocity()).
     double energy() const;
@@ -421,6 +442,28 @@ public:
     /// sensors. Who comes and goes is told at the end of each tick in events(); where a sensor is
     /// removed, or made an ordinary body, nothing is told. Wakes what is near.
     void setSensor(BodyId body, bool sensor);
+    /// Takes a body out of the world for a while (false), or back in (true). While it is out it
+    /// stays where it is, with its velocities, touches nothing, and no query or sensor finds it; as
+    /// a sensor it feels nobody. Joints to other bodies and attachments do nothing meanwhile, on
+    /// either side, nor do grabs, forces and impulses; it neither sleeps nor wakes. Its handles are
+    /// valid, it can be looked at, drawn, moved by setPose() and changed, and what velocity it is
+    /// given it has when it comes back. Contacts end with the next tick, with their events; those
+    /// who were in it as a sensor are not told. When it comes back it goes on as it was, joints
+    /// and attachments close as if the caller had torn them apart, and what it overlaps then is led
+    /// apart slowly. Pieces that break off inherit it; scene files do not hold it. Wakes what
+    /// touched or is tied to it, and what sleeps where it comes back. Complexity: that of deriving
+    /// how all is solved, in the next tick.
+    void setEnabled(BodyId body, bool enabled);
+    /// Changes who moves a body. What becomes dynamic goes on with the velocities of its particles,
+    /// and discs with its angular velocity: from rest if it was fixed, as it was driven if it was
+    /// kinematic. What becomes kinematic goes on with the velocity of its centre of mass, a rigid
+    /// body also with its angular velocity, as if setVelocity() had said so; a pose that it was
+    /// being moved to is forgotten. What becomes fixed stops: its momentum is gone. Throws
+    /// Error{outOfRange} where a body that becomes dynamic is joined or attached to a dynamic one
+    /// of more than 1e9 times its mass, or less than a 1e9th, as connect() does. A joint between
+    /// two bodies that are not dynamic does nothing. Wakes it, what touched or is tied to it, and
+    /// what sleeps where it is. Complexity: as that of setEnabled().
+    void setKind(BodyId body, BodyKind kind);
     /// How much of gravity() acts on a dynamic body, -1000 to 1000, 1 at first: 0 floats, below 0
     /// rises. Pieces that break off inherit it; scene files do not hold it. Wakes it and what
     /// touches it.

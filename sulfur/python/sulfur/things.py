@@ -55,7 +55,8 @@ class Body(Thing):
         """Removes it with all that holds on to it."""
         self._tell("remove")
 
-    kind = _reading(ctypes.c_int32, "kind", "DYNAMIC, KINEMATIC or FIXED.")
+    kind = _setting(ctypes.c_int32, "kind", "DYNAMIC, KINEMATIC or FIXED.")
+    enabled = _setting(ctypes.c_bool, "enabled", "Whether it takes part.")
     pose = _setting(c.Pose, "pose", "Position and angle of its frame.",
                     lambda value: value if isinstance(value, c.Pose) else pose_of(*value))
     angle = _reading(ctypes.c_double, "angle", "Radians.")
@@ -98,6 +99,26 @@ class Body(Thing):
     def interpolated_pose(self, alpha):
         """The pose for drawing, between the last two ticks."""
         return self._ask(c.Pose, "interpolated_pose", alpha)
+
+    def to_world(self, local):
+        """Where a point of its frame is in the world."""
+        return self._ask(c.Vec, "to_world", vec(local))
+
+    def from_world(self, point):
+        """Where a point of the world is in its frame."""
+        return self._ask(c.Vec, "from_world", vec(point))
+
+    def vector_to_world(self, local):
+        """A vector of its frame as it is in the world."""
+        return self._ask(c.Vec, "vector_to_world", vec(local))
+
+    def vector_from_world(self, vector):
+        """A vector of the world as it is in its frame."""
+        return self._ask(c.Vec, "vector_from_world", vec(vector))
+
+    def touches(self, other):
+        """Whether it touched another body at the end of the last tick."""
+        return get(ctypes.c_bool, "sulfur_world_touches", self.world._handle, self.id, other.id)
 
     def apply_force(self, force, at):
         """Newtons at a point of the world during the next tick."""
@@ -145,6 +166,11 @@ class Body(Thing):
     def angles(self):
         """What its angular joints are at the moment, without those that are gone."""
         return self._ask_list(c.AngleInfo, "angles")
+
+    @property
+    def contacts(self):
+        """Its contacts that push."""
+        return self._ask_list(c.ContactInfo, "contacts")
 
     @property
     def visitors(self):

@@ -76,6 +76,16 @@ bool shouldCollide(State& state, const Encounter& encounter) {
 
 }  // namespace
 
+bool areTouching(const ContactCore& core, BodyId a, BodyId b) {
+    if (core.buckets.empty()) return false;
+    const BodyPair pair = BodyPair::of(a, b);
+    for (auto e = core.buckets[bucketOf(core, pair.a, pair.b)]; e != none;
+         e = core.encounters[e].nextInBucket)
+        if (core.encounters[e].a == pair.a && core.encounters[e].b == pair.b)
+            return core.encounters[e].touching != 0;
+    return false;
+}
+
 void enterEncounter(State& state, std::uint32_t index) {
     ContactCore& core = state.core;
     Pair& pair = core.pairs[index];

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <sulfur/ids.hpp>
 
 namespace sulfur::detail {
 
 struct ContactCore;
 struct State;
 
+/// Whether two bodies, or two parts of one, touched at the end of the last tick.
+bool areTouching(const ContactCore& core, BodyId a, BodyId b);
 /// A new pair of chunks joins the encounter of its bodies, or begins one.
 void enterEncounter(State& state, std::uint32_t pair);
 /// A pair that ends leaves it.

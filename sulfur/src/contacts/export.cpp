@@ -18,25 +18,32 @@ public:
 
     void run(bool sleepers) {
         contacts_.clear();
-        for (const Pair& pair : core_.pairs) {
-            if (pair.a == none) continue;
-            if (pair.row)
-                addManifold(pair);
-            else if (sleepers && pair.keptPressing)
-                addSleeping(pair);
-            for (auto t = pair.firstTouch; t != none; t = core_.touches[t].next)
-                addTouch(core_.touches[t], sleepers);
-        }
+        for (const Pair& pair : core_.pairs)
+            if (pair.a != none) addPair(pair, sleepers);
     }
-    /// Impacts of the last step; where a row presses at the same point, both are one.
-    void addKnocks() {
+    /// Of one body, by slot, with sleepers.
+    void runOf(std::uint32_t slot) {
+        contacts_.clear();
+        const auto& chunks = core_.shapes.chunks;
+        const auto& first = core_.shapes.firstChunk;
+        for (auto c = slot < first.size() ? first[slot] : none; c != none; c = chunks[c].nextOfBody)
+            for (auto at = chunks[c].firstPair; at != none;) {
+                const Pair& pair = core_.pairs[at / 2];
+                // Of its own parts, once.
+                if (at % 2 == 0 || chunks[pair.a].body != chunks[pair.b].body) addPair(pair, true);
+                at = pair.next[at % 2];
+            }
+    }
+    /// Impacts of the last step, of one body (dense index) or of all; where a row presses at the
+    /// same point, both are one.
+    void addKnocks(std::uint32_t body = none) {
         const std::size_t rows = contacts_.size();
         for (const Knock& knock : core_.knocks) {
             ContactLoad c;
             c.normal = knock.normal;
             c.normalLambda = knock.pressing;
             c.tangentLambda = knock.rubbing;
-            add(c, knock.particles);
+            if (body == none || isOf(knock, body)) add(c, knock.particles);
         }
         const auto first = contacts_.begin() + static_cast<std::ptrdiff_t>(rows);
         std::sort(first, contacts_.end(), [](const ContactLoad& x, const ContactLoad& y) {
@@ -73,6 +80,23 @@ private:
         c.tangentLambda += more.tangentLambda;
     }
 
+    /// As add() names both of its bodies.
+    bool isOf(const Knock& knock, std::uint32_t body) const {
+        const auto isOurs = [&](std::uint32_t slot) {
+            const auto i = state_.particleSlots.denseOf(slot);
+            return i != none && state_.particles.body[i] == body;
+        };
+        return isOurs(knock.particles[0]) || isOurs(knock.particles[1]);
+    }
+
+    void addPair(const Pair& pair, bool sleepers) {
+        if (pair.row)
+            addManifold(pair);
+        else if (sleepers && pair.keptPressing)
+            addSleeping(pair);
+        for (auto t = pair.firstTouch; t != none; t = core_.touches[t].next)
+            addTouch(core_.touches[t], sleepers);
+    }
     void addManifold(const Pair& pair) {
         const ManifoldBlock& block = core_.rows.manifold(pair.row);
         const ManifoldShape& shape = core_.rows.manifoldShape(pair.row);
@@ -146,6 +170,19 @@ void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool
     Exporter exporter(state, contacts);
     exporter.run(sleepers);
     exporter.addKnocks();
+}
+
+void exportContactsOf(const State& state, std::uint32_t body, std::vector<ContactLoad>& contacts) {
+    const auto slot = state.bodies[body].id.index - 1;
+    Exporter exporter(state, contacts);
+    // Capsules between bodies are chunks of one of them, with corners of both.
+    if (!state.core.tiedCapsules.empty() && hasLinks(state.core, slot))
+        exporter.run(true);
+    else
+        exporter.runOf(slot);
+    std::erase_if(contacts,
+                  [&](const ContactLoad& c) { return c.bodyA != body && c.bodyB != body; });
+    exporter.addKnocks(body);
 }
 
 }  // namespace sulfur::detail

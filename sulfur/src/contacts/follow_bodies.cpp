@@ -136,7 +136,7 @@ void listAwake(State& state) {
     for (; core.listedBodies < state.bodies.size(); ++core.listedBodies) {
         const BodyRecord& body = state.bodies[core.listedBodies];
         core.bouncingPairs += countBouncing(state, body);
-        if (body.sensor) state.sensing.bodies.push_back(core.listedBodies);
+        if (body.sensor && !body.disabled) state.sensing.bodies.push_back(core.listedBodies);
         if (body.gone == 0) listBody(state, core.listedBodies);
     }
 }

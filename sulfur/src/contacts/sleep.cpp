@@ -22,13 +22,13 @@ namespace {
 constexpr Real timeToSleep = Real(tuned::timeToSleep);
 
 bool isDynamic(const State& state, std::uint32_t body) {
-    return state.bodies[body].kind == BodyKind::dynamic;
+    return state.bodies[body].kind == BodyKind::dynamic && !state.bodies[body].disabled;
 }
 
 /// Whether any part of a kinematic body moves; the first particle may be what it turns about.
 bool isDriving(const State& state, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
-    if (body.kind != BodyKind::kinematic) return false;
+    if (body.kind != BodyKind::kinematic || body.disabled) return false;
     const auto first = state.particles.velocity.begin() + body.firstParticle;
     return std::any_of(first, first + static_cast<std::ptrdiff_t>(body.particles.size()),
                        [](const Point& v) { return v.squaredNorm() > 0; });

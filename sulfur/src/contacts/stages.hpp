@@ -59,6 +59,8 @@ void endMotion(State& state);
 /// Points that push, with the impacts of the last step; with those of sleepers where it is asked
 /// for.
 void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers);
+/// The same of one body, by dense index, with sleepers.
+void exportContactsOf(const State& state, std::uint32_t body, std::vector<ContactLoad>& contacts);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleep(State& state);
 

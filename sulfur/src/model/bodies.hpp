@@ -21,6 +21,7 @@ struct BodyRecord {
     BodyId id;
     BodyKind kind = BodyKind::dynamic;
     bool asleep = false;
+    bool disabled = false;            // takes no part, and is not asleep
     bool sleepless = false;           // never falls asleep, nor whoever is in its island
     bool moving = false;              // kinematic: has a target for the next tick
     bool stopping = false;            // kinematic: had a target for the last tick
@@ -58,6 +59,7 @@ struct BodyRecord {
         a(id);
         a(kind);
         a(asleep);
+        a(disabled);
         a(sleepless);
         a(moving);
         a(stopping);

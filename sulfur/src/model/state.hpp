@@ -222,6 +222,7 @@ struct State {
     Triangles triangles;
     std::vector<std::uint32_t> surface;  // by particle, the joint whose surface it shows, or none
     std::vector<ContactLoad> contacts;   // of this step, where rigid components may break
+    std::vector<ContactLoad> asked;      // of one body, for a caller
     std::vector<Vec2> loads;             // N on members of watched clusters in this tick
     std::vector<BodyPair> vetoes;        // that never collide, sorted
     Nearby nearby;
@@ -249,7 +250,8 @@ struct State {
     }
 
     bool awake(std::uint32_t body) const {
-        return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep;
+        return bodies[body].kind != BodyKind::fixed && !bodies[body].asleep &&
+               !bodies[body].disabled;
     }
 };
 
@@ -287,6 +289,20 @@ inline Range anglesOf(const State& state, std::uint32_t body) {
     const auto [from, to] = std::equal_range(list.begin(), list.end(), body);
     return {static_cast<std::uint32_t>(from - list.begin()),
             static_cast<std::uint32_t>(to - list.begin())};
+}
+
+/// Whether the body of a particle takes part.
+inline bool isEnabled(const State& state, std::uint32_t particle) {
+    return !state.bodies[state.particles.body[particle]].disabled;
+}
+/// Whether what is tied does nothing, because one of its ends is of a body that takes no part.
+inline bool isCut(const State& state, const Attachment& held) {
+    bool cut = !isEnabled(state, held.particle);
+    for (std::uint32_t k = 0; k < held.count; ++k) cut |= !isEnabled(state, held.support[k]);
+    return cut;
+}
+inline bool isCut(const State& state, std::uint32_t joint) {
+    return !isEnabled(state, state.joints.a[joint]) || !isEnabled(state, state.joints.b[joint]);
 }
 
 /// Whether the present step is the first of its tick.

@@ -139,7 +139,9 @@ std::optional<ParticleId> World::nearestParticle(Point point, Real reach) const 
     double best = static_cast<double>(reach) * static_cast<double>(reach);
     std::optional<ParticleId> found;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (state.bodies[p.body[i]].gone > 0) continue;
+        if (state.bodies[p.body[i]].gone > 0 ||
+            !detail::isEnabled(state, static_cast<std::uint32_t>(i)))
+            continue;
         const double distance = (p.position[i] - point).squaredNorm();
         if (distance > best || (found && distance == best)) continue;
         best = distance;

@@ -18,8 +18,9 @@ void requireCoordinates(const Point& point, const char* what) {
 
 bool admits(const State& state, const QueryFilter& filter, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
-    return (body.filter.category & filter.mask) != 0 && body.id != filter.ignore &&
-           (filter.sensors || !body.sensor) && (!filter.accept || filter.accept(body.id));
+    return !body.disabled && (body.filter.category & filter.mask) != 0 &&
+           body.id != filter.ignore && (filter.sensors || !body.sensor) &&
+           (!filter.accept || filter.accept(body.id));
 }
 
 std::vector<std::uint32_t> enclosing(State& state, const Point& point, const QueryFilter& filter) {

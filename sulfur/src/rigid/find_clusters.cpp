@@ -323,7 +323,7 @@ void restoreClusterMasses(State& state, std::uint32_t body) {
     for (; at != list.end() && at->body == body; ++at) {
         at->inverseMass = moves ? static_cast<Real>(at->freeInverseMass) : 0;
         at->inverseInertia = moves ? static_cast<Real>(at->freeInverseInertia) : 0;
-        if (moves) continue;
+        if (moves || state.bodies[body].disabled) continue;
         at->velocity = Point(0, 0);
         at->spin = 0;
         at->headingBefore = at->heading;

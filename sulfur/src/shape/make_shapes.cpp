@@ -67,7 +67,7 @@ private:
         }
         own_ = std::ssize(capsules_);
         for (const auto j : state_.core.tiedCapsules)
-            if (isOurs(j)) capsules_.push_back(j);
+            if (isOurs(j) && !isCut(state_, j)) capsules_.push_back(j);
     }
     std::vector<std::uint32_t> own() const { return {capsules_.begin(), capsules_.begin() + own_}; }
 
@@ -449,6 +449,7 @@ private:
 }  // namespace
 
 void makeShape(State& state, std::uint32_t body) {
+    if (state.bodies[body].disabled) return;
     ShapeMaker(state, body).run();
 }
 

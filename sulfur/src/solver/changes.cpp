@@ -137,7 +137,7 @@ bool takesPart(const State& state, std::uint32_t j) {
     const auto moves = [&](std::uint32_t p) {
         return state.awake(state.particles.body[p]) && inverseMassAwake(state, p) > 0;
     };
-    return !joints.inCluster[j] && (moves(joints.a[j]) || moves(joints.b[j]));
+    return !joints.inCluster[j] && (moves(joints.a[j]) || moves(joints.b[j])) && !isCut(state, j);
 }
 
 void listStiffRuns(State& state) {
@@ -156,7 +156,8 @@ void listStiffRuns(State& state) {
 void listBreakable(State& state, const Counts& before) {
     const Joints& joints = state.joints;
     for (auto j = before.joints; j < joints.size(); ++j)
-        if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]))
+        if (joints.strength[j] != infinite && anyAwake(state, joints.a[j], joints.b[j]) &&
+            !isCut(state, j))
             state.work.breakableJoints.push_back(j);
 }
 
@@ -259,7 +260,8 @@ void listAttachments(State& state) {
     work.hinges.clear();
     for (const auto i : state.structure.sweptAttachments) {
         const Attachment& held = state.attachments[i];
-        if (anyAwake(state, held.particle, held.support[0])) work.attachments.push_back(i);
+        if (anyAwake(state, held.particle, held.support[0]) && !isCut(state, held))
+            work.attachments.push_back(i);
     }
     for (const auto i : state.structure.sweptHinges) {
         const Hinge& hinge = state.clusters.hinges[i];

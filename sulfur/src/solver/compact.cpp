@@ -147,7 +147,7 @@ void squeezeBodies(State& state, const Removal& removal) {
         first += static_cast<std::uint32_t>(body.particles.size());
         state.bodySlots.move(body.id, i);
         state.bodyIds.push_back(body.id);
-        if (body.sensor) state.sensing.bodies.push_back(i);
+        if (body.sensor && !body.disabled) state.sensing.bodies.push_back(i);
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 bool feels(const State& state, std::uint32_t sensor, std::uint32_t visitor) {
     const BodyRecord& body = state.bodies[visitor];
-    return sensor != visitor && !body.sensor && body.kind != BodyKind::fixed &&
+    return sensor != visitor && !body.sensor && !body.disabled && body.kind != BodyKind::fixed &&
            mayCollide(state.bodies[sensor].filter, body.filter);
 }
 

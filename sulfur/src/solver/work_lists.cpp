@@ -107,7 +107,7 @@ void unlist(State& state, std::uint32_t index) {
     WorkLists& work = state.work;
     const BodyRecord& body = state.bodies[index];
     const bool isListed = index < work.listed.bodies && (!work.stale || work.onlyAdded);
-    if (!isListed || body.kind == BodyKind::fixed) return;
+    if (!isListed || body.kind == BodyKind::fixed || body.disabled) return;
     const auto at = std::lower_bound(work.bodies.begin(), work.bodies.end(), index);
     if (at == work.bodies.end() || *at != index) {
         --work.sleepers;
@@ -132,7 +132,7 @@ void retireFromLists(State& state, std::uint32_t index) {
     WorkLists& work = state.work;
     const BodyRecord& body = state.bodies[index];
     const bool isListed = index < work.listed.bodies && (!work.stale || work.onlyAdded);
-    if (!isListed || body.kind == BodyKind::fixed) return;
+    if (!isListed || body.kind == BodyKind::fixed || body.disabled) return;
     if (!std::binary_search(work.bodies.begin(), work.bodies.end(), index)) {
         --work.sleepers;
         return;

@@ -68,12 +68,14 @@ void StiffGraph::add(const Edge& edge) {
 void StiffGraph::addJoint(std::uint32_t j) {
     const Joints& joints = state_.joints;
     if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
+    if (joints.body[j] == none && isCut(state_, j)) return;
     add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
 }
 
 /// An attachment is an edge if its supports move as one; else it is swept.
 void StiffGraph::addAttachment(std::uint32_t i) {
     const Attachment& held = state_.attachments[i];
+    if (isCut(state_, held)) return;
     EdgeEnd support = endOf(held.support[0]);
     if (held.count > 1) {
         Point place(0, 0);

@@ -82,7 +82,7 @@ void requireSpeeds(const State& state, std::uint32_t index, const RigidMotion& w
 void pushDuringTick(State& state, std::uint32_t index, const RigidMotion& whole,
                     const RigidField& field) {
     requireShares(state, index, whole, field, "its share of the force", "its share of the torque");
-    if (state.bodies[index].kind != BodyKind::dynamic) return;
+    if (state.bodies[index].kind != BodyKind::dynamic || state.bodies[index].disabled) return;
     detail::makeRoom(state.discTurns, whole.discs.size());
     detail::wakeBody(state, index);
     state.anyForced = true;
@@ -100,7 +100,7 @@ void pushAtOnce(State& state, std::uint32_t index, const RigidMotion& whole,
                 const RigidField& field) {
     requireShares(state, index, whole, field, "its share of the impulse",
                   "its share of the angular impulse");
-    if (state.bodies[index].kind != BodyKind::dynamic) return;
+    if (state.bodies[index].kind != BodyKind::dynamic || state.bodies[index].disabled) return;
     detail::makeRoom(state.discTurns, whole.discs.size());
     detail::wakeBody(state, index);
     forEachParticle(state, index, [&](std::uint32_t i) {

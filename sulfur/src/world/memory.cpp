@@ -190,7 +190,7 @@ MemoryUse ofScratch(const State& state) {
              n.points, n.bodies, w.rows, w.contacts, w.pressing, w.inverseMass, w.moved,
              w.bestMoved, w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
-        .add(state.young)
+        .add(state.young, state.asked)
         .addBytes(state.arena.bytes())
         .as("scratch of a step", c.movers.size() - 1, true);
 }

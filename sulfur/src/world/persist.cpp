@@ -92,6 +92,7 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         if (body.gravityScale != 1) hasher(body.gravityScale);
         if (body.fixedRotation) hasher(body.fixedRotation);
         if (body.sleepless) hasher(body.sleepless);
+        if (body.disabled) hasher(body.disabled);
         if (isDamped(body)) {
             hasher(body.linearDamping);
             hasher(body.angularDamping);

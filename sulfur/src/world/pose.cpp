@@ -115,6 +115,28 @@ double World::angle(BodyId id) const {
     return detail::angleOf(frameNow(impl_->state(), id).heading);
 }
 
+Point World::toWorld(BodyId id, Point local) const {
+    detail::requireWithin(local, detail::maxCoordinate, "point of a body");
+    const Frame frame = frameNow(impl_->state(), id);
+    return frame.centre + turned(frame.heading, local - frame.restCentre);
+}
+
+Point World::toBody(BodyId id, Point point) const {
+    detail::requireWithin(point, detail::maxCoordinate, "point");
+    const Frame frame = frameNow(impl_->state(), id);
+    return frame.restCentre + turnedBack(frame.heading, point - frame.centre);
+}
+
+Vec2 World::vectorToWorld(BodyId id, Vec2 local) const {
+    detail::requireWithin(local, detail::maxForce, "vector");
+    return turned(frameNow(impl_->state(), id).heading, local.cast<double>()).cast<Real>();
+}
+
+Vec2 World::vectorToBody(BodyId id, Vec2 vector) const {
+    detail::requireWithin(vector, detail::maxForce, "vector");
+    return turnedBack(frameNow(impl_->state(), id).heading, vector.cast<double>()).cast<Real>();
+}
+
 Pose World::interpolatedPose(BodyId id, double alpha) const {
     detail::requireRange(alpha, 0, 1, "interpolated pose: alpha");
     State& state = impl_->state();

@@ -126,6 +126,7 @@ std::string validateBodies(const State& state) {
             gone.particles += body.gone;
             continue;
         }
+        if (body.disabled && body.asleep) return problem("a body that takes no part sleeps", i);
         if (!body.turn.allFinite() || !body.turnBefore.allFinite() || !body.drift.allFinite() ||
             !std::isfinite(body.spin) || !std::isfinite(body.gravityScale))
             return problem("turn or gravity of a body is not finite", i);

@@ -313,6 +313,9 @@ Real World::linearDamping(BodyId id) const {
 Real World::angularDamping(BodyId id) const {
     return record(impl_->known(), id).angularDamping;
 }
+bool World::isEnabled(BodyId id) const {
+    return !record(impl_->known(), id).disabled;
+}
 bool World::sleepingAllowed(BodyId id) const {
     return !record(impl_->known(), id).sleepless;
 }
@@ -406,21 +409,6 @@ Vec2 World::velocity(ParticleId id) const {
     return impl_->state().particles.velocity[indexOf(impl_->state(), id)].cast<Real>();
 }
 
-std::vector<ContactInfo> World::contacts() const {
-    const State& state = impl_->state();
-    const auto& p = state.particles;
-    std::vector<ContactInfo> found;
-    std::vector<detail::ContactLoad> points;
-    detail::exportContacts(state, points, true);
-    // The last step of the tick stands for all.
-    const Real ofTick = tickDuration() / (state.h * state.h);
-    for (const auto& c : points)
-        found.push_back({state.bodies[c.bodyA].id, state.bodies[c.bodyB].id,
-                         p.position[c.particle] - (p.reach[c.particle] * c.normal).cast<double>(),
-                         c.normal, c.normalLambda * ofTick, c.tangentLambda * ofTick});
-    return found;
-}
-
 namespace {
 /// Where a particle was when it had the velocity that is stored: in the middle of its last step.
 Point positionOfVelocity(const State& state, std::uint32_t i) {
@@ -457,8 +445,8 @@ double World::energy() const {
     for (const detail::Cluster& c : state.clusters.list)
         if (isDisc(c) && canTurn(c)) sum += c.spin * c.spin / (2 * c.freeInverseInertia);
     const auto& j = state.joints;
-    for (std::size_t i = 0; i < j.size(); ++i) {
-        if (j.stiffness[i] == infinite) continue;
+    for (std::uint32_t i = 0; i < j.size(); ++i) {
+        if (j.stiffness[i] == infinite || (j.body[i] == none && isCut(state, i))) continue;
         const Point apart = positionOfVelocity(state, j.b[i]) - positionOfVelocity(state, j.a[i]);
         const double stretch = apart.norm() - static_cast<double>(j.restLength[i]);
         sum += static_cast<double>(j.stiffness[i]) * stretch * stretch / 2;

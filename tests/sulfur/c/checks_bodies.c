@@ -96,6 +96,49 @@ static const char* check_properties(SulfurWorld* world, SulfurBodyId crate) {
     return NULL;
 }
 
+/* Whether it takes part, and as what; its frame in the world. Alone, without gravity. */
+static const char* check_taking_part(SulfurWorld* world, SulfurBodyId crate) {
+    SulfurVec place, back, before, after;
+    SulfurPose pose;
+    SulfurBodyKind kind;
+    size_t count = 1;
+    bool on;
+    OK(sulfur_body_set_damping(world, crate, 0, 0));
+    OK(sulfur_body_enabled(world, crate, &on));
+    CHECK(on);
+    OK(sulfur_body_set_motion(world, crate, v(1, 0), 0));
+    OK(sulfur_body_set_enabled(world, crate, false));
+    OK(sulfur_body_enabled(world, crate, &on));
+    CHECK(!on);
+    OK(sulfur_body_centre_of_mass(world, crate, &before));
+    OK(sulfur_world_step(world));
+    OK(sulfur_body_centre_of_mass(world, crate, &after));
+    CHECK(after.x == before.x);
+    OK(sulfur_body_set_enabled(world, crate, true));
+    OK(sulfur_world_step(world));
+    OK(sulfur_body_centre_of_mass(world, crate, &after));
+    CHECK(fabs(after.x - before.x - 0.002) < 1e-6);
+    OK(sulfur_body_set_kind(world, crate, SULFUR_FIXED));
+    OK(sulfur_body_kind(world, crate, &kind));
+    CHECK(kind == SULFUR_FIXED);
+    CHECK(sulfur_body_set_kind(world, crate, (SulfurBodyKind)7) == SULFUR_OUT_OF_RANGE);
+    OK(sulfur_body_set_kind(world, crate, SULFUR_DYNAMIC));
+    OK(sulfur_body_contacts(world, crate, NULL, 0, &count));
+    CHECK(count == 0);
+    OK(sulfur_world_touches(world, crate, crate, &on));
+    CHECK(!on);
+    OK(sulfur_body_to_world(world, crate, v(0, 0), &place));
+    OK(sulfur_body_pose(world, crate, &pose));
+    CHECK(fabs(place.x - pose.position.x) < 1e-12 && fabs(place.y - pose.position.y) < 1e-12);
+    OK(sulfur_body_to_world(world, crate, v(1, 2), &place));
+    OK(sulfur_body_from_world(world, crate, place, &back));
+    CHECK(fabs(back.x - 1) < 1e-9 && fabs(back.y - 2) < 1e-9);
+    OK(sulfur_body_vector_to_world(world, crate, v(3, 4), &place));
+    OK(sulfur_body_vector_from_world(world, crate, place, &back));
+    CHECK(fabs(back.x - 3) < 1e-5 && fabs(back.y - 4) < 1e-5);
+    return NULL;
+}
+
 /* How it comes to rest: what turns, what is braked, what sleeps. Alone, without gravity. */
 static const char* check_calming(SulfurWorld* world, SulfurBodyId crate) {
     double linear, angular, turned, turning;
@@ -180,6 +223,7 @@ const char* c_check_bodies(void) {
     const char* wrong = make(&world, &crate);
     if (!wrong) wrong = check_motion(world, crate);
     if (!wrong) wrong = check_calming(world, crate);
+    if (!wrong) wrong = check_taking_part(world, crate);
     if (!wrong) wrong = check_properties(world, crate);
     if (!wrong) wrong = check_two(world, crate);
     sulfur_world_destroy(world);

@@ -32,7 +32,7 @@ void Caller::tie() {
 
 void Caller::changeBody() {
     const BodyId id = body();
-    switch (numbers_->below(15)) {
+    switch (numbers_->below(17)) {
         case 0:
             return world_->setMaterial(id, material());
         case 1:
@@ -70,6 +70,11 @@ void Caller::changeBody() {
             const Real linear = number();
             return world_->setDamping(id, linear, number());
         }
+        case 14:
+            return world_->setEnabled(id, !oneIn(4));
+        case 15:
+            return world_->setKind(
+                id, either() ? BodyKind::dynamic : static_cast<BodyKind>(numbers_->below(3)));
         default:
             return world_->setVelocity(id, vector());
     }

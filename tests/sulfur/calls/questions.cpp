@@ -1,4 +1,7 @@
 // Questions of every kind: they change nothing, and what they find is there.
+#include <algorithm>
+#include <array>
+
 #include "calls/caller.hpp"
 
 namespace sulfur::test {
@@ -52,12 +55,24 @@ void askWhole(const World& world, BodyId id, double alpha) {
     require(drawn.position.allFinite() && std::abs(drawn.angle) < 3.15, "a pose is interpolated");
     require(std::isfinite(world.angularVelocity(id)) && world.inertia(id) >= 0,
             "a body has a spin and an inertia");
+    const Point local(1, -2);
+    const double far = 1e-9 * (1 + now.position.norm());
+    require((world.toBody(id, world.toWorld(id, local)) - local).norm() < 10 * far,
+            "a point of a body goes to the world and back");
     const Bounds bounds = world.bounds(id);
     const Point centre = world.centreOfMass(id);
     const double within = 1e-9 * (1 + centre.norm());
     require((centre.array() >= bounds.low.array() - within).all() &&
                 (centre.array() <= bounds.high.array() + within).all(),
             "a body is within its bounds");
+}
+
+void askContacts(const World& world, BodyId id) {
+    std::array<ContactInfo, 8> found;
+    const std::size_t count = world.contacts(id, found);
+    for (std::size_t k = 0; k < std::min(count, found.size()); ++k)
+        require((found[k].a == id || found[k].b == id) && found[k].point.allFinite(),
+                "contacts of a body are its own");
 }
 
 }  // namespace
@@ -211,7 +226,8 @@ void Caller::askThings() {
                 for (const BodyId visitor : w.visitors(id))
                     require(w.contains(visitor), "visitors are bodies");
                 w.collision(id, other);
-                return;
+                w.touches(id, other);
+                return askContacts(w, id);
             case 2:
                 require(w.info(p).position == w.position(p) && w.velocity(p).allFinite() &&
                             w.interpolated(p, alpha).allFinite(),

@@ -98,6 +98,34 @@ class Bodies(unittest.TestCase):
         crate.sleeping_allowed = True
         self.assertTrue(crate.put_to_sleep() and crate.asleep)
 
+    def test_take_part(self):
+        crate = self.crate
+        crate.set_motion((1, 0), 0)
+        self.assertTrue(crate.enabled)
+        crate.enabled = False
+        before = crate.centre_of_mass.x
+        self.world.step()
+        self.assertFalse(crate.enabled)
+        self.assertEqual(crate.centre_of_mass.x, before)
+        crate.enabled = True
+        self.world.step()
+        self.assertGreater(crate.centre_of_mass.x, before)
+        crate.kind = sulfur.FIXED
+        self.assertEqual(crate.kind, sulfur.FIXED)
+        self.assertEqual(crate.velocity.x, 0)
+        self.assertEqual(crate.contacts, [])
+        self.assertFalse(crate.touches(crate))
+
+    def test_frames(self):
+        crate = self.crate
+        place = crate.to_world((1, 2))
+        back = crate.from_world(place)
+        self.assertAlmostEqual(back.x, 1, 9)
+        self.assertAlmostEqual(back.y, 2, 9)
+        turned = crate.vector_from_world(crate.vector_to_world((3, 4)))
+        self.assertAlmostEqual(turned.x, 3, 5)
+        self.assertAlmostEqual(turned.y, 4, 5)
+
     def test_pass_through_each_other(self):
         ball = self.world.add(sulfur.ball())
         self.world.set_collision(ball, self.crate, False)

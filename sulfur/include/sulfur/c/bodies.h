@@ -57,6 +57,15 @@ SULFUR_API SulfurResult sulfur_body_name(const SulfurWorld* world, SulfurBodyId 
 /// Who moves it.
 SULFUR_API SulfurResult sulfur_body_kind(const SulfurWorld* world, SulfurBodyId body,
                                          SulfurBodyKind* kind);
+/// Changes who moves it; World::setKind.
+SULFUR_API SulfurResult sulfur_body_set_kind(SulfurWorld* world, SulfurBodyId body,
+                                             SulfurBodyKind kind);
+/// Whether it takes part.
+SULFUR_API SulfurResult sulfur_body_enabled(const SulfurWorld* world, SulfurBodyId body,
+                                            bool* enabled);
+/// Takes it out of the world for a while, or back in; World::setEnabled.
+SULFUR_API SulfurResult sulfur_body_set_enabled(SulfurWorld* world, SulfurBodyId body,
+                                                bool enabled);
 /// What it wears; `has` is false and `skin` untouched when it wears nothing. What `skin` points at
 /// is valid until the next call of this function for this world, or until bodies are added or
 /// removed.
@@ -154,6 +163,18 @@ SULFUR_API SulfurResult sulfur_body_pose(const SulfurWorld* world, SulfurBodyId 
 /// The same for drawing, when `alpha` (0 to 1) of the next tick has passed on the clock.
 SULFUR_API SulfurResult sulfur_body_interpolated_pose(const SulfurWorld* world, SulfurBodyId body,
                                                       double alpha, SulfurPose* pose);
+/// Where a point of its frame is in the world, metres; World::toWorld.
+SULFUR_API SulfurResult sulfur_body_to_world(const SulfurWorld* world, SulfurBodyId body,
+                                             SulfurVec local, SulfurVec* point);
+/// Where a point of the world is in its frame, metres.
+SULFUR_API SulfurResult sulfur_body_from_world(const SulfurWorld* world, SulfurBodyId body,
+                                               SulfurVec point, SulfurVec* local);
+/// A vector of its frame as it is in the world: turned.
+SULFUR_API SulfurResult sulfur_body_vector_to_world(const SulfurWorld* world, SulfurBodyId body,
+                                                    SulfurVec local, SulfurVec* vector);
+/// And the other way.
+SULFUR_API SulfurResult sulfur_body_vector_from_world(const SulfurWorld* world, SulfurBodyId body,
+                                                      SulfurVec vector, SulfurVec* local);
 /// Radians; World::angle.
 SULFUR_API SulfurResult sulfur_body_angle(const SulfurWorld* world, SulfurBodyId body,
                                           double* angle);

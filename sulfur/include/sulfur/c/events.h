@@ -98,6 +98,13 @@ typedef struct SulfurContactInfo {
 /// Contacts that push, in a fixed order; World::contacts.
 SULFUR_API SulfurResult sulfur_world_contacts(const SulfurWorld* world, SulfurContactInfo* out,
                                               size_t capacity, size_t* count);
+/// Those of one body; World::contacts(body, out).
+SULFUR_API SulfurResult sulfur_body_contacts(const SulfurWorld* world, SulfurBodyId body,
+                                             SulfurContactInfo* out, size_t capacity,
+                                             size_t* count);
+/// Whether two bodies touched at the end of the last tick; World::touches.
+SULFUR_API SulfurResult sulfur_world_touches(const SulfurWorld* world, SulfurBodyId a,
+                                             SulfurBodyId b, bool* touches);
 
 #ifdef __cplusplus
 }
