@@ -39,35 +39,41 @@ Xy turnedBack(const Heading& h, Xy v) {
     return {h.cosine * v.x + h.sine * v.y, h.cosine * v.y - h.sine * v.x};
 }
 
-/// Corners and sides of an outline in the frame of the reference.
+/// Corners and sides of an outline, each axis by itself, so that several are computed at once.
 struct Outline {
     std::uint32_t corners = 0, sides = 0;
-    std::array<Xy, most> at, out;
+    std::array<Real, most> x, y, outX, outY;
 
     /// In its own frame.
     Outline(const Shapes& shapes, const Chunk& chunk)
         : corners(chunk.corners), sides(chunk.corners > 1 ? chunk.sides : 0) {
         for (std::uint32_t k = 0; k < corners; ++k) {
             const Corner& c = shapes.corners[chunk.firstCorner + k];
-            at[k] = {c.x, c.y};
+            x[k] = c.x;
+            y[k] = c.y;
         }
         for (std::uint32_t k = 0; k < sides; ++k) {
             const Side& s = shapes.sides[chunk.firstSide + k];
-            out[k] = {s.outX, s.outY};
+            outX[k] = s.outX;
+            outY[k] = s.outY;
         }
     }
-    Outline(const Shapes& shapes, const Chunk& chunk, const Heading& heading, Xy centre)
-        : corners(chunk.corners), sides(chunk.corners > 1 ? chunk.sides : 0) {
+    /// One in its own frame, seen from another frame.
+    Outline(const Outline& own, const Heading& heading, Xy centre)
+        : corners(own.corners), sides(own.sides) {
         for (std::uint32_t k = 0; k < corners; ++k) {
-            const Corner& c = shapes.corners[chunk.firstCorner + k];
-            const Xy way = turned(heading, {c.x, c.y});
-            at[k] = {centre.x + way.x, centre.y + way.y};
+            const Xy way = turned(heading, own.at(k));
+            x[k] = centre.x + way.x;
+            y[k] = centre.y + way.y;
         }
         for (std::uint32_t k = 0; k < sides; ++k) {
-            const Side& s = shapes.sides[chunk.firstSide + k];
-            out[k] = turned(heading, {s.outX, s.outY});
+            const Xy way = turned(heading, own.out(k));
+            outX[k] = way.x;
+            outY[k] = way.y;
         }
     }
+    Xy at(std::uint32_t corner) const { return {x[corner], y[corner]}; }
+    Xy out(std::uint32_t side) const { return {outX[side], outY[side]}; }
     std::uint32_t after(std::uint32_t side) const { return side + 1 < corners ? side + 1 : 0; }
 };
 
@@ -77,13 +83,14 @@ struct Gaps {
     std::uint32_t widest = 0;
 
     Gaps(const Outline& own, const Outline& other) {
-        for (std::uint32_t i = 0; i < own.sides; ++i) {
-            Real least = Real(1e30);
-            for (std::uint32_t j = 0; j < other.corners; ++j)
-                least = std::min(least, dot(own.out[i], other.at[j] - own.at[i]));
-            of[i] = least;
-            if (least > of[widest]) widest = i;
+        for (std::uint32_t i = 0; i < own.sides; ++i) of[i] = Real(1e30);
+        for (std::uint32_t j = 0; j < other.corners; ++j) {
+            const Xy corner = other.at(j);
+            for (std::uint32_t i = 0; i < own.sides; ++i)
+                of[i] = std::min(of[i], dot(own.out(i), corner - own.at(i)));
         }
+        for (std::uint32_t i = 1; i < own.sides; ++i)
+            if (of[i] > of[widest]) widest = i;
     }
     Real largest() const { return of[widest]; }
     Real largestBut(std::uint32_t side, std::uint32_t sides) const {
@@ -101,20 +108,34 @@ Xy wayBetween(Xy from, Xy to, Xy p) {
     const Real share = length2 > 0 ? std::clamp<Real>(dot(along, v) / length2, 0, 1) : 0;
     return {v.x - share * along.x, v.y - share * along.y};
 }
-/// The shortest way from a side of an outline to another one that is in front of it.
+/// The shortest way from a side of an outline to another one that is in front of it. What is
+/// farther from the line of the side than another one is from the side, beyond rounding, is not
+/// looked at.
 Xy shortestWay(const Outline& own, std::uint32_t side, const Outline& other) {
     const std::uint32_t next = own.after(side);
+    std::array<Real, most> height;
+    std::uint32_t lowest = 0;
+    for (std::uint32_t k = 0; k < other.corners; ++k) {
+        height[k] = dot(own.out(side), other.at(k) - own.at(side));
+        if (height[k] < height[lowest]) lowest = k;
+    }
+    const Xy first = wayBetween(own.at(side), own.at(next), other.at(lowest));
+    const Real enough = Real(1.01) * dot(first, first);
+    const auto mayBeNearest = [&](Real h) { return !(h * h > enough); };
     Xy shortest{Real(1e18), 0};
     const auto take = [&](Xy way) {
         if (dot(way, way) < dot(shortest, shortest)) shortest = way;
     };
     for (std::uint32_t k = 0; k < other.corners; ++k)
-        take(wayBetween(own.at[side], own.at[next], other.at[k]));
-    for (std::uint32_t k = 0; k < other.sides; ++k)
+        if (mayBeNearest(height[k]))
+            take(k == lowest ? first : wayBetween(own.at(side), own.at(next), other.at(k)));
+    for (std::uint32_t k = 0; k < other.sides; ++k) {
+        if (!mayBeNearest(std::min(height[k], height[other.after(k)]))) continue;
         for (const auto end : {side, next}) {
-            const Xy way = wayBetween(other.at[k], other.at[other.after(k)], own.at[end]);
+            const Xy way = wayBetween(other.at(k), other.at(other.after(k)), own.at(end));
             take({-way.x, -way.y});
         }
+    }
     return shortest;
 }
 
@@ -125,35 +146,53 @@ struct Separation {
     Xy axis;
     Real gap = 0;  // m
 };
-Separation separationOf(const Outline& a, const Outline& b) {
-    if (a.sides == 0 && b.sides == 0) {
-        const Xy d = b.at[0] - a.at[0];
-        const Real far = std::sqrt(dot(d, d));
-        return far > 0 ? Separation{{d.x / far, d.y / far}, far} : Separation{{0, 1}, 0};
+
+/// The side of either outline with the largest gap to the other.
+struct WidestSide {
+    const Outline *own, *other;
+    Real sign = 1;  // of its normal, from the first outline to the second
+    std::uint32_t side = 0;
+    Real gap = Real(-1e30);  // m
+
+    WidestSide(const Outline& a, const Outline& b) : own(&a), other(&b) {
+        if (a.sides > 0) take(a, b, 1);
+        if (b.sides > 0) take(b, a, -1);
     }
-    Separation best{{0, 1}, Real(-1e30)};
-    Xy way{0, 0};
-    const auto take = [&](const Outline& own, const Outline& other, Real sign) {
-        const Gaps gaps(own, other);
-        if (!(gaps.largest() > best.gap)) return;
-        const Xy out = own.out[gaps.widest];
-        best = {{sign * out.x, sign * out.y}, gaps.largest()};
-        if (best.gap < 0) return;
-        way = shortestWay(own, gaps.widest, other);
-        way = {sign * way.x, sign * way.y};
-    };
-    if (a.sides > 0) take(a, b, 1);
-    if (b.sides > 0) take(b, a, -1);
+    Xy axis() const { return {sign * own->out(side).x, sign * own->out(side).y}; }
+
+private:
+    void take(const Outline& one, const Outline& another, Real direction) {
+        const Gaps gaps(one, another);
+        if (!(gaps.largest() > gap)) return;
+        own = &one;
+        other = &another;
+        sign = direction;
+        side = gaps.widest;
+        gap = gaps.largest();
+    }
+};
+
+Separation separationOf(const WidestSide& widest) {
+    const Separation best{widest.axis(), widest.gap};
+    if (best.gap < 0) return best;
+    Xy way = shortestWay(*widest.own, widest.side, *widest.other);
+    way = {widest.sign * way.x, widest.sign * way.y};
     const Real far = std::sqrt(dot(way, way));
-    if (best.gap < 0 || !(far > best.gap)) return best;
+    if (!(far > best.gap)) return best;
     return {{way.x / far, way.y / far}, far};
+}
+Separation separationOf(const Outline& a, const Outline& b, const WidestSide& widest) {
+    if (a.sides > 0 || b.sides > 0) return separationOf(widest);
+    const Xy d = b.at(0) - a.at(0);
+    const Real far = std::sqrt(dot(d, d));
+    return far > 0 ? Separation{{d.x / far, d.y / far}, far} : Separation{{0, 1}, 0};
 }
 
 /// Distance from a point to a side's segment: negative behind a side, also beside its ends, where
 /// an outline has an inside.
 Real distanceTo(const Outline& o, std::uint32_t side, Xy p) {
-    const Xy from = o.at[side], to = o.at[o.after(side)], way = to - from, v = p - from;
-    const Real height = dot(o.out[side], v);
+    const Xy from = o.at(side), to = o.at(o.after(side)), way = to - from, v = p - from;
+    const Real height = dot(o.out(side), v);
     const Real length2 = dot(way, way), along = dot(way, v);
     if (along >= 0 && along <= length2) return height;
     const Xy d = p - (along < 0 ? from : to);
@@ -188,18 +227,18 @@ private:
         std::uint32_t side = 0;
         Real distance = 0;
         if (other.sides == 0) {
-            const Xy d = disc.at[0] - other.at[0];
+            const Xy d = disc.at(0) - other.at(0);
             distance = std::sqrt(dot(d, d));
         } else {
             Real height = Real(-1e30);
             for (std::uint32_t i = 0; i < other.sides; ++i) {
-                const Real h = dot(other.out[i], disc.at[0] - other.at[i]);
+                const Real h = dot(other.out(i), disc.at(0) - other.at(i));
                 if (h > height) {
                     height = h;
                     side = i;
                 }
             }
-            distance = distanceTo(other, side, disc.at[0]);
+            distance = distanceTo(other, side, disc.at(0));
         }
         result_.gap = distance - thickness_;
         result_.margin = thickness_ / 4;
@@ -211,11 +250,11 @@ private:
         const Outline &own = ofA ? outA_ : outB_, &other = ofA ? outB_ : outA_;
         const Chunk &ownChunk = ofA ? a_ : b_, &otherChunk = ofA ? b_ : a_;
         const auto side = gaps.widest;
-        const Xy out = own.out[side], tangent{-out.y, out.x};
+        const Xy out = own.out(side), tangent{-out.y, out.x};
         std::uint32_t facing = 0;
         Real deepest = 2, next = 2;
         for (std::uint32_t i = 0; i < other.sides; ++i) {
-            const Real d = dot(out, other.out[i]);
+            const Real d = dot(out, other.out(i));
             if (d < deepest) {
                 next = deepest;
                 deepest = d;
@@ -227,21 +266,21 @@ private:
         // Along the tangent the reference goes from `end` to `start`, the facing side the other
         // way.
         const std::uint32_t r0 = side, r1 = own.after(side), f0 = facing, f1 = other.after(facing);
-        const Real start = dot(tangent, own.at[r0]), end = dot(tangent, own.at[r1]);
+        const Real start = dot(tangent, own.at(r0)), end = dot(tangent, own.at(r1));
         const Real low = std::min(start, end), high = std::max(start, end);
         std::uint32_t lowCorner = f0, highCorner = f1;
-        if (dot(tangent, other.at[f0]) > dot(tangent, other.at[f1]))
+        if (dot(tangent, other.at(f0)) > dot(tangent, other.at(f1)))
             std::swap(lowCorner, highCorner);
-        const Real lowAt = dot(tangent, other.at[lowCorner]);
-        const Real highAt = dot(tangent, other.at[highCorner]);
+        const Real lowAt = dot(tangent, other.at(lowCorner));
+        const Real highAt = dot(tangent, other.at(highCorner));
         const std::uint32_t lowEnd = start < end ? r0 : r1, highEnd = start < end ? r1 : r0;
         const auto corner = [&](std::uint32_t c) {
             addNear({otherChunk.firstCorner + c, ownChunk.firstSide + side, ofA,
-                     distanceTo(own, side, other.at[c]) - thickness_});
+                     distanceTo(own, side, other.at(c)) - thickness_});
         };
         const auto ownEnd = [&](std::uint32_t c) {
             addNear({ownChunk.firstCorner + c, otherChunk.firstSide + facing, !ofA,
-                     distanceTo(other, facing, own.at[c]) - thickness_});
+                     distanceTo(other, facing, own.at(c)) - thickness_});
         };
         // Where the facing side has the largest gap instead, the same corners touch.
         const Real second =
@@ -250,7 +289,7 @@ private:
         least_ = Real(1e30);
         // Beside each other, an end of the reference is nearest to the other side or its ends.
         const auto beside = [&](std::uint32_t c) {
-            const Xy way = other.at[f1] - other.at[f0], v = own.at[c] - other.at[f0];
+            const Xy way = other.at(f1) - other.at(f0), v = own.at(c) - other.at(f0);
             const Real along = dot(way, v);
             if (along > 0 && along < dot(way, way))
                 ownEnd(c);
@@ -346,30 +385,42 @@ Real movedBetween(const Pose& p, const Pose& q, Real reach) {
                     std::abs(q.heading.sine - p.heading.sine));
 }
 
-/// Conservative advancement along the axis that separates two outlines (Mirtich 1996): the share of
-/// the step after which their axes are as near as a limit, which follows from how near they begin;
-/// or 1.
+/// When two outlines come as near as a limit, as a share of the step, or 1; and how they are then.
+struct Approach {
+    Real moment = 1;
+    Pose pose{};
+    Xy axis{0, 1};  // that separates them, from a to b in the frame of a
+};
+
+/// Conservative advancement along the axis that separates two outlines (Mirtich 1996) until their
+/// axes are as near as a limit, which follows from how near they begin and is `most` at most, m.
 template <class Limit>
-Real advance(const Movers& movers, const Shapes& shapes, const Chunk& a, const Chunk& b,
-             const Ways& ways, Limit&& limitFrom) {
+Approach advance(const Movers& movers, const Outline& outA, const Outline& ownB, const Ways& ways,
+                 Real most, Limit&& limitFrom) {
     const Real turning = movers.reach[ways.a] * std::abs(ways.ofA.turn) +
                          movers.reach[ways.b] * std::abs(ways.ofB.turn);
-    const Outline outA(shapes, a);
     const Real wx = ways.ofB.x - ways.ofA.x, wy = ways.ofB.y - ways.ofA.y;
     Real moment = 0, limit = 0;
-    for (int round = 0; round < mostRounds && moment < 1; ++round) {
+    for (int round = 0; round <= mostRounds && moment < 1; ++round) {
         const Pose pose = poseAt(movers, ways, moment);
-        const Separation s = separationOf(outA, Outline(shapes, b, pose.heading, pose.at));
         const Heading h = pose.ofA;
+        const auto closingAlong = [&](Xy axis) {
+            return turning - dot(axis, {h.cosine * wx + h.sine * wy, h.cosine * wy - h.sine * wx});
+        };
+        const Outline outB(ownB, pose.heading, pose.at);
+        const WidestSide widest(outA, outB);
+        // Mostly one side tells that they do not come so near, without the shortest way.
+        if (widest.gap > most && widest.gap - most > closingAlong(widest.axis())) return {};
+        const Separation s = separationOf(outA, outB, widest);
         if (round == 0) limit = limitFrom(s.gap);
-        const Real closing =
-            turning - dot(s.axis, {h.cosine * wx + h.sine * wy, h.cosine * wy - h.sine * wx});
-        if (closing <= 0) return 1;
+        const Real closing = closingAlong(s.axis);
+        if (round == mostRounds) return {moment, pose, s.axis};
+        if (closing <= 0) return {};
         // A hundredth of the limit is near enough.
-        if (s.gap <= limit + std::abs(limit) / 100) return moment;
+        if (s.gap <= limit + std::abs(limit) / 100) return {moment, pose, s.axis};
         moment = moment + (s.gap - limit) / closing;
     }
-    return std::min<Real>(moment, 1);
+    return {};
 }
 
 }  // namespace
@@ -379,34 +430,35 @@ void findPassing(const ContactCore& core, const Chunk& a, const Chunk& b, Real l
     passings.clear();
     const Ways ways{a.frame, b.frame, motionOf(core.ways[a.frame]), motionOf(core.ways[b.frame])};
     const Real thickness = a.radius + b.radius;
+    const Outline outA(core.shapes, a), ownB(core.shapes, b);
     Real limit = 0, before = 0;
-    const Real moment = advance(core.movers, core.shapes, a, b, ways, [&](Real gap) {
+    const auto limitFrom = [&](Real gap) {
         before = gap - thickness;
         return limit = gap > 0 ? std::min(left * thickness, gap) : Real(-1e30);
-    });
+    };
+    const auto [moment, then, axis] =
+        advance(core.movers, outA, ownB, ways, left * thickness, limitFrom);
     if (moment >= 1) return;
-    // The axis that separates them then, from a to b. It stays, or turns with one of them, on whose
-    // side it stands; they end as near as they do along the best one.
-    const Pose then = poseAt(core.movers, ways, moment), end = poseAt(core.movers, ways, 1);
-    const Outline outA(core.shapes, a);
-    const Xy axis = separationOf(outA, Outline(core.shapes, b, then.heading, then.at)).axis;
-    const Outline outB(core.shapes, b, end.heading, end.at);
+    // The axis that separates them then stays, or turns with one of them, on whose side it stands;
+    // they end as near as they do along the best one.
+    const Pose end = poseAt(core.movers, ways, 1);
+    const Outline outB(ownB, end.heading, end.at);
     const Xy still = turnedBack(end.ofA, turned(then.ofA, axis));
     const Xy withA = outA.sides > 0 ? axis : still;
     const Xy withB = outB.sides > 0 ? turned(end.heading, turnedBack(then.heading, axis)) : still;
     Separation best{still, Real(-1e30)};
-    Xy nearest = outB.at[0];
+    Xy nearest = outB.at(0);
     for (const Xy along : {still, withA, withB}) {
         Real highA = Real(-1e30);
         std::uint32_t low = 0;
         for (std::uint32_t k = 0; k < outA.corners; ++k)
-            highA = std::max(highA, dot(along, outA.at[k]));
+            highA = std::max(highA, dot(along, outA.at(k)));
         for (std::uint32_t k = 1; k < outB.corners; ++k)
-            if (dot(along, outB.at[k]) < dot(along, outB.at[low])) low = k;
-        const Real gap = dot(along, outB.at[low]) - highA;
+            if (dot(along, outB.at(k)) < dot(along, outB.at(low))) low = k;
+        const Real gap = dot(along, outB.at(low)) - highA;
         if (!(gap > best.gap)) continue;
         best = {along, gap};
-        nearest = outB.at[low];
+        nearest = outB.at(low);
     }
     const Real depth = limit - best.gap;
     if (!(depth > 0)) return;
@@ -436,18 +488,19 @@ Manifold findManifold(const Movers& movers, const Shapes& shapes, const Chunk& a
     m.y = start.at.y;
     m.cosine = start.heading.cosine;
     m.sine = start.heading.sine;
-    const Outline outA(shapes, a), outB(shapes, b, start.heading, start.at);
+    const Outline outA(shapes, a), ownB(shapes, b), outB(ownB, start.heading, start.at);
     Finder(a, b, outA, outB, near, reach, m).run();
     // What is near stays what it is until the step ends, or hardly changes.
-    if (m.count == 0 || closing <= fast * thickness ||
-        movedBetween(start, poseAt(movers, ways, 1), reach) <= m.margin + fast * thickness)
-        return m;
+    if (m.count == 0 || closing <= fast * thickness) return m;
+    const Pose end = poseAt(movers, ways, 1);
+    if (movedBetween(start, end, reach) <= m.margin + fast * thickness) return m;
     const Real gap = m.gap;
-    const Real moment = advance(movers, shapes, a, b, ways, [&](Real) { return thickness; });
-    if (moment > 0) {
-        const Pose then = poseAt(movers, ways, moment);
+    const Approach approach =
+        advance(movers, outA, ownB, ways, thickness, [&](Real) { return thickness; });
+    if (approach.moment > 0) {
+        const Pose& then = approach.moment < 1 ? approach.pose : end;
         m.count = 0;
-        Finder(a, b, outA, Outline(shapes, b, then.heading, then.at), near, reach, m).run();
+        Finder(a, b, outA, Outline(ownB, then.heading, then.at), near, reach, m).run();
     }
     m.gap = std::min(m.gap, gap);
     // Nobody knows whether they go as is predicted.
