@@ -104,8 +104,9 @@ private:
                 for (auto lanes = passing(kernels, list, k); lanes != 0; lanes &= lanes - 1)
                     add(list.shapes[k].pair[std::countr_zero(lanes)]);
         }
+        const Real* const lengths = core_.lengths.data();
         for (const PairWatch& w : core_.watches)
-            if (w.limit != PairWatch::never) collect(w, core_.lengths.data());
+            if (w.limit != PairWatch::never) collect(w, lengths);
         std::sort(pairs_.begin(), pairs_.end());
     }
     /// By lanes; those without a row have the world on both sides.

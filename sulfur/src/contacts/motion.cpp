@@ -25,37 +25,35 @@ constexpr Real pushRate = Real(tuned::recoveryRate);
 constexpr Real pushSpeed = Real(tuned::recoverySpeed);
 constexpr Real mostShare = Real(tuned::recoveryShare);
 
-void renewReference(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
-    movers.references[m] = {at[0], at[1], heading[0], heading[1]};
-    movers.refreshAt[m] = -1;
-}
-
 /// The angle whose sine is s, for small ones: its series.
 double smallAngle(double s) {
     const double q = s * s;
     return s * (1 + q * (1.0 / 6 + q * (3.0 / 40 + q * (15.0 / 336))));
 }
 
-void takePose(Movers& movers, std::uint32_t m, const Point& at, const Point& heading) {
-    const Reference& r = movers.references[m];
+/// Returns whether it has got a new reference.
+inline bool takePose(SolverBody& body, Reference& r, const Point& at, const Point& heading) {
     const double c = r.cosine * heading[0] + r.sine * heading[1];
     const double turn = smallAngle(r.cosine * heading[1] - r.sine * heading[0]);
-    const Point way = at - movers.placeAtReference(m);
-    SolverBody& body = movers.bodies[m];
-    if (!(std::abs(way[0]) + std::abs(way[1]) < farthestFromReference) ||
-        std::abs(turn) > largestTurn || c < 0) {
-        renewReference(movers, m, at, heading);
+    const double x = at[0] - r.x, y = at[1] - r.y;
+    if (!(std::abs(x) + std::abs(y) < farthestFromReference) || std::abs(turn) > largestTurn ||
+        c < 0) {
+        r = {at[0], at[1], heading[0], heading[1]};
         body.x = body.y = body.turn = 0;
-        return;
+        return true;
     }
-    body.x = static_cast<Real>(way[0]);
-    body.y = static_cast<Real>(way[1]);
+    body.x = static_cast<Real>(x);
+    body.y = static_cast<Real>(y);
     body.turn = static_cast<Real>(turn);
+    return false;
 }
 
 /// m, that any of a mover's surface goes at most.
-Real lengthOf(const Movers& movers, std::uint32_t m, Real x, Real y, Real turn) {
-    return std::abs(x) + std::abs(y) + movers.reach[m] * std::abs(turn);
+inline Real lengthOf(Real reach, Real x, Real y, Real turn) {
+    return std::abs(x) + std::abs(y) + reach * std::abs(turn);
+}
+inline Real lengthOf(const Movers& movers, std::uint32_t m, Real x, Real y, Real turn) {
+    return lengthOf(movers.reach[m], x, y, turn);
 }
 
 /// Odometers of chunks whose corners move by themselves go as far as the farthest of these.
@@ -96,25 +94,22 @@ struct Seen {
     Vec2 way{0, 0};
     Real turn = 0, inverseMass = 0, inverseInertia = 0;
 };
-Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
+inline Seen lookAt(const Cluster& c) {
+    return {c.centre,      c.heading,       c.displacement, static_cast<Real>(c.angle),
+            c.inverseMass, c.inverseInertia};
+}
+[[gnu::noinline]] Seen lookAtParticle(const State& state, std::uint32_t i) {
     Seen seen;
-    if (isCluster) {
-        const Cluster& c = state.clusters.list[i];
-        seen.at = c.centre;
-        seen.heading = c.heading;
-        seen.way = c.displacement;
-        seen.turn = static_cast<Real>(c.angle);
-        seen.inverseMass = c.inverseMass;
-        seen.inverseInertia = c.inverseInertia;
-    } else {
-        seen.at = state.particles.position[i];
-        seen.way = state.particles.displacement[i];
-        seen.inverseMass = state.particles.inverseMass[i];
-        // Its corners rub at their surface, which turns with it.
-        const BodyRecord& body = state.bodies[state.particles.body[i]];
-        if (body.kind == BodyKind::kinematic) seen.turn = static_cast<Real>(turnOf(state, body));
-    }
+    seen.at = state.particles.position[i];
+    seen.way = state.particles.displacement[i];
+    seen.inverseMass = state.particles.inverseMass[i];
+    // Its corners rub at their surface, which turns with it.
+    const BodyRecord& body = state.bodies[state.particles.body[i]];
+    if (body.kind == BodyKind::kinematic) seen.turn = static_cast<Real>(turnOf(state, body));
     return seen;
+}
+inline Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
+    return isCluster ? lookAt(state.clusters.list[i]) : lookAtParticle(state, i);
 }
 
 bool isFixedChunk(const State& state, const Chunk& chunk) {
@@ -155,28 +150,33 @@ void takeMotion(State& state) {
     core.ahead = movers.odometer;
     core.moved.assign(movers.size(), 0);
     core.placed.resize(movers.size());
-    core.farthest = 0;
+    // (Local, because a byte that is written may alias any member.)
+    std::uint8_t* const moved = core.moved.data();
+    double* const aheads = core.ahead.data();
+    Motion3* const placed = core.placed.data();
+    Real farthest = 0;
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
-        takePose(movers, m, seen.at, seen.heading);
         SolverBody& body = movers.bodies[m];
+        const bool anew = takePose(body, movers.references[m], seen.at, seen.heading);
         body.inverseMass = seen.inverseMass;
         body.inverseInertia = seen.inverseInertia;
-        core.placed[m] = {body.x, body.y, body.turn};
+        placed[m] = {body.x, body.y, body.turn};
         // What rows gave in the last step is with what they begin in this one.
         const Motion3 goes{seen.way[0] + body.vx, seen.way[1] + body.vy, seen.turn + body.spin};
         movers.predictions[m] = {seen.way[0], seen.way[1], seen.turn, 0,
                                  goes.x,      goes.y,      goes.turn, 0};
-        core.farthest =
-            std::max(core.farthest, lengthOf(movers, m, seen.way[0], seen.way[1], seen.turn));
-        const double ahead = movers.odometer[m] +
-                             static_cast<double>(lengthOf(movers, m, goes.x, goes.y, goes.turn));
-        core.ahead[m] = ahead;
-        if (ahead < movers.refreshAt[m]) continue;
+        const Real reach = movers.reach[m];
+        farthest = std::max(farthest, lengthOf(reach, seen.way[0], seen.way[1], seen.turn));
+        const double ahead =
+            movers.odometer[m] + static_cast<double>(lengthOf(reach, goes.x, goes.y, goes.turn));
+        aheads[m] = ahead;
+        if (!anew && ahead < movers.refreshAt[m]) continue;
         movers.refreshAt[m] = ahead + static_cast<double>(refreshWithin * movers.fineness[m]);
-        core.moved[m] = 1;
+        moved[m] = 1;
     }
+    core.farthest = farthest;
     noteStrips(core, core.ahead, [&](std::uint32_t m) {
         const Prediction& p = movers.predictions[m];
         return lengthOf(movers, m, p.goesX, p.goesY, p.turn);
@@ -232,8 +232,9 @@ void lookAtPairs(State& state) {
     // A look may move watches about: those that are due are listed first.
     core.newRows = 0;
     core.again.clear();
+    const double* const ahead = core.ahead.data();
     for (PairWatch& w : core.watches)
-        if (isDue(core, w)) core.again.push_back(w.pair);
+        if (!(ahead[w.a] + ahead[w.b] < w.limit) && isDue(core, w)) core.again.push_back(w.pair);
     for (const auto pair : core.again) lookAtPair(state, pair);
     core.heirs.clear();
 }
@@ -333,39 +334,44 @@ bool sweepRows(State& state, int number, SweepKind kind) {
 
 namespace {
 
-/// An awake mover tells the state what rows have given it since it last did. `turns`: somebody asks
-/// for sines.
-void give(State& state, std::uint32_t m, bool turns) {
-    ContactCore& core = state.core;
-    const auto i = core.denseOfMover[m];
-    const SolverBody& body = core.movers.bodies[m];
-    Motion3& given = core.movers.given[m];
-    const Motion3 more{body.vx - given.x, body.vy - given.y, body.spin - given.turn};
+/// What rows have given a body since it last told. What rounding keeps back is given the next time,
+/// so that no momentum is lost.
+inline void giveTo(Vec2& displacement, const Motion3& more, Motion3& given) {
+    const Vec2 before = displacement;
+    displacement += Vec2(more.x, more.y);
+    given.x += displacement[0] - before[0];
+    given.y += displacement[1] - before[1];
+}
+inline Motion3 moreThan(const Motion3& given, const SolverBody& body) {
+    return {body.vx - given.x, body.vy - given.y, body.spin - given.turn};
+}
+
+/// A rigid component takes that up. `turns`: somebody asks for sines.
+inline void give(Cluster& c, const SolverBody& body, Motion3& given, bool turns) {
+    const Motion3 more = moreThan(given, body);
     if (more.x == 0 && more.y == 0 && more.turn == 0) return;
-    // What rounding keeps back is given the next time, so that no momentum is lost.
-    const auto addTo = [&](Vec2& displacement) {
-        const Vec2 before = displacement;
-        displacement += Vec2(more.x, more.y);
-        given.x += displacement[0] - before[0];
-        given.y += displacement[1] - before[1];
-    };
-    if (core.moverIsCluster[m] != 0) {
-        Cluster& c = state.clusters.list[i];
-        addTo(c.displacement);
-        if (more.turn == 0) return;
-        given.turn = body.spin;
-        c.angle += static_cast<double>(more.turn);
-        if (turns) updateTurn(c);
-    } else if (body.inverseMass > 0) {
-        addTo(state.particles.displacement[i]);
-    }
+    giveTo(c.displacement, more, given);
+    if (more.turn == 0) return;
+    given.turn = body.spin;
+    c.angle += static_cast<double>(more.turn);
+    if (turns) updateTurn(c);
+}
+void give(State& state, bool isCluster, std::uint32_t i, std::uint32_t m, bool turns) {
+    const SolverBody& body = state.core.movers.bodies[m];
+    Motion3& given = state.core.movers.given[m];
+    if (isCluster) return give(state.clusters.list[i], body, given, turns);
+    const Motion3 more = moreThan(given, body);
+    if (more.x == 0 && more.y == 0 && more.turn == 0) return;
+    if (body.inverseMass > 0) giveTo(state.particles.displacement[i], more, given);
 }
 
 }  // namespace
 
 void giveMotion(State& state) {
     const bool turns = !onlyContactsAsk(state);
-    for (const auto m : state.core.tied) give(state, m, turns);
+    const ContactCore& core = state.core;
+    for (const auto m : core.tied)
+        give(state, core.moverIsCluster[m] != 0, core.denseOfMover[m], m, turns);
 }
 
 void takeMotionOfTied(State& state, int number) {
@@ -438,11 +444,14 @@ void endMotion(State& state) {
     core.lengths.assign(movers.size(), 0);
     for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
         const auto m = core.awakeMovers[k];
-        give(state, m, asked);
-        const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
-        core.ways[m] = {seen.way[0], seen.way[1], seen.turn, movers.reach[m] * std::abs(seen.turn)};
-        core.lengths[m] = lengthOf(movers, m, seen.way[0], seen.way[1], seen.turn);
-        movers.odometer[m] += static_cast<double>(core.lengths[m]);
+        const bool isCluster = core.awakeIsCluster[k] != 0;
+        give(state, isCluster, core.awakeDense[k], m, asked);
+        const Seen seen = lookAtMover(state, isCluster, core.awakeDense[k]);
+        const Real reach = movers.reach[m];
+        const Real length = lengthOf(reach, seen.way[0], seen.way[1], seen.turn);
+        core.ways[m] = {seen.way[0], seen.way[1], seen.turn, reach * std::abs(seen.turn)};
+        core.lengths[m] = length;
+        movers.odometer[m] += static_cast<double>(length);
         // What the next step begins with is given anew, with what has been kept back.
         const SolverBody& body = movers.bodies[m];
         Motion3& given = movers.given[m];

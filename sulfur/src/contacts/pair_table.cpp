@@ -168,24 +168,34 @@ void watchApart(State& state, std::uint32_t pair, Real room) {
     core.rooms[p.watch] = {apart[0], apart[1], headingNow(movers, a), headingNow(movers, b), room};
 }
 
+namespace {
+
+/// m, by how much the surfaces of a pair move against each other in a step at most.
+Real stepOf(const Movers& movers, const PairWatch& watch, const Motion3& wayA,
+            const Motion3& wayB) {
+    return Vec2(wayB.x - wayA.x, wayB.y - wayA.y).norm() +
+           movers.reach[watch.a] * std::abs(wayA.turn) +
+           movers.reach[watch.b] * std::abs(wayB.turn);
+}
+
+}  // namespace
+
 bool staysApart(const ContactCore& core, const PairWatch& watch, const Motion3& wayA,
                 const Motion3& wayB) {
     const PairRoom& then = roomOf(core, watch);
-    const Movers& movers = core.movers;
-    const Real step = Vec2(wayB.x - wayA.x, wayB.y - wayA.y).norm() +
-                      movers.reach[watch.a] * std::abs(wayA.turn) +
-                      movers.reach[watch.b] * std::abs(wayB.turn);
-    return step < then.room && usedRoom(movers, watch, then) + step < then.room;
+    const Real step = stepOf(core.movers, watch, wayA, wayB);
+    return step < then.room && usedRoom(core.movers, watch, then) + step < then.room;
 }
 
 bool isDue(ContactCore& core, PairWatch& watch) {
-    if (core.ahead[watch.a] + core.ahead[watch.b] < watch.limit) return false;
     const Movers& movers = core.movers;
-    if (!staysApart(core, watch, motionNow(movers, watch.a), motionNow(movers, watch.b)))
-        return true;
     const PairRoom& then = roomOf(core, watch);
-    watch.limit = movers.odometer[watch.a] + movers.odometer[watch.b] +
-                  static_cast<double>(then.room - usedRoom(movers, watch, then));
+    const Real step = stepOf(movers, watch, motionNow(movers, watch.a), motionNow(movers, watch.b));
+    if (!(step < then.room)) return true;
+    const Real used = usedRoom(movers, watch, then);
+    if (!(used + step < then.room)) return true;
+    watch.limit =
+        movers.odometer[watch.a] + movers.odometer[watch.b] + static_cast<double>(then.room - used);
     return false;
 }
 

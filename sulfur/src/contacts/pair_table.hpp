@@ -26,7 +26,8 @@ void watchApart(State& state, std::uint32_t pair, Real room);
 /// Whether it still has room when both have gone these ways.
 bool staysApart(const ContactCore& core, const PairWatch& watch, const Motion3& wayA,
                 const Motion3& wayB);
-/// Whether a pair has to be looked at in this step. The limit of two that go alike is moved on.
+/// Whether a pair has to be looked at whose odometers reach its limit in this step. The limit of
+/// two that go alike is moved on.
 bool isDue(ContactCore& core, PairWatch& watch);
 
 /// Looks at a pair: its rows and its limit become what they are now.

@@ -49,16 +49,17 @@ public:
     explicit Momenta(State& state)
         : state_(state),
           core_(state.core),
-          index_(state.bodies.size(), none, &state.arena),
-          open_(state.work.bodies.size(), 0, &state.arena),
-          parts_(state.work.bodies.size(), 0, &state.arena),
+          outside_(static_cast<std::uint32_t>(state.work.bodies.size())),
+          index_(state.bodies.size(), outside_, &state.arena),
+          open_(outside_ + 1, 0, &state.arena),
+          parts_(outside_ + 1, 0, &state.arena),
           links_(&state.arena),
-          group_(state.work.bodies.size(), none, &state.arena),
+          group_(outside_ + 1, none, &state.arena),
           groups_(&state.arena),
           grouped_(&state.arena) {
-        for (std::uint32_t k = 0; k < state_.work.bodies.size(); ++k)
-            index_[state_.work.bodies[k]] = k;
-        for (const auto body : state_.work.kinematic) index_[body] = none;
+        for (std::uint32_t k = 0; k < outside_; ++k) index_[state_.work.bodies[k]] = k;
+        for (const auto body : state_.work.kinematic) index_[body] = outside_;
+        open_[outside_] = 1;
         linkRows();
         linkBodies();
         countParts();
@@ -80,18 +81,14 @@ public:
     }
 
 private:
-    /// What is fixed, driven or asleep has no place: it opens whoever pushes it, and he the others.
+    /// Whoever pushes somebody open is open, too.
     void linkAt(std::uint32_t p, std::uint32_t q) {
-        if (p == none || q == none) {
-            if (p != q) open_[p == none ? q : p] = 1;
-        } else if ((open_[p] | open_[q]) != 0) {
-            open_[p] = open_[q] = 1;
-        } else {
-            links_.push_back({p, q});
-        }
+        const std::uint8_t open = open_[p] | open_[q];
+        open_[p] = open_[q] = open;
+        if (open == 0) links_.push_back({p, q});
     }
     void link(std::uint32_t a, std::uint32_t b) {
-        linkAt(a == none ? none : index_[a], b == none ? none : index_[b]);
+        linkAt(a == none ? outside_ : index_[a], b == none ? outside_ : index_[b]);
     }
     void linkBodies() {
         for (const auto* pairs : {&core_.struck, &core_.held})
@@ -119,10 +116,9 @@ private:
         if (pair.a != none) link(bodyOf(pair.a), bodyOf(pair.b));
     }
     void linkRows() {
-        const auto placeOf = [&](std::uint32_t m) {
-            const bool isAwake = core_.denseOfMover[m] != none;
-            return isAwake ? index_[state_.bodySlots.denseOf(core_.movers.body[m])] : none;
-        };
+        std::pmr::vector<std::uint32_t> placeOf(core_.movers.size(), outside_, &state_.arena);
+        for (const auto m : core_.awakeMovers)
+            placeOf[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
         const auto forEachRow = [](const auto& list, std::uint32_t colour, auto kernel, auto&& f) {
             for (std::size_t k = 0; k < list.blocks.size(); ++k) {
                 const auto rows =
@@ -136,31 +132,36 @@ private:
         for (const auto c : core_.rows.inUse()) {
             forEachRow(core_.rows.manifolds[c], c, kernels.actingManifolds,
                        [&](const ManifoldBlock& r, std::uint32_t l) {
-                           linkAt(placeOf(r.a[l]), placeOf(r.b[l]));
+                           linkAt(placeOf[r.a[l]], placeOf[r.b[l]]);
                        });
             forEachRow(core_.rows.touches[c], c, kernels.actingTouches,
                        [&](const TouchBlock& t, std::uint32_t l) {
-                           linkAt(placeOf(t.p[l]), placeOf(t.a[l]));
-                           if (t.b[l] != 0) linkAt(placeOf(t.p[l]), placeOf(t.b[l]));
+                           linkAt(placeOf[t.p[l]], placeOf[t.a[l]]);
+                           if (t.b[l] != 0) linkAt(placeOf[t.p[l]], placeOf[t.b[l]]);
                        });
         }
     }
 
     /// Counts what moves by itself, by places. What is pinned opens its body.
     void countParts() {
+        const std::uint32_t* const index = index_.data();  // bytes alias members
+        std::uint32_t* const parts = parts_.data();
+        std::uint8_t* const open = open_.data();
+        std::uint32_t most = 0;
         const auto count = [&](std::uint32_t body, bool isFree) {
-            const auto place = index_[body];
-            if (place == none) return;
-            hasParts_ |= ++parts_[place] > 1;
-            if (!isFree) open_[place] = 1;
+            const auto place = index[body];
+            ++parts[place];
+            if (place != outside_) most = std::max(most, parts[place]);
+            open[place] |= isFree ? 0 : 1;
         };
         for (const auto k : state_.work.awakeClusters) {
             const Cluster& c = state_.clusters.list[k];
-            count(c.body, c.inverseMass > 0 && c.inverseInertia > 0);
+            count(c.body, (c.inverseMass > 0) & (c.inverseInertia > 0));
         }
         const Particles& p = state_.particles;
         for (const Range range : state_.work.points)
             for (auto i = range.first; i < range.last; ++i) count(p.body[i], p.inverseMass[i] > 0);
+        hasParts_ = most > 1;
     }
 
     /// Whoever pushes somebody open is open. Only links of those that are not are left: mostly
@@ -183,13 +184,16 @@ private:
     /// Those of several parts that push nothing else.
     void findGroups() {
         if (links_.empty() && !hasParts_) return;
-        DisjointSets sets(parts_.size(), &state_.arena);
+        DisjointSets sets(outside_, &state_.arena);
         for (const Link& link : links_) sets.unite(link.first, link.second);
-        for (std::uint32_t k = 0; k < parts_.size(); ++k)
-            if (const auto root = sets.find(k); root != k) parts_[root] += parts_[k];
-        for (std::uint32_t k = 0; k < parts_.size(); ++k) {
+        // Whoever is open is in no link any more.
+        for (std::uint32_t k = 0; k < outside_; ++k)
+            if (open_[k] == 0)
+                if (const auto root = sets.find(k); root != k) parts_[root] += parts_[k];
+        for (std::uint32_t k = 0; k < outside_; ++k) {
+            if (open_[k] != 0) continue;
             const auto root = sets.find(k);
-            if (parts_[root] < 2 || open_[root] != 0) continue;
+            if (parts_[root] < 2) continue;
             if (group_[root] == none) {
                 group_[root] = static_cast<std::uint32_t>(groups_.size());
                 groups_.emplace_back();
@@ -198,12 +202,13 @@ private:
         }
     }
     Group* groupOf(std::uint32_t body) {
-        const auto place = index_[body];
-        return place == none || group_[place] == none ? nullptr : &groups_[group_[place]];
+        const auto group = group_[index_[body]];
+        return group == none ? nullptr : &groups_[group];
     }
     void noteClusters() {
+        const std::uint32_t *index = index_.data(), *group = group_.data();
         for (const auto k : state_.work.awakeClusters)
-            if (groupOf(state_.clusters.list[k].body) != nullptr) grouped_.push_back(k);
+            if (group[index[state_.clusters.list[k].body]] != none) grouped_.push_back(k);
     }
 
     /// Calls f(group, part) for all that is in a group.
@@ -290,6 +295,8 @@ private:
 
     State& state_;
     ContactCore& core_;
+    /// The place of all that is fixed, driven or asleep: it opens whoever pushes it.
+    std::uint32_t outside_;
     std::pmr::vector<std::uint32_t> index_;  // by body: its place in work.bodies if it is dynamic
     std::pmr::vector<std::uint8_t> open_;    // by place: it pushes something that is in no group
     std::pmr::vector<std::uint32_t> parts_;  // by place: what moves by itself
