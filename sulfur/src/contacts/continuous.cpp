@@ -104,9 +104,10 @@ private:
                 for (auto lanes = passing(kernels, list, k); lanes != 0; lanes &= lanes - 1)
                     add(list.shapes[k].pair[std::countr_zero(lanes)]);
         }
-        const Real* const lengths = core_.lengths.data();
+        // One test for both, without a branch between them: most pairs are answered by it.
         for (const PairWatch& w : core_.watches)
-            if (w.limit != PairWatch::never) collect(w, lengths);
+            if ((w.limit != PairWatch::never) & (w.isManifold == 0 || waysOfFrames(w) > leastOf(w)))
+                collect(w);
         std::sort(pairs_.begin(), pairs_.end());
     }
     /// By lanes; those without a row have the world on both sides.
@@ -115,11 +116,11 @@ private:
         return kernels.passingManifolds(movers_.bodies.data(), core_.ways.data(),
                                         list.blocks[block], list.shapes[block], fast);
     }
-    void collect(const PairWatch& w, const Real* lengths) {
-        // Asked in the order of what it costs: most pairs are answered by these lengths.
-        const Real least = fast * static_cast<Real>(w.fineness);
-        if (lengths[w.a] + lengths[w.b] > least && mayPass(w, least)) add(w.pair);
+    void collect(const PairWatch& w) {
+        const Real least = leastOf(w);
+        if (core_.lengths[w.a] + core_.lengths[w.b] > least && mayPass(w, least)) add(w.pair);
     }
+    static Real leastOf(const PairWatch& w) { return fast * static_cast<Real>(w.fineness); }
     void add(std::uint32_t pair) {
         if (core_.encounters[core_.pairs[pair].encounter].rowless == 0) pairs_.push_back(pair);
     }
@@ -140,7 +141,7 @@ private:
         forEachChunk([&](const Chunk& chunk) {
             for (auto at = chunk.firstPair; at != none; at = core_.pairs[at / 2].next[at % 2])
                 if (const auto watch = core_.pairs[at / 2].watch; watch != none)
-                    collect(core_.watches[watch], core_.lengths.data());
+                    collect(core_.watches[watch]);
         });
         std::sort(pairs_.begin(), pairs_.end());
         pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
@@ -165,11 +166,12 @@ private:
     }
 
     /// How far the surfaces of a pair go at most, seen from each other.
+    Real waysOfFrames(const PairWatch& w) const {
+        const BodyWay& frame = core_.ways[w.a];
+        return frame.around + lengthOf(w.b, frame);
+    }
     Real waysOf(const PairWatch& w) const {
-        if (w.isManifold != 0) {
-            const BodyWay& frame = core_.ways[w.a];
-            return frame.around + lengthOf(w.b, frame);
-        }
+        if (w.isManifold != 0) return waysOfFrames(w);
         const Pair& pair = core_.pairs[w.pair];
         const Chunk &a = core_.shapes.chunks[pair.a], &b = core_.shapes.chunks[pair.b];
         const BodyWay& frame = core_.ways[core_.shapes.uses[a.firstUse].mover];

@@ -81,13 +81,19 @@ public:
     }
 
 private:
-    /// Whoever pushes somebody open is open, too.
+    /// Whoever pushes somebody open is open, too. There is room for the link: it is written in any
+    /// case, because nobody could foretell whether it counts.
     void linkAt(std::uint32_t p, std::uint32_t q) {
         const std::uint8_t open = open_[p] | open_[q];
         open_[p] = open_[q] = open;
-        if (open == 0) links_.push_back({p, q});
+        links_[linked_] = {p, q};
+        linked_ += 1u - open;
+    }
+    void makeRoom(std::size_t links) {
+        if (links_.size() < linked_ + links) links_.resize(2 * (linked_ + links));
     }
     void link(std::uint32_t a, std::uint32_t b) {
+        makeRoom(1);
         linkAt(a == none ? outside_ : index_[a], b == none ? outside_ : index_[b]);
     }
     void linkBodies() {
@@ -119,25 +125,30 @@ private:
         std::pmr::vector<std::uint32_t> placeOf(core_.movers.size(), outside_, &state_.arena);
         for (const auto m : core_.awakeMovers)
             placeOf[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
-        const auto forEachRow = [](const auto& list, std::uint32_t colour, auto kernel, auto&& f) {
-            for (std::size_t k = 0; k < list.blocks.size(); ++k) {
-                const auto rows =
-                    std::min<std::size_t>(RowGraph::rowsIn(list, colour, k), rowLanes);
-                auto lanes = kernel(list.blocks[k]) & ((1u << rows) - 1);
-                for (; lanes != 0; lanes &= lanes - 1)
-                    f(list.blocks[k], static_cast<std::uint32_t>(std::countr_zero(lanes)));
+        // Lanes that do not act link nothing: what has no place to what has none.
+        const auto forEachRow = [&](const auto& list, auto kernel, auto&& f) {
+            makeRoom(2 * rowLanes * list.blocks.size());
+            for (const auto& block : list.blocks) {
+                const std::uint32_t lanes = kernel(block);
+                for (std::uint32_t l = 0; l < rowLanes; ++l)
+                    f(block, l, [&](std::uint32_t m) {
+                        const auto place = placeOf[m];
+                        return (lanes >> l & 1) != 0 ? place : outside_;
+                    });
             }
         };
         const RowKernels& kernels = rowKernels();
         for (const auto c : core_.rows.inUse()) {
-            forEachRow(core_.rows.manifolds[c], c, kernels.actingManifolds,
-                       [&](const ManifoldBlock& r, std::uint32_t l) {
-                           linkAt(placeOf[r.a[l]], placeOf[r.b[l]]);
+            forEachRow(core_.rows.manifolds[c], kernels.actingManifolds,
+                       [&](const ManifoldBlock& r, std::uint32_t l, auto&& place) {
+                           linkAt(place(r.a[l]), place(r.b[l]));
                        });
-            forEachRow(core_.rows.touches[c], c, kernels.actingTouches,
-                       [&](const TouchBlock& t, std::uint32_t l) {
-                           linkAt(placeOf[t.p[l]], placeOf[t.a[l]]);
-                           if (t.b[l] != 0) linkAt(placeOf[t.p[l]], placeOf[t.b[l]]);
+            forEachRow(core_.rows.touches[c], kernels.actingTouches,
+                       [&](const TouchBlock& t, std::uint32_t l, auto&& place) {
+                           linkAt(place(t.p[l]), place(t.a[l]));
+                           // b is the world where a has both ends.
+                           const bool hasTwo = t.b[l] != 0;
+                           linkAt(hasTwo ? place(t.p[l]) : outside_, place(t.b[l]));
                        });
         }
     }
@@ -167,6 +178,7 @@ private:
     /// Whoever pushes somebody open is open. Only links of those that are not are left: mostly
     /// nothing, because most of what touches stands on something.
     void spreadOpen() {
+        links_.resize(linked_);
         for (auto before = links_.size() + 1; links_.size() < before;) {
             before = links_.size();
             std::size_t left = 0;
@@ -302,6 +314,7 @@ private:
     std::pmr::vector<std::uint32_t> parts_;  // by place: what moves by itself
     bool hasParts_ = false;                  // any body has several
     std::pmr::vector<Link> links_;           // of those that push each other
+    std::size_t linked_ = 0;                 // of these, those that count so far
     std::pmr::vector<std::uint32_t> group_;  // by place, or none
     std::pmr::vector<Group> groups_;
     std::pmr::vector<std::uint32_t> grouped_;  // clusters
