@@ -22,7 +22,8 @@ std::atomic<Instructions> allowed = Instructions::avx512;
 
 Instructions findWidest() {
 #ifdef SULFUR_AVX512_KERNELS
-    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0)
+    if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+        __builtin_cpu_supports("avx512vl") != 0)
         return Instructions::avx512;
 #endif
 #ifdef SULFUR_AVX2_KERNELS
@@ -92,6 +93,9 @@ const ChainKernels& chainKernels() {
 }
 
 const RowKernels& rowKernels() {
+#ifdef SULFUR_AVX512_KERNELS
+    if (mayUse(Instructions::avx512)) return avx512Rows;
+#endif
 #ifdef SULFUR_AVX2_KERNELS
     if (mayUse(Instructions::avx2)) return avx2Rows;
 #endif

@@ -1,8 +1,8 @@
 // Contact rows in blocks of eight lanes: what the solver sweeps and what refreshes their geometry.
 //
 // A block holds eight rows of one colour: no two of them share a body that can be pushed. The same
-// source, rows.ipp, is compiled for every x86-64 and for AVX2 and gives the same bits: lanes do not
-// meet, roots and divisions are exact, no product is fused with a sum. As in joint_sweep.hpp
+// source, rows.ipp, is compiled for every x86-64, for AVX2 and for AVX-512 and gives the same bits:
+// lanes do not meet, roots and divisions are exact, no product is fused with a sum. As in joint_sweep.hpp
 // nothing here may include a header with functions.
 //
 // Velocities are displacements of a step (m, rad), impulses are momenta times the step (kg m).
@@ -219,6 +219,9 @@ struct RowKernels {
 extern const RowKernels baselineRows;
 #ifdef SULFUR_AVX2_KERNELS
 extern const RowKernels avx2Rows;
+#endif
+#ifdef SULFUR_AVX512_KERNELS
+extern const RowKernels avx512Rows;
 #endif
 
 /// The widest that this processor can run, or that useKernelsUpTo() allows.

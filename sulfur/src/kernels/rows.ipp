@@ -40,6 +40,13 @@ inline Vec root(Vec v) {
 inline std::uint32_t bits(Mask m) {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<Vec>(m)));
 }
+#elif defined(__AVX512F__) && defined(SULFUR_REAL_DOUBLE)
+inline Vec root(Vec v) {
+    return _mm512_sqrt_pd(v);
+}
+inline std::uint32_t bits(Mask m) {
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m));
+}
 #else
 inline Vec root(Vec v) {
     for (int i = 0; i < 8; ++i)
