@@ -3,6 +3,7 @@
 // motion as one decays. What stands on something that the rows cannot push moves with that;
 // anything else keeps its momentum, also the angular one.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "contacts/stages.hpp"
@@ -79,13 +80,23 @@ private:
             stand(m, on);
     }
 
+    /// A bit for each row that presses at two points and could hold more than it does.
+    static std::uint32_t held(const ManifoldBlock& r) {
+        std::uint32_t set = 0;
+        for (std::size_t l = 0; l < rowLanes; ++l) {
+            const Real one = r.points[0].pressing[l], other = r.points[1].pressing[l];
+            const bool holds = std::abs(r.rubbing[l]) < r.staticFriction[l] * (one + other);
+            const bool is = (one > 0) & (other > 0) & (r.slip[l] == 0) & holds;
+            set |= (is ? 1u : 0u) << l;
+        }
+        return set;
+    }
+
     void linkManifolds() {
         for (const auto c : core_.rows.inUse())
             for (const ManifoldBlock& r : core_.rows.manifolds[c].blocks)
-                for (std::size_t l = 0; l < rowLanes; ++l) {
-                    const Real one = r.points[0].pressing[l], other = r.points[1].pressing[l];
-                    if (!(one > 0 && other > 0) || r.slip[l] != 0) continue;
-                    if (!(std::abs(r.rubbing[l]) < r.staticFriction[l] * (one + other))) continue;
+                for (auto left = held(r); left != 0; left &= left - 1) {
+                    const auto l = static_cast<std::size_t>(std::countr_zero(left));
                     const auto a = r.a[l], b = r.b[l];
                     const Motion3 va = motionNow(movers_, a), vb = motionNow(movers_, b);
                     const Real slides = r.tangentX[l] * (vb.x - va.x) +

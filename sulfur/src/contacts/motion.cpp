@@ -221,10 +221,10 @@ void updateBoxes(State& state) {
     const auto hasRoom = [](const Chunk& chunk) {
         return chunk.crowded != 0 && chunk.owned < tuned::mostPairs;
     };
-    for (const auto c : core.awakeChunks) {
-        const Chunk& chunk = core.shapes.chunks[c];
-        if (core.ahead[chunk.frame] >= chunk.leaveAt || hasRoom(chunk)) renew(c);
-    }
+    const Chunk* const chunks = core.shapes.chunks.data();
+    const double* const ahead = core.ahead.data();
+    for (const auto c : core.awakeChunks)
+        if (ahead[chunks[c].frame] >= chunks[c].leaveAt || hasRoom(chunks[c])) renew(c);
 }
 
 void lookAtPairs(State& state) {

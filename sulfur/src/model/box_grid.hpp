@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <sulfur/math.hpp>
@@ -96,7 +97,13 @@ private:
         }
     };
 
-    static double sizeOf(std::uint32_t level) { return std::ldexp(1.0, finest + int(level)); }
+    /// m, of cells, a power of two; and how many of them are a metre long.
+    static double sizeOf(std::uint32_t level) { return powerOfTwo(finest + int(level)); }
+    static double perMetre(std::uint32_t level) { return powerOfTwo(-finest - int(level)); }
+    static double powerOfTwo(int exponent) {
+        constexpr std::uint64_t bias = 1023;
+        return std::bit_cast<double>((bias + static_cast<std::uint64_t>(exponent)) << 52);
+    }
     static std::int64_t cellOf(double at, double size) {
         return static_cast<std::int64_t>(std::floor(at / size));
     }
@@ -121,16 +128,20 @@ private:
                 const std::array<double, 2>& low, const std::array<double, 2>& high,
                 Function&& f) const {
         // A box reaches half a cell beyond the cell of its middle.
-        const double size = sizeOf(level), around = size / 2;
-        const double wide = (high[0] - low[0]) / size + 2, tall = (high[1] - low[1]) / size + 2;
+        const double around = sizeOf(level) / 2, perM = perMetre(level);
+        const double wide = (high[0] - low[0]) * perM + 2, tall = (high[1] - low[1]) * perM + 2;
         if (wide * tall > static_cast<double>(used_)) {
             for (const Cell& cell : cells_)
                 if (cell.level == level) lookThrough(chunks, cell.first, low, high, f);
             return;
         }
-        const auto x1 = cellOf(high[0] + around, size), y1 = cellOf(high[1] + around, size);
-        for (auto y = cellOf(low[1] - around, size); y <= y1; ++y)
-            for (auto x = cellOf(low[0] - around, size); x <= x1; ++x) {
+        const auto cellAt = [&](double at) {
+            return static_cast<std::int64_t>(std::floor(at * perM));
+        };
+        const auto x0 = cellAt(low[0] - around), x1 = cellAt(high[0] + around);
+        const auto y0 = cellAt(low[1] - around), y1 = cellAt(high[1] + around);
+        for (auto y = y0; y <= y1; ++y)
+            for (auto x = x0; x <= x1; ++x) {
                 const Cell& cell = cells_[find(level, x, y)];
                 lookThrough(chunks, cell.first, low, high, f);
             }

@@ -74,13 +74,13 @@ void predictCluster(State& state, Cluster& c, const AirFriction& air) {
 class Block {
 public:
     Block(State& state, const std::uint32_t* indices, std::size_t count)
-        : state_(state), indices_(indices), count_(count) {}
+        : clusters_(state.clusters.list.data()), indices_(indices), count_(count) {}
 
     std::size_t size() const { return count_; }
-    Cluster& operator[](std::size_t k) const { return state_.clusters.list[indices_[k]]; }
+    Cluster& operator[](std::size_t k) const { return clusters_[indices_[k]]; }
 
 private:
-    State& state_;
+    Cluster* clusters_;
     const std::uint32_t* indices_;
     std::size_t count_;
 };
@@ -122,9 +122,9 @@ MemberView membersOf(State& state) {
             state.clusters.places.data()->data()};
 }
 
-/// Headings at the end of the tick. Discs remember the one at its beginning: they have no members
-/// that could tell how they turned.
-void turn(const Block& block, bool isFirst) {
+/// Headings and centres at the end of the tick. Discs remember the heading at its beginning: they
+/// have no members that could tell how they turned.
+void move(const Block& block, bool isFirst) {
     PerCluster<double> angle{}, x{}, y{};
     for (std::size_t k = 0; k < block.size(); ++k) {
         const Cluster& c = block[k];
@@ -134,16 +134,10 @@ void turn(const Block& block, bool isFirst) {
     }
     clusterKernels().turn(angle.data(), x.data(), y.data(), block.size());
     for (std::size_t k = 0; k < block.size(); ++k) {
-        if (isFirst || !isDisc(block[k])) block[k].headingBefore = block[k].heading;
-        block[k].heading = Point(x[k], y[k]);
-        block[k].twist = 0;
-    }
-}
-
-/// Centres at the end of the tick.
-void move(const Block& block) {
-    for (std::size_t k = 0; k < block.size(); ++k) {
         Cluster& c = block[k];
+        if (isFirst || !isDisc(c)) c.headingBefore = c.heading;
+        c.heading = Point(x[k], y[k]);
+        c.twist = 0;
         c.centreBefore = c.centre;
         c.centre += c.displacement.cast<double>() + c.shift.cast<double>();
         c.centre = c.centre.cwiseMax(-maxCoordinate).cwiseMin(maxCoordinate);
@@ -262,10 +256,8 @@ bool mayAskForMembers(const State& state) {
 
 void moveClusters(State& state) {
     const bool isFirst = isFirstStep(state);
-    forEachBlock(state, state.work.awakeClusters, [&](const Block& block) {
-        turn(block, isFirst);
-        move(block);
-    });
+    forEachBlock(state, state.work.awakeClusters,
+                 [&](const Block& block) { move(block, isFirst); });
     state.membersBehind = true;
     if (mayAskForMembers(state)) bringMembers(state);
 }

@@ -414,8 +414,9 @@ void listAnew(State& state) {
         listTriangles(state);
         state.core.listsStale = true;
         countTrees(state);
+        state.anyForced = true;  // of who woke, too
     }
-    state.anyForced = state.anyStirred = true;  // of who woke, too
+    state.anyStirred = true;  // of who woke, too
     work.listed = countsOf(state);
     for (auto* list : {&work.turned, &state.turned}) list->reserve(state.bodies.size());
     work.stale = work.onlyAdded = false;
