@@ -31,14 +31,50 @@ double smallAngle(double s) {
     return s * (1 + q * (1.0 / 6 + q * (3.0 / 40 + q * (15.0 / 336))));
 }
 
-/// Returns whether it has got a new reference.
-inline bool takePose(SolverBody& body, Reference& r, const Point& at, const Point& heading) {
-    const double c = r.cosine * heading[0] + r.sine * heading[1];
-    const double turn = smallAngle(r.cosine * heading[1] - r.sine * heading[0]);
-    const double x = at[0] - r.x, y = at[1] - r.y;
+/// Where and how a mover is, its masses, and how it moves in this step. (Numbers, not vectors, so
+/// that all of it stays in registers.)
+struct Seen {
+    double x = 0, y = 0, cosine = 1, sine = 0;
+    Real wayX = 0, wayY = 0, turn = 0;
+    Real inverseMass = 0, inverseInertia = 0;
+};
+inline Seen lookAt(const Cluster& c) {
+    return {c.centre[0],
+            c.centre[1],
+            c.heading[0],
+            c.heading[1],
+            c.displacement[0],
+            c.displacement[1],
+            static_cast<Real>(c.angle),
+            c.inverseMass,
+            c.inverseInertia};
+}
+[[gnu::noinline]] Seen lookAtParticle(const State& state, std::uint32_t i) {
+    Seen seen;
+    seen.x = state.particles.position[i][0];
+    seen.y = state.particles.position[i][1];
+    seen.wayX = state.particles.displacement[i][0];
+    seen.wayY = state.particles.displacement[i][1];
+    seen.inverseMass = state.particles.inverseMass[i];
+    // Its corners rub at their surface, which turns with it.
+    const BodyRecord& body = state.bodies[state.particles.body[i]];
+    if (body.kind == BodyKind::kinematic) seen.turn = static_cast<Real>(turnOf(state, body));
+    return seen;
+}
+inline Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
+    return isCluster ? lookAt(state.clusters.list[i]) : lookAtParticle(state, i);
+}
+
+/// A body takes up where a mover is. Returns whether it has got a new reference.
+inline bool takePose(SolverBody& body, Reference& r, const Seen& seen) {
+    const double c = r.cosine * seen.cosine + r.sine * seen.sine;
+    const double turn = smallAngle(r.cosine * seen.sine - r.sine * seen.cosine);
+    const double x = seen.x - r.x, y = seen.y - r.y;
+    body.inverseMass = seen.inverseMass;
+    body.inverseInertia = seen.inverseInertia;
     if (!(std::abs(x) + std::abs(y) < farthestFromReference) || std::abs(turn) > largestTurn ||
         c < 0) {
-        r = {at[0], at[1], heading[0], heading[1]};
+        r = {seen.x, seen.y, seen.cosine, seen.sine};
         body.x = body.y = body.turn = 0;
         return true;
     }
@@ -88,30 +124,6 @@ void markMoved(ContactCore& core) {
     }
 }
 
-/// Where and how a mover is, its masses, and how it moves in this step.
-struct Seen {
-    Point at{0, 0}, heading{1, 0};
-    Vec2 way{0, 0};
-    Real turn = 0, inverseMass = 0, inverseInertia = 0;
-};
-inline Seen lookAt(const Cluster& c) {
-    return {c.centre,      c.heading,       c.displacement, static_cast<Real>(c.angle),
-            c.inverseMass, c.inverseInertia};
-}
-[[gnu::noinline]] Seen lookAtParticle(const State& state, std::uint32_t i) {
-    Seen seen;
-    seen.at = state.particles.position[i];
-    seen.way = state.particles.displacement[i];
-    seen.inverseMass = state.particles.inverseMass[i];
-    // Its corners rub at their surface, which turns with it.
-    const BodyRecord& body = state.bodies[state.particles.body[i]];
-    if (body.kind == BodyKind::kinematic) seen.turn = static_cast<Real>(turnOf(state, body));
-    return seen;
-}
-inline Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {
-    return isCluster ? lookAt(state.clusters.list[i]) : lookAtParticle(state, i);
-}
-
 bool isFixedChunk(const State& state, const Chunk& chunk) {
     return state.bodies[state.bodySlots.denseOf(chunk.body)].kind == BodyKind::fixed;
 }
@@ -159,16 +171,13 @@ void takeMotion(State& state) {
         const auto m = core.awakeMovers[k];
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
         SolverBody& body = movers.bodies[m];
-        const bool anew = takePose(body, movers.references[m], seen.at, seen.heading);
-        body.inverseMass = seen.inverseMass;
-        body.inverseInertia = seen.inverseInertia;
+        const bool anew = takePose(body, movers.references[m], seen);
         placed[m] = {body.x, body.y, body.turn};
         // What rows gave in the last step is with what they begin in this one.
-        const Motion3 goes{seen.way[0] + body.vx, seen.way[1] + body.vy, seen.turn + body.spin};
-        movers.predictions[m] = {seen.way[0], seen.way[1], seen.turn, 0,
-                                 goes.x,      goes.y,      goes.turn, 0};
+        const Motion3 goes{seen.wayX + body.vx, seen.wayY + body.vy, seen.turn + body.spin};
+        movers.predictions[m] = {seen.wayX, seen.wayY, seen.turn, 0, goes.x, goes.y, goes.turn, 0};
         const Real reach = movers.reach[m];
-        farthest = std::max(farthest, lengthOf(reach, seen.way[0], seen.way[1], seen.turn));
+        farthest = std::max(farthest, lengthOf(reach, seen.wayX, seen.wayY, seen.turn));
         const double ahead =
             movers.odometer[m] + static_cast<double>(lengthOf(reach, goes.x, goes.y, goes.turn));
         aheads[m] = ahead;
@@ -337,10 +346,11 @@ namespace {
 /// What rows have given a body since it last told. What rounding keeps back is given the next time,
 /// so that no momentum is lost.
 inline void giveTo(Vec2& displacement, const Motion3& more, Motion3& given) {
-    const Vec2 before = displacement;
-    displacement += Vec2(more.x, more.y);
-    given.x += displacement[0] - before[0];
-    given.y += displacement[1] - before[1];
+    const Real x = displacement[0], y = displacement[1];
+    displacement[0] = x + more.x;
+    displacement[1] = y + more.y;
+    given.x += displacement[0] - x;
+    given.y += displacement[1] - y;
 }
 inline Motion3 moreThan(const Motion3& given, const SolverBody& body) {
     return {body.vx - given.x, body.vy - given.y, body.spin - given.turn};
@@ -381,7 +391,7 @@ void takeMotionOfTied(State& state, int number) {
         const Seen seen = lookAtMover(state, core.moverIsCluster[m] != 0, core.denseOfMover[m]);
         const Motion3& given = core.movers.given[m];
         Prediction& prediction = core.movers.predictions[m];
-        const Motion3 now{seen.way[0] - given.x, seen.way[1] - given.y, seen.turn - given.turn};
+        const Motion3 now{seen.wayX - given.x, seen.wayY - given.y, seen.turn - given.turn};
         const Real changed = lengthOf(core.movers, m, now.x - prediction.vx, now.y - prediction.vy,
                                       now.turn - prediction.spin);
         // What does not change how surfaces part is left for later.
@@ -400,8 +410,8 @@ void takeMotionAgain(State& state) {
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
         const Motion3& given = core.movers.given[m];
         Prediction& prediction = core.movers.predictions[m];
-        prediction.vx = seen.way[0] - given.x;
-        prediction.vy = seen.way[1] - given.y;
+        prediction.vx = seen.wayX - given.x;
+        prediction.vy = seen.wayY - given.y;
         prediction.spin = seen.turn - given.turn;
     }
 }
@@ -409,7 +419,9 @@ void takeMotionAgain(State& state) {
 namespace {
 
 /// What the first sweep has moved apart goes to the state, no faster than a limit.
-void pushOut(State& state, std::size_t k, Vec2 pushed, Real turned, Real restingPush) {
+void pushOut(State& state, std::size_t k, const Motion3& motion, Real restingPush) {
+    Vec2 pushed(motion.x, motion.y);
+    Real turned = motion.turn;
     ContactCore& core = state.core;
     const auto m = core.awakeMovers[k];
     const auto i = core.awakeDense[k];
@@ -448,8 +460,8 @@ void endMotion(State& state) {
         give(state, isCluster, core.awakeDense[k], m, asked);
         const Seen seen = lookAtMover(state, isCluster, core.awakeDense[k]);
         const Real reach = movers.reach[m];
-        const Real length = lengthOf(reach, seen.way[0], seen.way[1], seen.turn);
-        core.ways[m] = {seen.way[0], seen.way[1], seen.turn, reach * std::abs(seen.turn)};
+        const Real length = lengthOf(reach, seen.wayX, seen.wayY, seen.turn);
+        core.ways[m] = {seen.wayX, seen.wayY, seen.turn, reach * std::abs(seen.turn)};
         core.lengths[m] = length;
         movers.odometer[m] += static_cast<double>(length);
         // What the next step begins with is given anew, with what has been kept back.
@@ -457,10 +469,9 @@ void endMotion(State& state) {
         Motion3& given = movers.given[m];
         given = {given.x - body.vx, given.y - body.vy, given.turn - body.spin};
         const Motion3& placed = core.placed[m];
-        const Vec2 pushed(body.x - placed.x, body.y - placed.y);
-        const Real turned = body.turn - placed.turn;
-        if (pushed[0] != 0 || pushed[1] != 0 || turned != 0)
-            pushOut(state, k, pushed, turned, restingPush);
+        const Motion3 pushed{body.x - placed.x, body.y - placed.y, body.turn - placed.turn};
+        if (pushed.x != 0 || pushed.y != 0 || pushed.turn != 0)
+            pushOut(state, k, pushed, restingPush);
     }
     noteStrips(core, movers.odometer, [&](std::uint32_t m) { return core.lengths[m]; });
 }
