@@ -21,17 +21,30 @@ inline Vec load(const SweepReal* from) {
 inline void store(SweepReal* to, Vec value) {
     *reinterpret_cast<Vec*>(to) = value;
 }
+// The compiler sees one instruction in these not everywhere.
+#if defined(__AVX__) && !defined(SULFUR_REAL_DOUBLE)
+inline Vec larger(Vec a, Vec b) {
+    return _mm256_max_ps(a, b);
+}
+inline Vec smaller(Vec a, Vec b) {
+    return _mm256_min_ps(a, b);
+}
+inline Vec magnitude(Vec v) {
+    return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), v);
+}
+#else
 inline Vec larger(Vec a, Vec b) {
     return a > b ? a : b;
 }
 inline Vec smaller(Vec a, Vec b) {
     return a < b ? a : b;
 }
+inline Vec magnitude(Vec v) {
+    return v <= 0 ? Vec{} - v : v;
+}
+#endif
 inline Vec clamped(Vec v, Vec low, Vec high) {
     return smaller(larger(v, low), high);
-}
-inline Vec magnitude(Vec v) {
-    return v < 0 ? -v : v;
 }
 #if defined(__AVX__) && !defined(SULFUR_REAL_DOUBLE)
 inline Vec root(Vec v) {

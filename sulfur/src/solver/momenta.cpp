@@ -42,7 +42,9 @@ struct Part {
     return p.cast<Real>();
 }
 
-using Link = std::pair<std::uint32_t, std::uint32_t>;  // places
+struct Link {
+    std::uint32_t first = 0, second = 0;  // places
+};
 
 class Momenta {
 public:
@@ -178,19 +180,21 @@ private:
     /// Whoever pushes somebody open is open. Only links of those that are not are left: mostly
     /// nothing, because most of what touches stands on something.
     void spreadOpen() {
-        links_.resize(linked_);
-        for (auto before = links_.size() + 1; links_.size() < before;) {
-            before = links_.size();
-            std::size_t left = 0;
-            for (const Link& link : links_) {
-                const std::uint8_t open = open_[link.first] | open_[link.second];
-                open_[link.first] = open_[link.second] = open;
-                links_[left] = link;
-                left += 1u - open;
+        std::uint8_t* const open = open_.data();
+        Link* const links = links_.data();
+        std::size_t left = linked_;
+        for (auto before = left + 1; left < before;) {
+            before = std::exchange(left, 0);
+            for (std::size_t k = 0; k < before; ++k) {
+                const auto [p, q] = links[k];
+                const std::uint8_t either = open[p] | open[q];
+                open[p] = open[q] = either;
+                links[left] = {p, q};
+                left += 1u - either;
             }
-            links_.resize(left);
-            std::reverse(links_.begin(), links_.end());
+            std::reverse(links, links + left);
         }
+        links_.resize(left);
     }
 
     /// Those of several parts that push nothing else.
