@@ -352,6 +352,9 @@ inline void giveTo(Vec2& displacement, const Motion3& more, Motion3& given) {
     given.x += displacement[0] - x;
     given.y += displacement[1] - y;
 }
+inline bool isNothing(const Motion3& m) {
+    return std::abs(m.x) + std::abs(m.y) + std::abs(m.turn) == 0;
+}
 inline Motion3 moreThan(const Motion3& given, const SolverBody& body) {
     return {body.vx - given.x, body.vy - given.y, body.spin - given.turn};
 }
@@ -359,7 +362,7 @@ inline Motion3 moreThan(const Motion3& given, const SolverBody& body) {
 /// A rigid component takes that up. `turns`: somebody asks for sines.
 inline void give(Cluster& c, const SolverBody& body, Motion3& given, bool turns) {
     const Motion3 more = moreThan(given, body);
-    if (more.x == 0 && more.y == 0 && more.turn == 0) return;
+    if (isNothing(more)) return;
     giveTo(c.displacement, more, given);
     if (more.turn == 0) return;
     given.turn = body.spin;
@@ -371,7 +374,7 @@ void give(State& state, bool isCluster, std::uint32_t i, std::uint32_t m, bool t
     Motion3& given = state.core.movers.given[m];
     if (isCluster) return give(state.clusters.list[i], body, given, turns);
     const Motion3 more = moreThan(given, body);
-    if (more.x == 0 && more.y == 0 && more.turn == 0) return;
+    if (isNothing(more)) return;
     if (body.inverseMass > 0) giveTo(state.particles.displacement[i], more, given);
 }
 
@@ -470,8 +473,7 @@ void endMotion(State& state) {
         given = {given.x - body.vx, given.y - body.vy, given.turn - body.spin};
         const Motion3& placed = core.placed[m];
         const Motion3 pushed{body.x - placed.x, body.y - placed.y, body.turn - placed.turn};
-        if (pushed.x != 0 || pushed.y != 0 || pushed.turn != 0)
-            pushOut(state, k, pushed, restingPush);
+        if (!isNothing(pushed)) pushOut(state, k, pushed, restingPush);
     }
     noteStrips(core, movers.odometer, [&](std::uint32_t m) { return core.lengths[m]; });
 }

@@ -83,20 +83,30 @@ public:
     }
 
 private:
-    /// Whoever pushes somebody open is open, too. There is room for the link: it is written in any
-    /// case, because nobody could foretell whether it counts.
-    void linkAt(std::uint32_t p, std::uint32_t q) {
-        const std::uint8_t open = open_[p] | open_[q];
-        open_[p] = open_[q] = open;
-        links_[linked_] = {p, q};
-        linked_ += 1u - open;
-    }
-    void makeRoom(std::size_t links) {
+    /// Links of places, written where there is room for them. (Local while rows are linked, because
+    /// bytes alias members.)
+    struct Linker {
+        std::uint8_t* open;
+        Link* links;
+        std::size_t linked;
+
+        /// Whoever pushes somebody open is open, too. A link is written in any case, because nobody
+        /// could foretell whether it counts.
+        void link(std::uint32_t p, std::uint32_t q) {
+            const std::uint8_t either = open[p] | open[q];
+            open[p] = open[q] = either;
+            links[linked] = {p, q};
+            linked += 1u - either;
+        }
+    };
+    Linker linkerFor(std::size_t links) {
         if (links_.size() < linked_ + links) links_.resize(2 * (linked_ + links));
+        return {open_.data(), links_.data(), linked_};
     }
     void link(std::uint32_t a, std::uint32_t b) {
-        makeRoom(1);
-        linkAt(a == none ? outside_ : index_[a], b == none ? outside_ : index_[b]);
+        Linker linker = linkerFor(1);
+        linker.link(a == none ? outside_ : index_[a], b == none ? outside_ : index_[b]);
+        linked_ = linker.linked;
     }
     void linkBodies() {
         for (const auto* pairs : {&core_.struck, &core_.held})
@@ -128,30 +138,32 @@ private:
         for (const auto m : core_.awakeMovers)
             placeOf[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
         // Lanes that do not act link nothing: what has no place to what has none.
-        const auto forEachRow = [&](const auto& list, auto kernel, auto&& f) {
-            makeRoom(2 * rowLanes * list.blocks.size());
+        const auto forEachLane = [&, outside = outside_](const auto& list, auto kernel, auto&& f) {
+            const std::uint32_t* const places = placeOf.data();
+            Linker linker = linkerFor(2 * rowLanes * list.blocks.size());
             for (const auto& block : list.blocks) {
                 const std::uint32_t lanes = kernel(block);
                 for (std::uint32_t l = 0; l < rowLanes; ++l)
-                    f(block, l, [&](std::uint32_t m) {
-                        const auto place = placeOf[m];
-                        return (lanes >> l & 1) != 0 ? place : outside_;
+                    f(linker, block, l, [&](std::uint32_t m) {
+                        const auto place = places[m];
+                        return (lanes >> l & 1) != 0 ? place : outside;
                     });
             }
+            linked_ = linker.linked;
         };
         const RowKernels& kernels = rowKernels();
         for (const auto c : core_.rows.inUse()) {
-            forEachRow(core_.rows.manifolds[c], kernels.actingManifolds,
-                       [&](const ManifoldBlock& r, std::uint32_t l, auto&& place) {
-                           linkAt(place(r.a[l]), place(r.b[l]));
-                       });
-            forEachRow(core_.rows.touches[c], kernels.actingTouches,
-                       [&](const TouchBlock& t, std::uint32_t l, auto&& place) {
-                           linkAt(place(t.p[l]), place(t.a[l]));
-                           // b is the world where a has both ends.
-                           const bool hasTwo = t.b[l] != 0;
-                           linkAt(hasTwo ? place(t.p[l]) : outside_, place(t.b[l]));
-                       });
+            forEachLane(core_.rows.manifolds[c], kernels.actingManifolds,
+                        [](Linker& linker, const ManifoldBlock& r, std::uint32_t l, auto&& place) {
+                            linker.link(place(r.a[l]), place(r.b[l]));
+                        });
+            forEachLane(core_.rows.touches[c], kernels.actingTouches,
+                        [&](Linker& linker, const TouchBlock& t, std::uint32_t l, auto&& place) {
+                            linker.link(place(t.p[l]), place(t.a[l]));
+                            // b is the world where a has both ends.
+                            const bool hasTwo = t.b[l] != 0;
+                            linker.link(hasTwo ? place(t.p[l]) : outside_, place(t.b[l]));
+                        });
         }
     }
 
