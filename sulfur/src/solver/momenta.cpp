@@ -42,30 +42,23 @@ struct Part {
     return p.cast<Real>();
 }
 
-struct Link {
-    std::uint32_t first = 0, second = 0;  // places
-};
-
 class Momenta {
 public:
     explicit Momenta(State& state)
         : state_(state),
           core_(state.core),
-          outside_(static_cast<std::uint32_t>(state.work.bodies.size())),
-          index_(state.bodies.size(), outside_, &state.arena),
-          open_(outside_ + 1, 0, &state.arena),
-          parts_(outside_ + 1, 0, &state.arena),
-          links_(&state.arena),
-          group_(outside_ + 1, none, &state.arena),
+          index_(state.bodies.size(), outside, &state.arena),
+          sets_(state.work.bodies.size() + 1, &state.arena),
+          parts_(state.work.bodies.size() + 1, 0, &state.arena),
+          group_(state.work.bodies.size() + 1, none, &state.arena),
           groups_(&state.arena),
           grouped_(&state.arena) {
-        for (std::uint32_t k = 0; k < outside_; ++k) index_[state_.work.bodies[k]] = k;
-        for (const auto body : state_.work.kinematic) index_[body] = outside_;
-        open_[outside_] = 1;
+        std::uint32_t place = outside;
+        for (const auto body : state_.work.bodies) index_[body] = ++place;
+        for (const auto body : state_.work.kinematic) index_[body] = outside;
         linkRows();
         linkBodies();
         countParts();
-        spreadOpen();
         findGroups();
         if (groups_.empty()) return;
         noteClusters();
@@ -83,30 +76,12 @@ public:
     }
 
 private:
-    /// Links of places, written where there is room for them. (Local while rows are linked, because
-    /// bytes alias members.)
-    struct Linker {
-        std::uint8_t* open;
-        Link* links;
-        std::size_t linked;
+    /// The place of all that is fixed, driven or asleep: whoever pushes it is in no group, nor who
+    /// pushes him. It leads its set, because it is the smallest.
+    static constexpr std::uint32_t outside = 0;
 
-        /// Whoever pushes somebody open is open, too. A link is written in any case, because nobody
-        /// could foretell whether it counts.
-        void link(std::uint32_t p, std::uint32_t q) {
-            const std::uint8_t either = open[p] | open[q];
-            open[p] = open[q] = either;
-            links[linked] = {p, q};
-            linked += 1u - either;
-        }
-    };
-    Linker linkerFor(std::size_t links) {
-        if (links_.size() < linked_ + links) links_.resize(2 * (linked_ + links));
-        return {open_.data(), links_.data(), linked_};
-    }
     void link(std::uint32_t a, std::uint32_t b) {
-        Linker linker = linkerFor(1);
-        linker.link(a == none ? outside_ : index_[a], b == none ? outside_ : index_[b]);
-        linked_ = linker.linked;
+        sets_.unite(a == none ? outside : index_[a], b == none ? outside : index_[b]);
     }
     void linkBodies() {
         for (const auto* pairs : {&core_.struck, &core_.held})
@@ -134,100 +109,69 @@ private:
         if (pair.a != none) link(bodyOf(pair.a), bodyOf(pair.b));
     }
     void linkRows() {
-        std::pmr::vector<std::uint32_t> placeOf(core_.movers.size(), outside_, &state_.arena);
+        std::pmr::vector<std::uint32_t> placeOf(core_.movers.size(), outside, &state_.arena);
         for (const auto m : core_.awakeMovers)
             placeOf[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
-        // Lanes that do not act link nothing: what has no place to what has none.
-        const auto forEachLane = [&, outside = outside_](const auto& list, auto kernel, auto&& f) {
-            const std::uint32_t* const places = placeOf.data();
-            Linker linker = linkerFor(2 * rowLanes * list.blocks.size());
+        // Nobody can foretell which lanes act: those that do not link what has no place.
+        const auto forEachLane = [&](const auto& list, auto kernel, auto&& f) {
             for (const auto& block : list.blocks) {
                 const std::uint32_t lanes = kernel(block);
                 for (std::uint32_t l = 0; l < rowLanes; ++l)
-                    f(linker, block, l, [&](std::uint32_t m) {
-                        const auto place = places[m];
+                    f(block, l, [&](std::uint32_t m) {
+                        const auto place = placeOf[m];
                         return (lanes >> l & 1) != 0 ? place : outside;
                     });
             }
-            linked_ = linker.linked;
         };
         const RowKernels& kernels = rowKernels();
         for (const auto c : core_.rows.inUse()) {
             forEachLane(core_.rows.manifolds[c], kernels.actingManifolds,
-                        [](Linker& linker, const ManifoldBlock& r, std::uint32_t l, auto&& place) {
-                            linker.link(place(r.a[l]), place(r.b[l]));
+                        [&](const ManifoldBlock& r, std::uint32_t l, auto&& place) {
+                            sets_.unite(place(r.a[l]), place(r.b[l]));
                         });
             forEachLane(core_.rows.touches[c], kernels.actingTouches,
-                        [&](Linker& linker, const TouchBlock& t, std::uint32_t l, auto&& place) {
-                            linker.link(place(t.p[l]), place(t.a[l]));
+                        [&](const TouchBlock& t, std::uint32_t l, auto&& place) {
+                            sets_.unite(place(t.p[l]), place(t.a[l]));
                             // b is the world where a has both ends.
-                            const bool hasTwo = t.b[l] != 0;
-                            linker.link(hasTwo ? place(t.p[l]) : outside_, place(t.b[l]));
+                            if (t.b[l] != 0) sets_.unite(place(t.p[l]), place(t.b[l]));
                         });
         }
     }
 
-    /// Counts what moves by itself, by places. What is pinned opens its body.
+    /// Counts what moves by itself, by places. What is pinned is as if its body pushed the world.
     void countParts() {
-        const std::uint32_t* const index = index_.data();  // bytes alias members
-        std::uint32_t* const parts = parts_.data();
-        std::uint8_t* const open = open_.data();
-        std::uint32_t most = 0;
         const auto count = [&](std::uint32_t body, bool isFree) {
-            const auto place = index[body];
-            ++parts[place];
-            if (place != outside_) most = std::max(most, parts[place]);
-            open[place] |= isFree ? 0 : 1;
+            const auto place = index_[body];
+            ++parts_[place];
+            if (!isFree) sets_.unite(place, outside);
         };
         for (const auto k : state_.work.awakeClusters) {
             const Cluster& c = state_.clusters.list[k];
-            count(c.body, (c.inverseMass > 0) & (c.inverseInertia > 0));
+            count(c.body, c.inverseMass > 0 && c.inverseInertia > 0);
         }
         const Particles& p = state_.particles;
         for (const Range range : state_.work.points)
             for (auto i = range.first; i < range.last; ++i) count(p.body[i], p.inverseMass[i] > 0);
-        hasParts_ = most > 1;
     }
 
-    /// Whoever pushes somebody open is open. Only links of those that are not are left: mostly
-    /// nothing, because most of what touches stands on something.
-    void spreadOpen() {
-        std::uint8_t* const open = open_.data();
-        Link* const links = links_.data();
-        std::size_t left = linked_;
-        for (auto before = left + 1; left < before;) {
-            before = std::exchange(left, 0);
-            for (std::size_t k = 0; k < before; ++k) {
-                const auto [p, q] = links[k];
-                const std::uint8_t either = open[p] | open[q];
-                open[p] = open[q] = either;
-                links[left] = {p, q};
-                left += 1u - either;
-            }
-            std::reverse(links, links + left);
-        }
-        links_.resize(left);
-    }
-
-    /// Those of several parts that push nothing else.
+    /// Those of several parts that push nothing else: mostly none, because most of what touches
+    /// stands on something.
     void findGroups() {
-        if (links_.empty() && !hasParts_) return;
-        DisjointSets sets(outside_, &state_.arena);
-        for (const Link& link : links_) sets.unite(link.first, link.second);
-        // Whoever is open is in no link any more.
-        for (std::uint32_t k = 0; k < outside_; ++k)
-            if (open_[k] == 0)
-                if (const auto root = sets.find(k); root != k) parts_[root] += parts_[k];
-        for (std::uint32_t k = 0; k < outside_; ++k) {
-            if (open_[k] != 0) continue;
-            const auto root = sets.find(k);
-            if (parts_[root] < 2) continue;
-            if (group_[root] == none) {
-                group_[root] = static_cast<std::uint32_t>(groups_.size());
-                groups_.emplace_back();
-            }
-            group_[k] = group_[root];
+        std::pmr::vector<std::uint32_t> candidates(&state_.arena);  // places
+        for (std::uint32_t k = outside + 1; k < parts_.size(); ++k) {
+            const auto root = sets_.find(k);
+            if (root == outside) continue;
+            if (root != k) parts_[root] += parts_[k];
+            if (parts_[root] > 1) candidates.push_back(root);
         }
+        if (candidates.empty()) return;
+        for (const auto root : candidates) {
+            if (group_[root] != none) continue;
+            group_[root] = static_cast<std::uint32_t>(groups_.size());
+            groups_.emplace_back();
+        }
+        for (std::uint32_t k = outside + 1; k < parts_.size(); ++k)
+            group_[k] = group_[sets_.find(k)];
     }
     Group* groupOf(std::uint32_t body) {
         const auto group = group_[index_[body]];
@@ -323,14 +267,9 @@ private:
 
     State& state_;
     ContactCore& core_;
-    /// The place of all that is fixed, driven or asleep: it opens whoever pushes it.
-    std::uint32_t outside_;
-    std::pmr::vector<std::uint32_t> index_;  // by body: its place in work.bodies if it is dynamic
-    std::pmr::vector<std::uint8_t> open_;    // by place: it pushes something that is in no group
+    std::pmr::vector<std::uint32_t> index_;  // by body: its place, or outside
+    DisjointSets sets_;                      // of places that push each other
     std::pmr::vector<std::uint32_t> parts_;  // by place: what moves by itself
-    bool hasParts_ = false;                  // any body has several
-    std::pmr::vector<Link> links_;           // of those that push each other
-    std::size_t linked_ = 0;                 // of these, those that count so far
     std::pmr::vector<std::uint32_t> group_;  // by place, or none
     std::pmr::vector<Group> groups_;
     std::pmr::vector<std::uint32_t> grouped_;  // clusters
