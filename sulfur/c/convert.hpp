@@ -49,6 +49,9 @@ inline FieldId fromC(SulfurFieldId id) {
 inline GrabId fromC(SulfurGrabId id) {
     return {id.index, id.generation};
 }
+inline MechanismId fromC(SulfurMechanismId id) {
+    return {id.index, id.generation};
+}
 inline Pose fromC(const SulfurPose& pose) {
     return {point(pose.position), pose.angle};
 }
@@ -67,6 +70,13 @@ Damper damper(SulfurDamper damper);
 WorldSettings fromC(const SulfurWorldSettings& settings);
 ConnectOptions fromC(const SulfurConnectOptions& options);
 GrabOptions fromC(const SulfurGrabOptions& options);
+Drive fromC(const SulfurDrive& drive);
+HingeOptions fromC(const SulfurHingeOptions& options);
+WeldOptions fromC(const SulfurWeldOptions& options);
+SliderOptions fromC(const SulfurSliderOptions& options);
+WheelOptions fromC(const SulfurWheelMechanismOptions& options);
+DistanceOptions fromC(const SulfurDistanceOptions& options);
+PulleyOptions fromC(const SulfurPulleyOptions& options);
 QueryFilter fromC(const SulfurQueryFilter& filter);
 QueryShape fromC(const SulfurQueryShape& shape);
 DrawOptions fromC(const SulfurDrawOptions& options);
@@ -135,6 +145,9 @@ inline SulfurFieldId toC(FieldId id) {
 inline SulfurGrabId toC(GrabId id) {
     return {id.index, id.generation};
 }
+inline SulfurMechanismId toC(MechanismId id) {
+    return {id.index, id.generation};
+}
 inline SulfurBodyPair toC(const std::pair<BodyId, BodyId>& pair) {
     return {toC(pair.first), toC(pair.second)};
 }
@@ -167,6 +180,15 @@ SulfurAttachmentInfo toC(const AttachmentInfo& info);
 SulfurGrabInfo toC(const GrabInfo& info);
 SulfurConnectOptions toC(const ConnectOptions& options);
 SulfurGrabOptions toC(const GrabOptions& options);
+SulfurDrive toC(const Drive& drive);
+SulfurHingeOptions toC(const HingeOptions& options);
+SulfurWeldOptions toC(const WeldOptions& options);
+SulfurSliderOptions toC(const SliderOptions& options);
+SulfurWheelMechanismOptions toC(const WheelOptions& options);
+SulfurDistanceOptions toC(const DistanceOptions& options);
+SulfurPulleyOptions toC(const PulleyOptions& options);
+SulfurWheelIds toC(const WheelIds& ids);
+SulfurMechanismInfo toC(const MechanismInfo& info);
 SulfurCastHit toC(const CastHit& hit);
 SulfurClosestPoint toC(const ClosestPoint& closest);
 SulfurOverlap toC(const Overlap& overlap);
@@ -181,6 +203,9 @@ SulfurBodySplit toC(const BodySplit& event);
 SulfurParticleLost toC(const ParticleLost& event);
 SulfurSensorEvent toC(const SensorEntered& event);
 SulfurSensorEvent toC(const SensorLeft& event);
+SulfurLimitEvent toC(const LimitReached& event);
+SulfurLimitEvent toC(const LimitLeft& event);
+SulfurMechanismBroken toC(const MechanismBroken& event);
 SulfurGroundOptions toC(const shapes::GroundOptions& options);
 SulfurBoxOptions toC(const shapes::BoxOptions& options);
 SulfurPolygonOptions toC(const shapes::PolygonOptions& options);

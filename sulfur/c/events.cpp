@@ -29,12 +29,17 @@ SulfurResult sulfur_world_events(const SulfurWorld* world, SulfurEvents* events)
         copy(told.particlesLost, e.particlesLost);
         copy(told.sensorsEntered, e.sensorsEntered);
         copy(told.sensorsLeft, e.sensorsLeft);
+        copy(told.limitsReached, e.limitsReached);
+        copy(told.limitsLeft, e.limitsLeft);
+        copy(told.mechanismsBroken, e.mechanismsBroken);
         result = {e.contactsBegun.data(),     e.contactsBegun.size(),  e.contactsPersisted.data(),
                   e.contactsPersisted.size(), e.contactsEnded.data(),  e.contactsEnded.size(),
                   e.jointsBroken.data(),      e.jointsBroken.size(),   e.bodiesSplit.data(),
                   e.bodiesSplit.size(),       e.particlesLost.data(),  e.particlesLost.size(),
                   e.sensorsEntered.data(),    e.sensorsEntered.size(), e.sensorsLeft.data(),
-                  e.sensorsLeft.size()};
+                  e.sensorsLeft.size(),       e.limitsReached.data(),  e.limitsReached.size(),
+                  e.limitsLeft.data(),        e.limitsLeft.size(),     e.mechanismsBroken.data(),
+                  e.mechanismsBroken.size()};
     });
 }
 

@@ -22,6 +22,8 @@ struct EventArrays {
     std::vector<SulfurBodySplit> bodiesSplit;
     std::vector<SulfurParticleLost> particlesLost;
     std::vector<SulfurSensorEvent> sensorsEntered, sensorsLeft;
+    std::vector<SulfurLimitEvent> limitsReached, limitsLeft;
+    std::vector<SulfurMechanismBroken> mechanismsBroken;
 };
 
 /// Threads that a host lends by functions.

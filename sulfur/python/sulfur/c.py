@@ -83,6 +83,13 @@ class GrabId(Structure):
     ]
 
 
+class MechanismId(Structure):
+    _fields_ = [
+        ("index", c_uint32),
+        ("generation", c_uint32),
+    ]
+
+
 class Material(Structure):
     _fields_ = [
         ("static_friction", c_double),
@@ -545,6 +552,105 @@ class GrabInfo(Structure):
     ]
 
 
+class Drive(Structure):
+    _fields_ = [
+        ("lower", c_double),
+        ("upper", c_double),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("rest", c_double),
+        ("motor_speed", c_double),
+        ("motor_max", c_double),
+        ("has_motor_target", c_bool),
+        ("motor_target", c_double),
+        ("strength", c_double),
+    ]
+
+
+class HingeOptions(Structure):
+    _fields_ = [
+        ("drive", Drive),
+        ("collide", c_bool),
+        ("pin", c_bool),
+        ("strength", c_double),
+    ]
+
+
+class WeldOptions(Structure):
+    _fields_ = [
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("collide", c_bool),
+        ("strength", c_double),
+        ("torque_strength", c_double),
+    ]
+
+
+class SliderOptions(Structure):
+    _fields_ = [
+        ("drive", Drive),
+        ("collide", c_bool),
+        ("turns", c_bool),
+    ]
+
+
+class WheelMechanismOptions(Structure):
+    _fields_ = [
+        ("spring", Drive),
+        ("motor", Drive),
+        ("collide", c_bool),
+    ]
+
+
+class DistanceOptions(Structure):
+    _fields_ = [
+        ("drive", Drive),
+        ("collide", c_bool),
+    ]
+
+
+class PulleyOptions(Structure):
+    _fields_ = [
+        ("ratio", c_double),
+        ("has_length", c_bool),
+        ("length", c_double),
+        ("strength", c_double),
+    ]
+
+
+class WheelIds(Structure):
+    _fields_ = [
+        ("spring", MechanismId),
+        ("motor", MechanismId),
+    ]
+
+
+HINGE = 0
+SLIDER = 1
+DISTANCE = 2
+PULLEY = 3
+GEAR = 4
+WELD = 5
+
+
+class MechanismInfo(Structure):
+    _fields_ = [
+        ("kind", c_int32),
+        ("a", BodyId),
+        ("b", BodyId),
+        ("point_a", Vec),
+        ("point_b", Vec),
+        ("value", c_double),
+        ("speed", c_double),
+        ("force", c_double),
+        ("holding", Vec),
+        ("at_lower", c_bool),
+        ("at_upper", c_bool),
+        ("drive", Drive),
+        ("ratio", c_double),
+    ]
+
+
 AcceptFunction = CFUNCTYPE(c_bool, c_void_p, BodyId)
 
 
@@ -660,6 +766,22 @@ class SensorEvent(Structure):
     ]
 
 
+class LimitEvent(Structure):
+    _fields_ = [
+        ("mechanism", MechanismId),
+        ("upper", c_bool),
+    ]
+
+
+class MechanismBroken(Structure):
+    _fields_ = [
+        ("mechanism", MechanismId),
+        ("a", BodyId),
+        ("b", BodyId),
+        ("force", c_double),
+    ]
+
+
 class Events(Structure):
     _fields_ = [
         ("contacts_begun", POINTER(ContactBegun)),
@@ -678,6 +800,12 @@ class Events(Structure):
         ("sensors_entered_count", c_size_t),
         ("sensors_left", POINTER(SensorEvent)),
         ("sensors_left_count", c_size_t),
+        ("limits_reached", POINTER(LimitEvent)),
+        ("limits_reached_count", c_size_t),
+        ("limits_left", POINTER(LimitEvent)),
+        ("limits_left_count", c_size_t),
+        ("mechanisms_broken", POINTER(MechanismBroken)),
+        ("mechanisms_broken_count", c_size_t),
     ]
 
 
@@ -1040,6 +1168,25 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_grab_info": (c_int32, [c_void_p, GrabId, POINTER(GrabInfo)]),
     "sulfur_grab_exists": (c_int32, [c_void_p, GrabId, POINTER(c_bool)]),
     "sulfur_world_grabs": (c_int32, [c_void_p, POINTER(GrabId), c_size_t, POINTER(c_size_t)]),
+    "sulfur_drive_default": (Drive, []),
+    "sulfur_hinge_options_default": (HingeOptions, []),
+    "sulfur_weld_options_default": (WeldOptions, []),
+    "sulfur_slider_options_default": (SliderOptions, []),
+    "sulfur_wheel_mechanism_options_default": (WheelMechanismOptions, []),
+    "sulfur_distance_options_default": (DistanceOptions, []),
+    "sulfur_pulley_options_default": (PulleyOptions, []),
+    "sulfur_world_hinge": (c_int32, [c_void_p, BodyId, BodyId, Vec, POINTER(HingeOptions), POINTER(MechanismId)]),
+    "sulfur_world_weld": (c_int32, [c_void_p, BodyId, BodyId, Vec, POINTER(WeldOptions), POINTER(MechanismId)]),
+    "sulfur_world_slider": (c_int32, [c_void_p, BodyId, BodyId, Vec, Vec, POINTER(SliderOptions), POINTER(MechanismId)]),
+    "sulfur_world_wheel": (c_int32, [c_void_p, BodyId, BodyId, Vec, Vec, POINTER(WheelMechanismOptions), POINTER(WheelIds)]),
+    "sulfur_world_distance": (c_int32, [c_void_p, BodyId, Vec, BodyId, Vec, POINTER(DistanceOptions), POINTER(MechanismId)]),
+    "sulfur_world_pulley": (c_int32, [c_void_p, BodyId, Vec, Vec, BodyId, Vec, Vec, BodyId, POINTER(PulleyOptions), POINTER(MechanismId)]),
+    "sulfur_world_gear": (c_int32, [c_void_p, MechanismId, MechanismId, c_double, POINTER(MechanismId)]),
+    "sulfur_mechanism_info": (c_int32, [c_void_p, MechanismId, POINTER(MechanismInfo)]),
+    "sulfur_mechanism_set_drive": (c_int32, [c_void_p, MechanismId, POINTER(Drive)]),
+    "sulfur_mechanism_remove": (c_int32, [c_void_p, MechanismId]),
+    "sulfur_mechanism_exists": (c_int32, [c_void_p, MechanismId, POINTER(c_bool)]),
+    "sulfur_world_mechanisms": (c_int32, [c_void_p, POINTER(MechanismId), c_size_t, POINTER(c_size_t)]),
     "sulfur_query_filter_default": (QueryFilter, []),
     "sulfur_query_shape_default": (QueryShape, []),
     "sulfur_query_shape_circle": (c_int32, [Vec, c_double, POINTER(QueryShape)]),

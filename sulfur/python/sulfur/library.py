@@ -78,7 +78,7 @@ def get(kind, function, *arguments):
     """What a function leaves at its last parameter."""
     result = kind()
     call(function, *arguments, ctypes.byref(result))
-    return result.value if hasattr(result, "value") else result
+    return result if isinstance(result, ctypes.Structure) else result.value
 
 
 def find(kind, function, *arguments):

@@ -1,9 +1,9 @@
-"""Bodies, particles, joints, attachments, fields and grabs: things in a world, by their handles."""
+"""Things in a world, by their handles: bodies, particles, joints, mechanisms and so on."""
 import ctypes
 
 from . import c
 from .library import call, entries, find, get
-from .values import pose_of, vec
+from .values import fill, pose_of, vec
 
 
 class Thing:
@@ -287,3 +287,31 @@ class Grab(Thing):
     def release(self):
         """Lets go."""
         self._tell("release")
+
+
+class Mechanism(Thing):
+    """A hinge, a weld, a slider, a distance, a pulley or a gear; sulfur/c/mechanisms.h."""
+
+    _name = "mechanism"
+
+    info = _reading(c.MechanismInfo, "info", "All that it is at the moment.")
+    value = property(lambda self: self.info.value, doc="rad or m.")
+    speed = property(lambda self: self.info.speed, doc="rad/s or m/s.")
+    force = property(lambda self: self.info.force, doc="N m or N of its drive in the last tick.")
+
+    @property
+    def drive(self):
+        """What acts along its coordinate; set it to what drive() returned."""
+        return self.info.drive
+
+    @drive.setter
+    def drive(self, drive):
+        self._tell("set_drive", ctypes.byref(drive))
+
+    def change_drive(self, **options):
+        """Changes some members of its drive: motor_speed, upper ...; motor_target=None forgets."""
+        self.drive = fill(self.drive, options)
+
+    def remove(self):
+        """Lets both bodies go."""
+        self._tell("remove")

@@ -19,7 +19,7 @@ def pose_of(position, angle):
 
 
 def fill(struct, options):
-    """Sets members of a struct by name; `has_...` follows by itself. As `from`
+    """Sets members of a struct by name; `has_...` follows by itself, None clears it. As `from`
     is a word of Python, `start` and `end` mean `from` and `to`."""
     members = dict(struct._fields_)
     for name, value in options.items():
@@ -31,6 +31,9 @@ def fill(struct, options):
         if name not in members:
             raise TypeError(f"{type(struct).__name__} has no option {name}; it has "
                             f"{', '.join(members)}")
+        if value is None and "has_" + name in members:
+            setattr(struct, "has_" + name, False)
+            continue
         if members[name] is c.Vec:
             value = vec(value)
         elif isinstance(value, dict):
@@ -49,6 +52,12 @@ def options_of(name, options):
 def material(**options):
     """A surface: static_friction, kinetic_friction, restitution, surface_speed."""
     return options_of("material", options)
+
+
+def drive(**options):
+    """What acts along a mechanism: lower, upper, stiffness, damping, rest, motor_speed, motor_max,
+    motor_target, strength."""
+    return options_of("drive", options)
 
 
 def collision_filter(**options):
@@ -71,7 +80,8 @@ def _hash(self):
 
 c.Vec.__iter__ = lambda self: iter((self.x, self.y))
 c.Vec.__repr__ = _vec_text
-for _kind in (c.Vec, c.BodyId, c.ParticleId, c.JointId, c.AttachmentId, c.FieldId, c.GrabId):
+for _kind in (c.Vec, c.BodyId, c.ParticleId, c.JointId, c.AttachmentId, c.FieldId, c.GrabId,
+              c.MechanismId):
     _kind.__eq__, _kind.__hash__ = _same, _hash
 
 

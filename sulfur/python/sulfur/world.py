@@ -4,7 +4,7 @@ import weakref
 
 from . import c
 from .library import call, entries, find, get, guarded, library
-from .things import Attachment, Body, Field, Grab, Joint, Particle
+from .things import Attachment, Body, Field, Grab, Joint, Mechanism, Particle
 from .values import options_of, pose_of, vec
 
 
@@ -83,6 +83,45 @@ class World:
             handle = self._ask(c.GrabId, "grab_body", what.id, vec(at), vec(target), firmness)
         return Grab(self, handle)
 
+    def _join(self, kind, options, *ends):
+        struct = options_of(f"{kind}_options", options)
+        return Mechanism(self, self._ask(c.MechanismId, kind, *ends, ctypes.byref(struct)))
+
+    def hinge(self, a, b, at, **options):
+        """Lets two bodies turn about a point: drive, collide, pin, strength. A drive is what
+        drive() returns, or a dict of its options."""
+        return self._join("hinge", options, a.id, b.id, vec(at))
+
+    def weld(self, a, b, at, **options):
+        """Holds the angle too: stiffness, damping, collide, strength, torque_strength."""
+        return self._join("weld", options, a.id, b.id, vec(at))
+
+    def slider(self, a, b, at, axis, **options):
+        """Leads a point of b along a line that moves with a: drive, collide, turns."""
+        return self._join("slider", options, a.id, b.id, vec(at), vec(axis))
+
+    def wheel(self, body, wheel, at, axis, **options):
+        """Hangs a wheel on a body: spring, motor (both drives), collide. Returns both mechanisms:
+        the slider and the hinge."""
+        ids = self._ask(c.WheelIds, "wheel", body.id, wheel.id, vec(at), vec(axis),
+                        ctypes.byref(options_of("wheel_mechanism_options", options)))
+        return Mechanism(self, ids.spring), Mechanism(self, ids.motor)
+
+    def distance(self, a, at_a, b, at_b, **options):
+        """Keeps the distance of two points in limits, or drives it: drive, collide."""
+        return self._join("distance", options, a.id, vec(at_a), b.id, vec(at_b))
+
+    def pulley(self, a, at_a, over_a, b, at_b, over_b, frame, **options):
+        """Hangs two bodies on one rope that runs over two points of a third one: ratio, length,
+        strength."""
+        return self._join("pulley", options, a.id, vec(at_a), vec(over_a), b.id, vec(at_b),
+                          vec(over_b), frame.id)
+
+    def gear(self, first, second, ratio):
+        """Couples two mechanisms: the value of the first plus ratio times that of the second
+        stays what it is."""
+        return Mechanism(self, self._ask(c.MechanismId, "gear", first.id, second.id, ratio))
+
     def body(self, body):
         """The body of this world that has the handle of another one, or that handle."""
         found = Body(self, getattr(body, "id", body))
@@ -101,6 +140,9 @@ class World:
                                     self._ask_list(c.FieldId, "fields")], doc="Oldest first.")
     grabs = property(lambda self: [Grab(self, id) for id in
                                    self._ask_list(c.GrabId, "grabs")], doc="Oldest first.")
+    mechanisms = property(lambda self: [Mechanism(self, id) for id in
+                                        self._ask_list(c.MechanismId, "mechanisms")],
+                          doc="Oldest first.")
 
     def set_collision(self, a, b, on):
         """Lets two bodies pass through each other (False), or not."""

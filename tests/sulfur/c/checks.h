@@ -17,6 +17,7 @@ const char* c_check_bodies(void);
 const char* c_check_blueprint(void);
 const char* c_check_angles(void);
 const char* c_check_parts(void);
+const char* c_check_mechanisms(void);
 const char* c_check_queries(void);
 const char* c_check_events(void);
 const char* c_check_state(void);

@@ -252,6 +252,50 @@ class Parts(unittest.TestCase):
         grab.release()
         self.assertEqual(self.world.grab(self.a, (1, 1)).info.target.x, 1)
 
+    def test_mechanisms(self):
+        world = self.world
+        ground = world.add(sulfur.floor((-9, -5), (9, -5)))
+        hinge = world.hinge(ground, self.balls[0], (0, 0),
+                            drive={"motor_speed": 2, "motor_max": 1000, "upper": 0.5})
+        rack = world.slider(ground, self.balls[1], (2, 0), (0, 1), drive=sulfur.drive(lower=-9))
+        world.gear(hinge, rack, -2)
+        world.run(0.1)
+        self.assertAlmostEqual(hinge.speed, 2, 2)
+        self.assertAlmostEqual(rack.value, 0.1, 2)
+        self.assertEqual(rack.drive.lower, -9)
+        reached = []
+        for _ in range(200):
+            world.step()
+            reached += world.events["limits_reached"]
+        self.assertEqual([limit.mechanism for limit in reached], [hinge.id])
+        self.assertTrue(hinge.info.at_upper)
+        hinge.change_drive(motor_target=0.25)
+        world.run(0.5)
+        self.assertAlmostEqual(hinge.value, 0.25, 3)
+        hinge.change_drive(motor_target=None)
+        self.assertFalse(hinge.drive.has_motor_target)
+        self.assertEqual([m.info.kind for m in world.mechanisms],
+                         [sulfur.c.HINGE, sulfur.c.SLIDER, sulfur.c.GEAR])
+        hinge.remove()
+        self.assertFalse(hinge.exists)
+
+    def test_other_mechanisms(self):
+        world, (a, b) = self.world, self.balls
+        frame = world.add(sulfur.floor((-1, 5), (3, 5)))
+        rope = world.pulley(a, (0, 0), (0, 5), b, (2, 0), (2, 5), frame, ratio=2, length=16)
+        self.assertAlmostEqual(rope.value, 15, 5)
+        self.assertEqual((rope.info.drive.upper, rope.info.ratio), (16, 2))
+        rod = world.distance(a, (0, 0), b, (2, 0), drive={"stiffness": sulfur.INFINITE, "rest": 2})
+        self.assertAlmostEqual(rod.value, 2, 5)
+        spring, motor = world.wheel(frame, a, (0, 0), (0, 1), spring={"stiffness": 100},
+                                    motor={"motor_speed": 3, "motor_max": 1})
+        self.assertEqual((spring.drive.stiffness, motor.drive.motor_speed), (100, 3))
+        crate = world.add(sulfur.box(), position=(0, 1))
+        weld = world.weld(a, crate, (0, 0), stiffness=50)
+        self.assertEqual((weld.info.kind, weld.drive.stiffness), (sulfur.c.WELD, 50))
+        with self.assertRaisesRegex(TypeError, "WeldOptions has no option lower"):
+            world.weld(a, b, (0, 0), lower=1)
+
     def test_fields(self):
         wind = self.world.add_field(sulfur.wind_field(velocity=(3, 0), drag=50))
         self.world.add_field(sulfur.radial_field(centre=(0, 9), strength=4))

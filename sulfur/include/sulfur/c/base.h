@@ -126,6 +126,12 @@ typedef struct SulfurGrabId {
     uint32_t generation;  ///< of the slot
 } SulfurGrabId;
 
+/// A mechanism's handle; sulfur::MechanismId.
+typedef struct SulfurMechanismId {
+    uint32_t index;       ///< slot, counted from 1; 0 is null
+    uint32_t generation;  ///< of the slot
+} SulfurMechanismId;
+
 /// How a surface behaves; sulfur::Material, which gives the ranges.
 typedef struct SulfurMaterial {
     double static_friction;   ///< coefficient

@@ -62,6 +62,21 @@ typedef struct SulfurSensorEvent {
     SulfurBodyId visitor;  ///< what came or left; no longer valid when it was removed
 } SulfurSensorEvent;
 
+/// A limit of a mechanism began to push, or no longer does; sulfur::LimitReached,
+/// sulfur::LimitLeft.
+typedef struct SulfurLimitEvent {
+    SulfurMechanismId mechanism;  ///< whose
+    bool upper;                   ///< which of both
+} SulfurLimitEvent;
+
+/// A mechanism was loaded beyond its strength and is gone; sulfur::MechanismBroken.
+typedef struct SulfurMechanismBroken {
+    SulfurMechanismId mechanism;  ///< no longer valid; for comparison only
+    SulfurBodyId a;               ///< one of its bodies
+    SulfurBodyId b;               ///< the other one
+    double force;                 ///< N m or N at which it broke
+} SulfurMechanismBroken;
+
 /// Events of one tick; sulfur::Events, which says in which order. An array that has no entry may be
 /// null.
 typedef struct SulfurEvents {
@@ -81,6 +96,12 @@ typedef struct SulfurEvents {
     size_t sensors_entered_count;                      ///< how many
     const SulfurSensorEvent* sensors_left;             ///< bodies that left sensors
     size_t sensors_left_count;                         ///< how many
+    const SulfurLimitEvent* limits_reached;            ///< limits that began to push
+    size_t limits_reached_count;                       ///< how many
+    const SulfurLimitEvent* limits_left;               ///< limits that no longer push
+    size_t limits_left_count;                          ///< how many
+    const SulfurMechanismBroken* mechanisms_broken;    ///< mechanisms that broke
+    size_t mechanisms_broken_count;                    ///< how many
 } SulfurEvents;
 /// What happened in the last tick. The arrays are the world's, valid until the next call of this
 /// function for it, or until it is destroyed.

@@ -10,6 +10,7 @@
 #include <sulfur/c/draw.h>
 #include <sulfur/c/events.h>
 #include <sulfur/c/fields.h>
+#include <sulfur/c/mechanisms.h>
 #include <sulfur/c/parts.h>
 #include <sulfur/c/presets.h>
 #include <sulfur/c/queries.h>
