@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "text.hpp"
 
@@ -282,12 +283,14 @@ Document Document::read(const std::filesystem::path& file, const DocumentLimits&
         throw ReadError(name, 0, "", "is a pipe; needed is a file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw ReadError(name, 0, "", "cannot be opened; check its permissions");
-    // One byte more than allowed is enough to see that there is too much, also of an endless
-    // device.
-    std::string text(limits.bytes + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+    // As soon as there is more than allowed it is enough, also of an endless device.
+    std::string text;
+    std::vector<char> part(std::size_t{64} << 10);
+    while (stream && text.size() <= limits.bytes) {
+        stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+        text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    }
     if (stream.bad()) throw ReadError(name, 0, "", "cannot be read to its end; check the disk");
-    text.resize(static_cast<std::size_t>(stream.gcount()));
     if (text.size() > limits.bytes)
         throw ReadError(name, 1, "",
                         "has more than " + std::to_string(limits.bytes) +

@@ -268,7 +268,7 @@ Prefab prefabFrom(const Document& document) {
         plan.joints.size() + plan.angles.size() > Limits::joints)
         reader.at("blueprint")
             .fail(
-                "is too large; allowed are at most 20000 particles and 60000 "
+                "is too large; allowed are at most 24000 particles and 72000 "
                 "joints");
     reader.finish();
     if (!extra[""].empty()) prefab.extra["file"] = std::move(extra[""]);

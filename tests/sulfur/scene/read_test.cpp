@@ -118,7 +118,7 @@ TEST_P(BadBlueprint, IsRefusedWithLineAndObject) {
 const Mistake mistakes[] = {
     {"{}", "needed is one of them"},
     {R"({"shape": "cone"})", "allowed is one of \"floor\""},
-    {R"({"particles": []})", "allowed is an array of 1 to 20000"},
+    {R"({"particles": []})", "allowed is an array of 1 to 24000"},
     {R"({"particles": [{}]})", "has no \"position\""},
     {R"({"particles": [{"position": [0, 1000.5]}]})", "-1000 to 1000"},
     {R"({"particles": [{"position": [0]}]})", "an array of 2"},
@@ -187,7 +187,7 @@ const Mistake mistakes[] = {
     {R"({"shape": "box", "size": [0.01, 1]})", "radius"},
     {R"({"shape": "box", "mass": 1e-9})", "1e-9"},
     {R"({"shape": "ball", "radius": 0})", "more than 0"},
-    {R"({"shape": "rope", "links": 20000})", "0 to 19999"},
+    {R"({"shape": "rope", "links": 24000})", "0 to 23999"},
     {R"({"shape": "rope", "to": [0, 0]})", "length"},
     {R"({"shape": "rope", "bending": 101})", "0 to 100"},
     {R"({"shape": "jelly", "columns": 1})", "2 to 1000"},
@@ -199,7 +199,7 @@ const Mistake mistakes[] = {
     {R"({"shape": "bridge", "planks": 0})", "1 to 10000"},
     {R"({"shape": "cloth", "columns": 1000, "rows": 1000})", "1000000 particles"},
     {R"({"shape": "wall", "columns": 999, "rows": 999})", "1000000 particles"},
-    {R"({"shape": "ground", "points": [[0, 0]]})", "2 to 20000"},
+    {R"({"shape": "ground", "points": [[0, 0]]})", "2 to 24000"},
     {R"({"shape": "ground"})", "\"points\""},
 };
 INSTANTIATE_TEST_SUITE_P(Read, BadBlueprint, ::testing::ValuesIn(mistakes));
@@ -291,15 +291,15 @@ TEST(Read, RefusesLooseEnds) {
 
 TEST(Read, RefusesTooMuch) {
     std::string bodies;
-    for (int i = 0; i < 21; ++i)
+    for (int i = 0; i < 25; ++i)
         bodies += ", {\"id\": \"j" + std::to_string(i) + "\", \"blueprint\": \"thing\"}";
     const auto particles = errorOf(around(R"({"shape": "rope", "links": 1000})", bodies));
-    EXPECT_NE(particles.message().find("at most 20000"), std::string::npos) << particles.what();
-    EXPECT_EQ(particles.object(), "j18");
+    EXPECT_NE(particles.message().find("at most 24000"), std::string::npos) << particles.what();
+    EXPECT_EQ(particles.object(), "j22");
     const auto joints = errorOf(around(R"({"shape": "jelly", "columns": 30, "rows": 30})", bodies));
-    EXPECT_NE(joints.message().find("at most 60000"), std::string::npos) << joints.what();
-    const auto tenMegabytes = errorOf(std::string(10'000'000, ' '));
-    EXPECT_NE(tenMegabytes.message().find("4194304"), std::string::npos) << tenMegabytes.what();
+    EXPECT_NE(joints.message().find("at most 72000"), std::string::npos) << joints.what();
+    const auto megabytes = errorOf(std::string(40'000'000, ' '));
+    EXPECT_NE(megabytes.message().find("33554432"), std::string::npos) << megabytes.what();
 }
 
 TEST(Read, TruncatedAnywhereIsRefused) {

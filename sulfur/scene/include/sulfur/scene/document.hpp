@@ -38,9 +38,10 @@ private:
 
 /// What a text may be at most. Everything beyond is refused before it costs memory or time.
 struct DocumentLimits {
-    std::size_t bytes = std::size_t{4} << 20;  ///< of the text
-    std::size_t values = 1'000'000;            ///< numbers, strings, arrays, ... in all
-    int depth = 32;                            ///< arrays and objects inside each other
+    /// Of the text: enough for every scene within sulfur::scene::Limits.
+    std::size_t bytes = std::size_t{32} << 20;
+    std::size_t values = 3'000'000;  ///< numbers, strings, arrays, ... in all
+    int depth = 32;                  ///< arrays and objects inside each other
 };
 
 /// Where a text comes from, for messages.

@@ -15,10 +15,10 @@ namespace sulfur::scene {
 
 /// Bounds of what a file may contain.
 struct Limits {
-    static constexpr std::size_t particles = 20'000;   ///< of all bodies, and of all blueprints
-    static constexpr std::size_t joints = 60'000;      ///< the same, with connections and angles
-    static constexpr std::size_t bodies = 20'000;      ///< of a scene
-    static constexpr std::size_t vetoes = 60'000;      ///< of a scene
+    static constexpr std::size_t particles = 24'000;   ///< of all bodies, and of all blueprints
+    static constexpr std::size_t joints = 72'000;      ///< the same, with connections and angles
+    static constexpr std::size_t bodies = 24'000;      ///< of a scene
+    static constexpr std::size_t vetoes = 72'000;      ///< of a scene
     static constexpr std::size_t fields = 1'000;       ///< of a scene
     static constexpr double coordinate = 1'000;        ///< metres, either way
     static constexpr double speed = 2'000;             ///< m/s
