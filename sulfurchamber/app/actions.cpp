@@ -24,10 +24,13 @@ void MainFrame::addFileActions() {
          [this] { newFile(); }});
     add({"open", m, wxString::FromUTF8("&Open\xE2\x80\xA6\tCtrl+O"), 0, "Open a scene or a level",
          "open", [this] { openDialog(); }});
-    add({"save", m, "&Save\tCtrl+S", 0, "Save the state of this moment", "save",
-         [this] { save(); }});
+    add({"save", m, "&Save\tCtrl+S", 0, "Save the scene as it was built, whatever has moved since",
+         "save", [this] { save(); }});
     add({"save-as", m, wxString::FromUTF8("Save &as\xE2\x80\xA6\tCtrl+Shift+S"), 0,
-         "Save the state of this moment in another file", "", [this] { saveDialog(); }});
+         "Save the scene in another file", "", [this] { saveDialog(); }});
+    add({"save-moment", m, wxString::FromUTF8("Save this &moment as a new scene\xE2\x80\xA6"), 0,
+         "Save everything where it is now, in a file of its own", "",
+         [this] { saveMomentDialog(); }});
     add({"quit", m, "&Quit\tCtrl+Q", 0, "Leave SulfurChamber", "", [this] { Close(); }})
         .separatorBefore = true;
 }
@@ -61,7 +64,11 @@ void MainFrame::addEditActions() {
     add({"paste", m, "&Paste\tCtrl+V", 0, "Add what is in the clipboard, also from another window",
          "", [this] {
              const std::string text = canvas_->platform().clipboard();
-             if (!text.empty()) bench_.paste(text, {sulfur::Real(0.5), sulfur::Real(0.5)});
+             if (text.empty()) return;
+             if (const auto at = view_.pointerInView())
+                 bench_.pasteAt(text, *at);
+             else
+                 bench_.paste(text, {0.5, 0.5});
          }});
     add({"duplicate", m, "&Duplicate\tCtrl+D", 0, "Add a copy of the selection beside it", "",
          [this] { bench_.duplicate(); }, any});
@@ -75,6 +82,14 @@ void MainFrame::addEditActions() {
              bench_.cancel();
              bench_.select({});
          }});
+    const auto left = [this] { return strays_ > 0; };
+    add({"bring-back", m, "&Bring back what has left", 0,
+         "Put what fell out of the world's bounds back to its place", "",
+         [this] { bench_.bringBackStrays(); }, left})
+        .separatorBefore = true;
+    add({"delete-strays", m, "Delete &what has left", 0,
+         "Remove what fell out of the world's bounds", "", [this] { bench_.deleteStrays(); },
+         left});
 }
 
 void MainFrame::addToolActions() {
@@ -152,6 +167,16 @@ void MainFrame::addViewActions() {
     toggle("skeleton", "S&keleton", 'K',
            "What the physics sees: particles, joints under load, surfaces, contacts, fields", "",
            o.skeleton);
+    add({"panel",
+         m,
+         "Side &panel\tF9",
+         0,
+         "Constants and numbers beside the scene",
+         "",
+         [this] { showSide(!side_->IsShown()); },
+         {},
+         [this] { return side_->IsShown(); }})
+        .separatorBefore = true;
     add({"fullscreen",
          m,
          "F&ullscreen\tF11",
@@ -162,13 +187,12 @@ void MainFrame::addViewActions() {
              ShowFullScreen(!IsFullScreen(), wxFULLSCREEN_NOBORDER | wxFULLSCREEN_NOCAPTION);
          },
          {},
-         [this] { return IsFullScreen(); }})
-        .separatorBefore = true;
+         [this] { return IsFullScreen(); }});
 }
 
 void MainFrame::addSimulationActions() {
     const auto m = MenuId::simulation;
-    add({"reset", m, "&Reset\tCtrl+R", 0, "Back to the state before play", "reset",
+    add({"reset", m, "&Reset\tCtrl+R", 0, "Back to the scene as it was built", "reset",
          [this] {
              bench_.cancel();
              bench_.document().reset();

@@ -27,7 +27,8 @@ bool ChamberApp::OnInit() {
         auto* frame = new MainFrame(bench_, options_);
         if (options_.unattended()) script_ = std::make_unique<Script>(*frame, options_);
         frame->Show();
-        frame->canvas().SetFocus();
+        // After the first layout, in which GTK gives the focus to a field.
+        frame->CallAfter([frame] { frame->canvas().SetFocus(); });
         if (options_.play) frame->perform("play");
     } catch (const std::exception& error) {
         atlax::log(atlax::LogLevel::Error, error.what());

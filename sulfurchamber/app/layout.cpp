@@ -5,6 +5,7 @@
 #include <wx/sizer.h>
 #include <wx/statusbr.h>
 
+#include <algorithm>
 #include <array>
 
 #include "icons.hpp"
@@ -114,33 +115,55 @@ void MainFrame::makePanels() {
     window.maxFramesPerSecond = 60;
     window.tickRateHz = bench_.document().world().settings().tickRate;
     canvas_ = new atlax::wx::View(centre_, view_, window);
+    side_ = new SidePanel(centre_, bench_, view_,
+                          [this](const std::string& problem) { tell(problem); });
+    hint_ = new wxStaticText(centre_, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
+                             wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
+    // What is told takes room of the scene, not of the panel, whose fields stay under the mouse.
+    auto* column = new wxBoxSizer(wxVERTICAL);
+    column->Add(infoBar_, wxSizerFlags(0).Expand());
+    column->Add(canvas_, wxSizerFlags(1).Expand());
+    auto* row = new wxBoxSizer(wxHORIZONTAL);
+    row->Add(column, wxSizerFlags(1).Expand());
+    row->Add(side_, wxSizerFlags(0).Expand());
     auto* sizer = new wxBoxSizer(wxVERTICAL);
-    sizer->Add(infoBar_, wxSizerFlags(0).Expand());
-    sizer->Add(canvas_, wxSizerFlags(1).Expand());
+    sizer->Add(row, wxSizerFlags(1).Expand());
+    sizer->Add(hint_, wxSizerFlags(0).Expand().Border(wxALL, FromDIP(3)));
     centre_->SetSizer(sizer);
-    constants_ = new ConstantsPanel(this, bench_, view_);
 
     manager_.SetManagedWindow(this);
     manager_.GetArtProvider()->SetMetric(wxAUI_DOCKART_PANE_BORDER_SIZE, 0);
     manager_.AddPane(centre_, wxAuiPaneInfo().Name("scene").CenterPane());
     manager_.AddPane(toolBar_, wxAuiPaneInfo().Name("bar").ToolbarPane().Top().Gripper(false));
     manager_.AddPane(palette_, wxAuiPaneInfo().Name("tools").ToolbarPane().Left().Gripper(false));
-    manager_.AddPane(constants_, wxAuiPaneInfo()
-                                     .Name("constants")
-                                     .Right()
-                                     .CaptionVisible(false)
-                                     .CloseButton(false)
-                                     .BestSize(FromDIP(wxSize(312, 600)))
-                                     .MinSize(FromDIP(wxSize(300, 200))));
     manager_.Update();
+    Bind(wxEVT_SIZE, [this](wxSizeEvent& event) {
+        event.Skip();
+        arrange();
+    });
+}
+
+// The side panel takes about a third of a small window, and no more than it needs of a large one.
+void MainFrame::arrange() {
+    const int width = GetClientSize().GetWidth();
+    const int wanted = std::clamp(width * 36 / 100, FromDIP(240), FromDIP(312));
+    if (side_->GetMinSize().GetWidth() == wanted) return;
+    side_->SetMinSize(wxSize(wanted, -1));
+    centre_->Layout();
+}
+
+void MainFrame::showSide(bool on) {
+    side_->Show(on);
+    centre_->Layout();
 }
 
 void MainFrame::makeStatusBar() {
     constexpr int fields = 4;
-    const std::array<int, fields> widths{-1, FromDIP(330), FromDIP(150), FromDIP(160)};
     CreateStatusBar(fields);
+    const std::array<int, fields> widths{-1, 0, FromDIP(140), FromDIP(112)};
     SetStatusWidths(fields, widths.data());
-    SetStatusBarPane(-1);  // menus' help would hide the hint
+    SetStatusBarPane(-1);  // menus' help would hide the numbers
+    GetStatusBar()->Bind(wxEVT_LEFT_DOWN, &MainFrame::onStatusClick, this);
 }
 
 }  // namespace sulfurchamber

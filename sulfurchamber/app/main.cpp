@@ -1,6 +1,7 @@
 // SulfurChamber's start: what can be refused is refused before a window opens.
 #include <malloc.h>
 
+#include <atlax/files.hpp>
 #include <atlax/records.hpp>
 #include <atlax/wx/view.hpp>
 #include <cstdlib>
@@ -55,7 +56,7 @@ int main(int argc, char** argv) {
     const Options& options = parsed.options;
     giveLargeBlocksBack();
     try {
-        Workbench bench;
+        Workbench bench(atlax::stateFolder("sulfurchamber"));
         if (!options.file.empty()) bench.document().open(options.file);
         bench.dropBoxes(options.drop);
         bench.setRain(options.rain);

@@ -8,6 +8,7 @@
 #include <wx/spinctrl.h>
 #include <wx/textctrl.h>
 
+#include <algorithm>
 #include <array>
 #include <atlax/backend.hpp>
 #include <atlax/log.hpp>
@@ -22,13 +23,18 @@ namespace {
 
 constexpr std::int64_t refreshNs = 100'000'000;  // panels follow ten times a second
 
+// "1 joint", "2 joints".
+wxString counted(std::size_t count, const wxString& what) {
+    return wxString::Format("%zu ", count) + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 MainFrame::MainFrame(Workbench& bench, const Options& options)
     : wxFrame(nullptr, wxID_ANY, "SulfurChamber"), bench_(bench), options_(options), view_(bench) {
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
-    actions_.reserve(64);
+    actions_.reserve(96);
     makeActions();
     makeMenus();
     makeBars();
@@ -108,6 +114,40 @@ bool MainFrame::perform(const std::string& name) {
     return false;
 }
 
+std::string MainFrame::menuLabel(const std::string& name) const {
+    for (const Action& action : actions_)
+        if (action.name == name)
+            return wxMenuItem::GetLabelText(GetMenuBar()->GetLabel(action.id)).utf8_string();
+    return "";
+}
+
+namespace {
+
+void addCutTexts(const wxWindow& window, std::vector<std::string>& cut) {
+    if (!window.IsShown()) return;
+    if (const auto* text = dynamic_cast<const wxStaticText*>(&window)) {
+        const wxString words = text->GetLabelText();
+        if (text->GetTextExtent(words).GetWidth() > text->GetSize().GetWidth())
+            cut.push_back(words.utf8_string());
+    }
+    for (const wxWindow* child : window.GetChildren()) addCutTexts(*child, cut);
+}
+
+}  // namespace
+
+std::vector<std::string> MainFrame::cutTexts() const {
+    std::vector<std::string> cut;
+    addCutTexts(*centre_, cut);
+    for (int i = 0; i < GetStatusBar()->GetFieldsCount(); ++i) {
+        wxRect place;
+        GetStatusBar()->GetFieldRect(i, place);
+        const wxString text = GetStatusBar()->GetStatusText(i);
+        if (!text.empty() && GetStatusBar()->GetTextExtent(text).GetWidth() > place.GetWidth())
+            cut.push_back(text.utf8_string());
+    }
+    return cut;
+}
+
 void MainFrame::runAction(const Action& action) {
     if (action.enabled && !action.enabled()) return;
     try {
@@ -138,9 +178,34 @@ void MainFrame::refresh() {
         (document.modified() ? wxString::FromUTF8("\xE2\x97\x8F ") : wxString()) +
         wxString::FromUTF8(document.name()) + wxString::FromUTF8(" \xE2\x80\x93 SulfurChamber");
     if (GetTitle() != title) SetTitle(title);
-    constants_->refresh();
+    // Who goes on has read it.
+    if (infoBar_->IsShown() && document.revision() != toldAt_) infoBar_->Dismiss();
+    strays_ = bench_.strays().size();
+    side_->refresh();
     refreshActions();
+    refreshHistoryLabels();
     refreshStatus();
+}
+
+// Undo and redo say what they do.
+void MainFrame::refreshHistoryLabels() {
+    const auto tell = [this](const char* name, const std::string& verb, const std::string& step,
+                             std::string& shown) {
+        const std::string text =
+            step.empty() ? verb : verb + " \xE2\x80\x9C" + step + "\xE2\x80\x9D";
+        if (text == shown) return;
+        shown = text;
+        for (const Action& action : actions_) {
+            if (action.name != name) continue;
+            const wxString key = action.label.AfterFirst('\t');
+            const wxString label = "&" + wxString::FromUTF8(text);
+            GetMenuBar()->SetLabel(action.id, label + "\t" + key);
+            toolBar_->SetToolShortHelp(action.id, wxString::FromUTF8(text) + "  (" + key + ")");
+        }
+    };
+    const Document& document = bench_.document();
+    tell("undo", "Undo", document.undoLabel(), shownUndo_);
+    tell("redo", "Redo", document.redoLabel(), shownRedo_);
 }
 
 void MainFrame::refreshActions() {
@@ -178,21 +243,67 @@ void MainFrame::refreshActions() {
     palette_->Refresh();
 }
 
+// The longest of the texts that fits into a field.
+void MainFrame::setStatus(int field, const std::vector<wxString>& variants) {
+    wxRect place;
+    GetStatusBar()->GetFieldRect(field, place);
+    const int room = place.GetWidth() - FromDIP(8);
+    const auto fits = [&](const wxString& text) {
+        return GetStatusBar()->GetTextExtent(text).GetWidth() <= room;
+    };
+    const auto found = std::find_if(variants.begin(), variants.end(), fits);
+    const wxString& text = found == variants.end() ? variants.back() : *found;
+    if (GetStatusBar()->GetStatusText(field) != text) SetStatusText(text, field);
+}
+
 void MainFrame::refreshStatus() {
+    const wxString hint = wxString::FromUTF8(bench_.hint());
+    if (hint_->GetLabel() != hint) {
+        hint_->SetLabel(hint);
+        hint_->SetToolTip(hint);
+    }
     const sulfur::World& world = bench_.document().world();
     const sulfur::Statistics& s = world.statistics();
     const Totals sums = totals(world);
-    const std::array<wxString, 4> texts{
-        wxString::FromUTF8(bench_.hint()),
-        wxString::Format("%zu particles   %zu joints   %u contacts", sums.particles,
-                         sums.rigidJoints + sums.elasticJoints, s.contacts),
-        wxString::Format("%.0f %% of real time",
-                         view_.realTimeShare() * view_.speedPermille() / 10.0),
-        s.substeps > 1 ? wxString::Format("%d Hz, %u steps", world.settings().tickRate, s.substeps)
-                       : wxString::Format("%d Hz", world.settings().tickRate)};
-    for (std::size_t i = 0; i < texts.size(); ++i)
-        if (GetStatusBar()->GetStatusText(static_cast<int>(i)) != texts[i])
-            SetStatusText(texts[i], static_cast<int>(i));
+    const wxString particles = counted(sums.particles, "particle");
+    const wxString joints = "   " + counted(sums.rigidJoints + sums.elasticJoints, "joint");
+    const wxString contacts = "   " + counted(s.contacts, "contact");
+    const int strayWidth = strays_ > 0 ? FromDIP(130) : 0;
+    if (GetStatusBar()->GetStatusWidth(1) != strayWidth) {
+        const std::array<int, 4> widths{-1, strayWidth, FromDIP(140), FromDIP(112)};
+        SetStatusWidths(4, widths.data());
+    }
+    setStatus(0, {particles + joints + contacts, particles + joints, particles});
+    if (strays_ > 0)
+        setStatus(1, {wxString::Format("%zu out of bounds", strays_)});
+    else
+        setStatus(1, {wxString()});
+    setStatus(2, {wxString::Format("%.0f %% of real time",
+                                   view_.realTimeShare() * view_.speedPermille() / 10.0)});
+    const wxString rate = wxString::Format("%d Hz", world.settings().tickRate);
+    setStatus(3, {s.substeps > 1 ? rate + wxString::Format(", %u steps", s.substeps) : rate, rate});
+    tellWhenNearlyFull(sums.particles);
+}
+
+void MainFrame::tellWhenNearlyFull(std::size_t particles) {
+    constexpr std::size_t most = sulfur::scene::Limits::particles;
+    if (toldNearlyFull_ || particles * 5 < most * 4) return;
+    toldNearlyFull_ = true;
+    tell("The scene has " + std::to_string(particles) + " particles; at " + std::to_string(most) +
+         " it is full, because files hold no more.");
+}
+
+// What has left can be brought back from where it is counted.
+void MainFrame::onStatusClick(wxMouseEvent& event) {
+    event.Skip();
+    wxRect place;
+    GetStatusBar()->GetFieldRect(1, place);
+    if (strays_ == 0 || !place.Contains(event.GetPosition())) return;
+    wxMenu menu;
+    for (const Action& action : actions_)
+        if (action.name == "bring-back" || action.name == "delete-strays")
+            menu.Append(action.id, action.label, wxString::FromUTF8(action.help));
+    GetStatusBar()->PopupMenu(&menu, place.GetTopLeft());
 }
 
 void MainFrame::tell(const std::string& problem) {
@@ -201,6 +312,7 @@ void MainFrame::tell(const std::string& problem) {
         atlax::log(atlax::LogLevel::Warning, problem);
     else
         infoBar_->ShowMessage(wxString::FromUTF8(problem), wxICON_WARNING);
+    toldAt_ = bench_.document().revision();
 }
 
 void MainFrame::tellInDialog(const std::string& problem, const wxString& title) {

@@ -6,6 +6,8 @@
 #include <wx/filehistory.h>
 #include <wx/frame.h>
 #include <wx/infobar.h>
+#include <wx/panel.h>
+#include <wx/stattext.h>
 
 #include <atlax/wx/view.hpp>
 #include <filesystem>
@@ -16,9 +18,9 @@
 #include <vector>
 
 #include "../view/scene_view.hpp"
-#include "constants_panel.hpp"
 #include "options.hpp"
 #include "preferences.hpp"
+#include "side_panel.hpp"
 
 namespace sulfurchamber {
 
@@ -56,8 +58,14 @@ public:
     bool openFile(const std::filesystem::path& file);
     /// Saves; the reason of a failure is shown.
     bool saveFile(const std::filesystem::path& file);
+    /// The same for the state of this moment, as a scene of its own.
+    bool saveMoment(const std::filesystem::path& file);
     /// What was last told to be wrong; empty at the start.
     const std::string& lastProblem() const { return lastProblem_; }
+    /// What the menu says of an action, without its key; "" when there is none.
+    std::string menuLabel(const std::string& name) const;
+    /// Texts of the window that do not fit into their places.
+    std::vector<std::string> cutTexts() const;
     /// After each frame, for scripts.
     void setOnFrame(std::function<void()> function) { onFrame_ = std::move(function); }
     /// Closes without questions; `exitCode` becomes the program's.
@@ -79,6 +87,8 @@ private:
     void makeBars();
     void makePanels();
     void makeStatusBar();
+    void arrange();
+    void showSide(bool on);
     wxString tooltip(const Action& action) const;
 
     // main_frame_files.cpp
@@ -86,6 +96,7 @@ private:
     void openDialog();
     bool save();
     bool saveDialog();
+    void saveMomentDialog();
     bool mayDiscard();
     void openRecent(int index);
     void showGallery();
@@ -102,6 +113,10 @@ private:
     void refresh();
     void refreshActions();
     void refreshStatus();
+    void refreshHistoryLabels();
+    void setStatus(int field, const std::vector<wxString>& variants);
+    void onStatusClick(wxMouseEvent& event);
+    void tellWhenNearlyFull(std::size_t particles);
     void tell(const std::string& problem);
     void tellInDialog(const std::string& problem, const wxString& title);
     void about();
@@ -114,7 +129,8 @@ private:
     atlax::wx::View* canvas_ = nullptr;
     wxPanel* centre_ = nullptr;
     wxInfoBar* infoBar_ = nullptr;
-    ConstantsPanel* constants_ = nullptr;
+    SidePanel* side_ = nullptr;
+    wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;
     wxFileHistory recent_;
@@ -124,6 +140,11 @@ private:
     std::string lastProblem_;
     std::int64_t nextRefreshNs_ = 0;
     bool shownPlaying_ = false;
+    std::uint64_t toldAt_ = 0;  ///< the document's revision when something was told
+    std::size_t strays_ = 0;
+    bool toldNearlyFull_ = false;
+    std::string shownUndo_;
+    std::string shownRedo_;
 };
 
 }  // namespace sulfurchamber

@@ -15,6 +15,7 @@ void MainFrame::adoptDocument() {
     bench_.cancel();
     bench_.select({});  // another world: its handles mean other bodies
     view_.zoomToFit();
+    toldNearlyFull_ = false;
     nextRefreshNs_ = 0;
 }
 
@@ -42,6 +43,29 @@ bool MainFrame::saveFile(const std::filesystem::path& file) {
     noteRecent(file);
     nextRefreshNs_ = 0;
     return true;
+}
+
+bool MainFrame::saveMoment(const std::filesystem::path& file) {
+    bench_.cancel();
+    try {
+        bench_.document().saveMoment(file);
+    } catch (const std::exception& error) {
+        tellInDialog(error.what(), "The moment cannot be saved");
+        return false;
+    }
+    noteRecent(file);
+    return true;
+}
+
+void MainFrame::saveMomentDialog() {
+    const auto& file = bench_.document().file();
+    const auto chosen = canvas_->platform().chooseFile(
+        {.title = "Save this moment as a new scene",
+         .save = true,
+         .folder = file.parent_path(),
+         .name = file.empty() ? "moment.json" : file.stem().string() + "-moment.json",
+         .kinds = fileKinds});
+    if (chosen) saveMoment(*chosen);
 }
 
 bool MainFrame::mayDiscard() {

@@ -30,10 +30,14 @@ std::string scriptHelp() {
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
            "  run SECONDS             play for simulated seconds, then pause\n"
            "  open FILE, save FILE    without questions\n"
+           "  save-moment FILE        the state of this moment as a scene of its own\n"
            "  screenshot FILE         the window as PNG\n"
            "  expect QUANTITY OP N    fails unless it holds; OP is = != < or >; quantities:\n"
            "                          bodies particles joints contacts time selected modified\n"
            "                          playing problem newest.x newest.y gravity elasticity rain\n"
+           "                          strays steps\n"
+           "  label ACTION WORDS      fails unless the menu says this of an action\n"
+           "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
 }
 
@@ -111,6 +115,18 @@ void Script::start(const Words& words) {
         next_ = lines_.size();
     } else if (words[0] == "expect" && words.size() == 4) {
         expect(words);
+    } else if (words[0] == "label" && words.size() > 2) {
+        std::string wanted;
+        for (std::size_t i = 2; i < words.size(); ++i) wanted += (i > 2 ? " " : "") + words[i];
+        waitForFrames(12, [this, action = words[1], wanted] {
+            const std::string is = frame_.menuLabel(action);
+            if (is != wanted) fail("the menu says \"" + is + "\", expected \"" + wanted + "\"");
+        });
+    } else if (words[0] == "whole" && words.size() == 1) {
+        waitForFrames(12, [this] {
+            const auto cut = frame_.cutTexts();
+            if (!cut.empty()) fail("this text is cut: \"" + cut.front() + "\"");
+        });
     } else if (words[0] == "do" && words.size() == 2) {
         if (!frame_.perform(words[1]))
             fail("the action " + words[1] + " is not there or not available");
@@ -254,6 +270,8 @@ bool Script::startFile(const Words& words) {
         waitForFrames(2, {});
     } else if (words[0] == "save") {
         if (!frame_.saveFile(words[1])) fail(frame_.lastProblem());
+    } else if (words[0] == "save-moment") {
+        if (!frame_.saveMoment(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "screenshot") {
         waitForFrames(8, [this, file = words[1]] { saveScreen(frame_.GetScreenRect(), file); });
     } else {
@@ -287,6 +305,8 @@ double Script::quantity(const std::string& name) const {
     if (name == "gravity") return document.constants().gravity;
     if (name == "elasticity") return document.constants().elasticity;
     if (name == "rain") return bench.rain();
+    if (name == "strays") return static_cast<double>(bench.strays().size());
+    if (name == "steps") return static_cast<double>(document.historyPlace());
     if (name == "newest.x" || name == "newest.y") {
         if (bodies.empty()) fail("there is no body");
         const sulfur::Point centre = world.centreOfMass(bodies.back());

@@ -18,7 +18,7 @@ public:
         if (!pick || world().kind(pick->body) == sulfur::BodyKind::fixed) return;
         const bool pinned = world().info(pick->particle).pinned;
         document().edit(pinned ? "Unpin" : "Pin",
-                        [&](sulfur::World& w) { w.setPinned(pick->particle, !pinned); });
+                        [&] { document().setPinned(pick->particle, !pinned); });
     }
     std::string hint() const override {
         return "Click a particle to pin it where it is, or to let it go";
@@ -39,9 +39,9 @@ public:
         cutting_ = false;
         const auto joints = jointsCrossing(world(), from_, to_);
         if (joints.empty()) return;
-        document().edit("Cut", [&](sulfur::World& w) {
+        document().edit("Cut", [&] {
             for (const sulfur::JointId joint : joints)
-                if (w.contains(joint)) w.remove(joint);
+                if (world().contains(joint)) document().remove(joint);
         });
     }
     void cancel() override { cutting_ = false; }
@@ -95,7 +95,7 @@ private:
         if (!body) return;
         if (!changed_) document().begin("Erase");
         changed_ = true;
-        world().remove(body);
+        document().remove({&body, 1});
         bench().documentChanged();
     }
 

@@ -49,10 +49,10 @@ protected:
     const Point& to() const { return to_; }
     double length() const { return (to_ - from_).norm(); }
     bool clicked() const { return length() < smallest; }
-    void add(const std::string& label, const sulfur::Blueprint& blueprint, const Point& position) {
-        document().edit(label, [&](sulfur::World&) {
-            document().addScaled(blueprint, {.position = position});
-        });
+    void add(const std::string& name, const sulfur::scene::Generator& recipe,
+             const Point& position) {
+        document().edit("Add " + name,
+                        [&] { document().add(name, recipe, {.position = position}); });
     }
 
 private:
@@ -84,15 +84,15 @@ private:
         size = size.cwiseMax(smallest).cwiseMin(100.0);
         const double mass = size.x() * size.y() * massPerArea;
         if (soft_)
-            add("Add jelly", jelly(size, mass), centre);
+            add("jelly", jelly(size, mass), centre);
         else
-            add("Add box", sulfur::shapes::box({.size = size.cast<Real>(), .mass = real(mass)}),
+            add("box", sulfur::shapes::BoxOptions{.size = size.cast<Real>(), .mass = real(mass)},
                 centre);
     }
 
     // Springs that let the body sag by two parts in a hundred under its weight, and large ones,
     // which fall faster, by less.
-    static sulfur::Blueprint jelly(const Point& size, double mass) {
+    static sulfur::shapes::JellyOptions jelly(const Point& size, double mass) {
         const auto cells = [](double side) {
             return std::clamp(static_cast<int>(std::lround(side / 0.2)) + 1, 3, 12);
         };
@@ -104,7 +104,7 @@ private:
         options.radius = real(std::min(0.03, size.minCoeff() / 8));
         options.stiffness = real(260 * mass * std::max(size.y(), 1 / size.y()));
         options.damping = real(1.2 * mass);
-        return sulfur::shapes::jelly(options);
+        return options;
     }
 
     bool soft_;
@@ -128,7 +128,7 @@ private:
         sulfur::shapes::BallOptions options{
             .radius = real(radius), .mass = real(mass), .material = {}};
         options.material.restitution = Real(0.4);
-        add("Add ball", sulfur::shapes::ball(options), from());
+        add("ball", options, from());
     }
 };
 
@@ -178,11 +178,11 @@ private:
         options.pinLast = !end.pick && pointer.shift;
         // Between two things it hangs as between two pins. A single link cannot.
         if (end.pick && options.links > 1) options.slack = sulfur::Real(0.02);
-        const auto blueprint = sulfur::shapes::rope(options);
-        document().edit("Add rope", [&](sulfur::World& w) {
-            const sulfur::Body rope = document().addScaled(blueprint, {.position = first});
-            if (start.pick) w.connect(rope.front(), start.pick->particle);
-            if (end.pick) w.connect(rope.back(), end.pick->particle);
+        document().edit("Add rope", [&] {
+            const BodyId rope = document().add("rope", options, {.position = first});
+            const auto particles = world().particles(rope);
+            if (start.pick) document().connect(particles.front(), start.pick->particle);
+            if (end.pick) document().connect(particles.back(), end.pick->particle);
         });
     }
 };
@@ -201,7 +201,7 @@ private:
         if (clicked()) return;
         sulfur::shapes::GroundOptions options;
         options.points = {Vec2(0, 0), (to() - from()).cast<Real>()};
-        add("Add ground", sulfur::shapes::ground(options), from());
+        add("ground", options, from());
     }
 };
 

@@ -1,47 +1,47 @@
+// Files, time and history of a document; what changes it is in edits.cpp.
 #include "document.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "document_steps.hpp"
 
 namespace sulfurchamber {
 namespace {
 
-using sulfur::Real;
+using sulfur::BodyId;
 using sulfur::World;
+using sulfur::scene::Placement;
+using sulfur::scene::Scene;
 
-// Bytes of snapshots that the history keeps; the oldest steps go first.
-constexpr std::size_t historyBudget = std::size_t{256} << 20;
+constexpr const char* planName = "the scene";
 
-sulfur::scene::Scene emptyScene() {
-    sulfur::scene::Scene scene;
+Scene emptyScene() {
+    Scene scene;
     scene.title = "Untitled";
     scene.blueprints.push_back(sulfur::scene::makePrefab(
         "floor", sulfur::scene::FloorOptions{.from = {-20, 0}, .to = {20, 0}, .material = {}}));
-    sulfur::scene::Placement floor;
+    Placement floor;
     floor.id = "floor";
     floor.blueprint = "floor";
     scene.bodies.push_back(floor);
     return scene;
 }
 
+std::string bytesOf(const sulfur::Snapshot& snapshot) {
+    return {reinterpret_cast<const char*>(snapshot.data()), snapshot.size()};
+}
+
+sulfur::Snapshot snapshotOf(const std::string& bytes) {
+    sulfur::Snapshot snapshot(bytes.size());
+    std::memcpy(snapshot.data(), bytes.data(), bytes.size());
+    return snapshot;
+}
+
 }  // namespace
 
-// Everything that an edit can change.
-struct Document::Checkpoint {
-    sulfur::Snapshot snapshot;
-    Constants constants;
-    std::map<sulfur::JointId, Real> unscaledStiffness;
-    std::map<sulfur::BodyId, sulfur::Material> unscaledMaterial;
-    std::uint64_t state = 0;
-    std::shared_ptr<const Checkpoint> beforePlay;  // where reset() led
-};
-
-struct Document::Step {
-    std::string label;
-    std::unique_ptr<Checkpoint> other;  // the state on the other side of the step
-};
-
-Document::Document() {
+Document::Document(std::filesystem::path historyFolder) : shelf_(std::move(historyFolder)) {
     adopt(emptyScene());
 }
 Document::~Document() = default;
@@ -57,48 +57,178 @@ void Document::open(const std::filesystem::path& file) {
     file_ = file;
 }
 
-void Document::adopt(sulfur::scene::Scene scene) {
-    auto world = std::make_unique<World>(scene.settings);
-    auto instance = sulfur::scene::instantiate(scene, *world);
-    // Nothing below throws: the old scene is there until the new one is complete.
-    scene_ = std::move(scene);
-    instance_ = std::move(instance);
-    world_ = std::move(world);
+void Document::adopt(Scene scene) {
+    Plan plan(std::move(scene));
+    std::string text = sulfur::scene::format(plan.scene());
+    {
+        World trial(plan.scene().settings);  // what cannot be stamped is refused here
+        sulfur::scene::instantiate(plan.scene(), trial);
+    }
+    if (!world_) world_ = std::make_unique<World>();
+    plan_ = std::move(plan);
+    text_ = std::move(text);
     file_.clear();
     constants_ = Constants{};
-    constants_.gravity = -static_cast<double>(world_->gravity().y());
-    constants_.airFriction = static_cast<double>(world_->airFriction());
+    constants_.gravity = -static_cast<double>(plan_.scene().settings.gravity.y());
+    constants_.airFriction = static_cast<double>(plan_.scene().settings.airFriction);
     initialConstants_ = constants_;
-    unscaledStiffness_.clear();
-    unscaledMaterial_.clear();
+    keys_.clear();
+    ids_.clear();
+    passing_.clear();
     undo_.clear();
     redo_.clear();
     open_.reset();
-    beforePlay_.reset();
     state_ = savedState_ = ++lastState_;
-    ++revision_;
     playing_ = false;
+    moved_ = false;
+    stamp();
 }
 
-sulfur::scene::Scene Document::capture() const {
-    return sulfur::scene::capture(*world_, scene_, instance_);
+Scene Document::planScene() const {
+    return scaled(plan_.scene(), constants_);
+}
+
+std::string Document::text() const {
+    return sulfur::scene::format(planScene());
+}
+
+Document::Captured Document::captureMoment() const {
+    Captured captured;
+    std::vector<BodyId> pieces;
+    Scene base = planScene();
+    sulfur::scene::Instance instance;
+    std::size_t rained = 0;
+    for (const auto& prefab : passing_) {
+        base.blueprints.push_back(prefab);
+        base.blueprints.back().blueprint.name = "passing" + std::to_string(++rained);
+    }
+    rained = 0;
+    for (const BodyId body : world_->bodies()) {
+        const auto key = world_->userData(body);
+        if (const std::string id = idOf(body); !id.empty()) {
+            instance.bodies.emplace(id, body);
+            captured.bodies.push_back(body);
+        } else if (isPassing(key)) {
+            Placement placement;
+            do placement.id = world_->name(body) + std::to_string(++rained);
+            while (plan_.contains(placement.id));
+            placement.blueprint = "passing" + std::to_string(passingPlace(key) + 1);
+            instance.bodies.emplace(placement.id, body);
+            base.bodies.push_back(std::move(placement));
+            captured.bodies.push_back(body);
+        } else {
+            pieces.push_back(body);
+        }
+    }
+    // What has a name comes first.
+    captured.bodies.insert(captured.bodies.end(), pieces.begin(), pieces.end());
+    Scene& moment = captured.scene;
+    moment = sulfur::scene::capture(*world_, base, instance);
+    std::erase_if(moment.blueprints, [&](const auto& prefab) {
+        return prefab.blueprint.name.starts_with("passing") &&
+               std::none_of(moment.bodies.begin(), moment.bodies.end(), [&](const auto& body) {
+                   return body.blueprint == prefab.blueprint.name;
+               });
+    });
+    return captured;
+}
+
+Document::Captured Document::captureForClipboard() const {
+    if (moved_) {
+        Captured captured = captureMoment();
+        Constants back;
+        back.elasticity = 1 / constants_.elasticity;
+        back.friction = constants_.friction > 0 ? 1 / constants_.friction : 1;
+        captured.scene = scaled(std::move(captured.scene), back);
+        return captured;
+    }
+    Captured captured{plan_.scene(), {}};
+    std::unordered_map<std::string, BodyId> bodies;
+    for (const BodyId body : world_->bodies()) bodies.emplace(idOf(body), body);
+    for (const Placement& placement : captured.scene.bodies)
+        captured.bodies.push_back(bodies[placement.id]);
+    return captured;
 }
 
 void Document::save(const std::filesystem::path& file) {
     commit();
-    sulfur::scene::write(capture(), file);
+    sulfur::scene::write(planScene(), file);
     file_ = file;
     savedState_ = state_;
+}
+
+void Document::saveMoment(const std::filesystem::path& file) const {
+    sulfur::scene::write(momentScene(), file);
 }
 
 std::string Document::name() const {
     return file_.empty() ? "Untitled" : file_.filename().string();
 }
 
+// --- the world -------------------------------------------------------------------------------
+
+std::uint64_t Document::keyOf(const std::string& id) {
+    const auto [found, isNew] = keys_.emplace(id, ids_.size() + 1);
+    if (isNew) ids_.push_back(id);
+    return found->second;
+}
+
+std::string Document::idOf(BodyId body) const {
+    const auto key = world_->userData(body);
+    if (key == 0 || key > ids_.size()) return "";
+    const std::string& id = ids_[key - 1];
+    if (!plan_.contains(id)) return "";
+    // What has broken is no longer what the plan says.
+    const auto& blueprint = plan_.prefab(plan_.body(id).blueprint).blueprint;
+    return world_->particles(body).size() == blueprint.particles.size() ? id : "";
+}
+
+BodyId Document::bodyOf(std::string_view id) const {
+    const auto key = keys_.find(std::string(id));
+    if (key == keys_.end()) return {};
+    for (const BodyId body : world_->bodies())
+        if (world_->userData(body) == key->second && idOf(body) == id) return body;
+    return {};
+}
+
+// Runs what gives bodies new handles, and says so.
+void Document::takeOver(const std::function<void()>& change) {
+    std::unordered_map<std::uint64_t, BodyId> after;
+    std::vector<std::pair<BodyId, std::uint64_t>> before;
+    for (const BodyId body : world_->bodies())
+        if (!idOf(body).empty()) before.emplace_back(body, world_->userData(body));
+    change();
+    ++revision_;
+    for (const BodyId body : world_->bodies())
+        if (!idOf(body).empty()) after.emplace(world_->userData(body), body);
+    if (!onNewHandles) return;
+    std::sort(before.begin(), before.end());
+    onNewHandles([&](BodyId old) {
+        const auto known =
+            std::lower_bound(before.begin(), before.end(), std::pair(old, 0ull),
+                             [](const auto& a, const auto& b) { return a.first < b.first; });
+        if (known == before.end() || known->first != old) return BodyId{};
+        const auto now = after.find(known->second);
+        return now == after.end() ? BodyId{} : now->second;
+    });
+}
+
+void Document::stamp() {
+    takeOver([this] {
+        World made(plan_.scene().settings);
+        const auto instance = sulfur::scene::instantiate(planScene(), made);
+        for (const auto& [id, body] : instance.bodies) made.setUserData(body, keyOf(id));
+        *world_ = std::move(made);
+        moved_ = false;
+    });
+}
+
 // --- time ------------------------------------------------------------------------------------
 
 void Document::startTime() {
-    if (!beforePlay_) beforePlay_ = checkpoint();
+    if (moved_) return;
+    commit();
+    moved_ = true;
 }
 
 void Document::play() {
@@ -113,54 +243,47 @@ void Document::tick() {
 }
 
 void Document::reset() {
-    if (!beforePlay_) return;
+    if (!moved_) return;
     commit();
     playing_ = false;
-    Step step{"Reset", checkpoint()};
-    const auto target = beforePlay_;
-    restore(*target);
-    push(undo_, std::move(step));
+    Step step;
+    step.label = "Reset";
+    step.other = side();
+    stamp();
+    undo_.push_back(std::move(step));
     redo_.clear();
 }
 
-// --- edits -----------------------------------------------------------------------------------
+// --- history ---------------------------------------------------------------------------------
 
-std::unique_ptr<Document::Checkpoint> Document::checkpoint() const {
-    auto made = std::make_unique<Checkpoint>();
-    made->snapshot = world_->snapshot();
-    made->constants = constants_;
-    made->unscaledStiffness = unscaledStiffness_;
-    made->unscaledMaterial = unscaledMaterial_;
-    made->state = state_;
-    made->beforePlay = beforePlay_;
-    return made;
+Document::Side Document::side() {
+    Side side;
+    side.constants = constants_;
+    side.state = state_;
+    side.moved = moved_;
+    if (moved_) side.moment = shelf_.put(bytesOf(world_->snapshot()));
+    return side;
 }
 
-void Document::restore(const Checkpoint& checkpoint) {
-    world_->restore(checkpoint.snapshot);
-    constants_ = checkpoint.constants;
-    unscaledStiffness_ = checkpoint.unscaledStiffness;
-    unscaledMaterial_ = checkpoint.unscaledMaterial;
-    state_ = checkpoint.state;
-    beforePlay_ = checkpoint.beforePlay;
-    ++revision_;
-}
-
-void Document::push(std::deque<Step>& steps, Step step) {
-    steps.push_back(std::move(step));
-    std::size_t bytes = 0;
-    std::size_t kept = 0;
-    for (auto it = steps.rbegin(); it != steps.rend(); ++it, ++kept) {
-        bytes += it->other->snapshot.size();
-        if (bytes > historyBudget && kept > 0) break;
+// The plan must be that of the side already.
+void Document::restore(const Side& side) {
+    constants_ = side.constants;
+    state_ = side.state;
+    if (!side.moved) {
+        stamp();
+        return;
     }
-    while (steps.size() > kept) steps.pop_front();
+    const auto snapshot = snapshotOf(side.moment.read());
+    takeOver([&] {
+        world_->restore(snapshot);
+        moved_ = true;
+    });
 }
 
-void Document::edit(const std::string& label, const std::function<void(World&)>& change) {
+void Document::edit(const std::string& label, const std::function<void()>& change) {
     begin(label);
     try {
-        change(*world_);
+        change();
     } catch (...) {
         rollback();
         throw;
@@ -170,47 +293,78 @@ void Document::edit(const std::string& label, const std::function<void(World&)>&
 
 void Document::begin(const std::string& label) {
     commit();
-    open_ = std::make_unique<Step>(Step{label, checkpoint()});
-    redo_.clear();
+    open_ = std::make_unique<Step>();
+    open_->label = label;
+    open_->other = side();
     state_ = ++lastState_;
     ++revision_;
 }
 
 void Document::commit() {
     if (!open_) return;
-    push(undo_, std::move(*open_));
+    std::string text = sulfur::scene::format(plan_.scene());
+    const bool sameText = text == text_;
+    const bool sameWorld = !open_->other.moved && !moved_;
+    if (sameText && sameWorld && constants_ == open_->other.constants) {
+        state_ = open_->other.state;
+        open_.reset();
+        return;
+    }
+    try {
+        // What is saved and opened again is what was built: the plan is always one that was read.
+        if (!sameText) plan_ = Plan(sulfur::scene::parse(text, planName));
+        if (sameWorld) stamp();
+    } catch (...) {
+        rollback();
+        throw;
+    }
+    open_->change = shelf_.put(TextChange::between(text_, text).bytes());
+    text_ = std::move(text);
+    undo_.push_back(std::move(*open_));
     open_.reset();
+    redo_.clear();
     ++revision_;
 }
 
 void Document::rollback() {
     if (!open_) return;
     const auto step = std::move(open_);
-    restore(*step->other);
+    plan_ = Plan(sulfur::scene::parse(text_, planName));
+    restore(step->other);
+}
+
+// Goes to the other side of a step, whose plan is set already.
+void Document::swap(Step& step) {
+    Side now = side();
+    restore(step.other);
+    step.other = std::move(now);
+    playing_ = false;
 }
 
 void Document::undo() {
     commit();
     if (undo_.empty()) return;
+    const auto change = TextChange::fromBytes(undo_.back().change.read());
+    std::string text = change.revert(text_);
     Step step = std::move(undo_.back());
     undo_.pop_back();
-    auto now = checkpoint();
-    restore(*step.other);
-    step.other = std::move(now);
-    push(redo_, std::move(step));
-    playing_ = false;
+    plan_ = Plan(sulfur::scene::parse(text, planName));
+    text_ = std::move(text);
+    swap(step);
+    redo_.push_back(std::move(step));
 }
 
 void Document::redo() {
     commit();
     if (redo_.empty()) return;
+    const auto change = TextChange::fromBytes(redo_.back().change.read());
+    std::string text = change.apply(text_);
     Step step = std::move(redo_.back());
     redo_.pop_back();
-    auto now = checkpoint();
-    restore(*step.other);
-    step.other = std::move(now);
-    push(undo_, std::move(step));
-    playing_ = false;
+    plan_ = Plan(sulfur::scene::parse(text, planName));
+    text_ = std::move(text);
+    swap(step);
+    undo_.push_back(std::move(step));
 }
 
 std::string Document::undoLabel() const {
@@ -219,101 +373,19 @@ std::string Document::undoLabel() const {
 }
 
 std::string Document::redoLabel() const {
-    return redo_.empty() ? "" : redo_.back().label;
+    return redo_.empty() || open_ ? "" : redo_.back().label;
 }
 
-// --- constants -------------------------------------------------------------------------------
-
-void Document::setConstants(const Constants& wanted) {
-    using L = ConstantLimits;
-    const bool own = !open_;
-    if (own) begin("Change constants");
-    try {
-        const double gravity = std::clamp(wanted.gravity, -L::gravity, L::gravity);
-        if (gravity != constants_.gravity) {
-            world_->setGravity({world_->gravity().x(), static_cast<Real>(-gravity)});
-            constants_.gravity = gravity;
-        }
-        const double air =
-            std::clamp(wanted.airFriction, 0.0,
-                       std::min(L::airFriction, static_cast<double>(world_->settings().tickRate)));
-        if (air != constants_.airFriction) {
-            world_->setAirFriction(static_cast<Real>(air));
-            constants_.airFriction = air;
-        }
-        applyElasticity(std::clamp(wanted.elasticity, L::minElasticity, L::maxElasticity));
-        applyFriction(std::clamp(wanted.friction, 0.0, L::friction));
-    } catch (...) {
-        rollback();
-        throw;
-    }
-    if (own) commit();
+std::size_t Document::historyPlace() const {
+    return undo_.size() + (open_ ? 1 : 0);
 }
 
-void Document::applyElasticity(double factor) {
-    if (factor == constants_.elasticity) return;
-    const auto scale = [&](sulfur::JointId joint) {
-        const Real now = world_->info(joint).stiffness;
-        if (!std::isfinite(now)) return;
-        const auto known = unscaledStiffness_.find(joint);
-        const double base = known != unscaledStiffness_.end()
-                                ? static_cast<double>(known->second)
-                                : static_cast<double>(now) / constants_.elasticity;
-        unscaledStiffness_.emplace(joint, static_cast<Real>(base));
-        world_->setStiffness(joint, static_cast<Real>(base * factor));
-    };
-    for (const sulfur::BodyId body : world_->bodies())
-        for (const sulfur::JointId joint : world_->joints(body)) scale(joint);
-    for (const sulfur::JointId joint : world_->connections()) scale(joint);
-    if (factor == 1) unscaledStiffness_.clear();
-    constants_.elasticity = factor;
-}
-
-void Document::applyFriction(double factor) {
-    if (factor == constants_.friction) return;
-    for (const sulfur::BodyId body : world_->bodies()) {
-        // A body that broke off while the factor was on has no entry; what it had is computed
-        // back, or is the usual friction when the factor was 0.
-        auto known = unscaledMaterial_.find(body);
-        if (known == unscaledMaterial_.end()) {
-            sulfur::Material base = world_->material(body);
-            if (constants_.friction > 0) {
-                base.staticFriction /= static_cast<Real>(constants_.friction);
-                base.kineticFriction /= static_cast<Real>(constants_.friction);
-            } else {
-                base.staticFriction = sulfur::Material{}.staticFriction;
-                base.kineticFriction = sulfur::Material{}.kineticFriction;
-            }
-            known = unscaledMaterial_.emplace(body, base).first;
-        }
-        sulfur::Material material = known->second;
-        material.staticFriction *= static_cast<Real>(factor);
-        material.kineticFriction *= static_cast<Real>(factor);
-        world_->setMaterial(body, material);
-    }
-    if (factor == 1) unscaledMaterial_.clear();
-    constants_.friction = factor;
-}
-
-sulfur::Body Document::addScaled(const sulfur::Blueprint& blueprint, const sulfur::Pose& pose) {
-    sulfur::Body body = world_->add(blueprint, pose);
-    if (constants_.elasticity != 1) {
-        for (const sulfur::JointId joint : body.joints()) {
-            const Real stiffness = world_->info(joint).stiffness;
-            if (!std::isfinite(stiffness)) continue;
-            unscaledStiffness_.emplace(joint, stiffness);
-            world_->setStiffness(
-                joint, static_cast<Real>(static_cast<double>(stiffness) * constants_.elasticity));
-        }
-    }
-    if (constants_.friction != 1) {
-        sulfur::Material material = world_->material(body);
-        unscaledMaterial_.emplace(body.id(), material);
-        material.staticFriction *= static_cast<Real>(constants_.friction);
-        material.kineticFriction *= static_cast<Real>(constants_.friction);
-        world_->setMaterial(body, material);
-    }
-    return body;
+std::vector<std::string> Document::history() const {
+    std::vector<std::string> labels;
+    for (const Step& step : undo_) labels.push_back(step.label);
+    if (open_) labels.push_back(open_->label);
+    for (auto step = redo_.rbegin(); step != redo_.rend(); ++step) labels.push_back(step->label);
+    return labels;
 }
 
 }  // namespace sulfurchamber

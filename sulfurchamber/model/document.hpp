@@ -1,51 +1,46 @@
-// What is open in SulfurChamber: a scene, its running world and the history of its edits. Knows
-// nothing of windows.
+// What is open in SulfurChamber: the plan of a scene, the world that moves, and the history of the
+// edits. Knows nothing of windows.
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <sulfur/scene.hpp>
 #include <sulfur/sulfur.hpp>
+#include <unordered_map>
 #include <vector>
+
+#include "constants.hpp"
+#include "geometry.hpp"
+#include "plan.hpp"
+#include "shelf.hpp"
 
 namespace sulfurchamber {
 
-/// The constants that one turns while the simulation runs.
-struct Constants {
-    double gravity = 9.81;   ///< m/s^2 downwards; negative lets things rise
-    double elasticity = 1;   ///< factor on the stiffness of all elastic joints
-    double friction = 1;     ///< factor on the sliding and static friction of all bodies
-    double airFriction = 0;  ///< 1/s
-};
-
-/// Bounds of Constants, for sliders and for checks.
-struct ConstantLimits {
-    static constexpr double gravity = 30;  ///< -gravity to gravity
-    static constexpr double minElasticity = 0.05;
-    static constexpr double maxElasticity = 20;
-    static constexpr double friction = 3;     ///< 0 to friction
-    static constexpr double airFriction = 5;  ///< 0 to airFriction, and at most the tick rate
-};
-
-/// One scene with its world.
+/// One scene: its plan, which is edited and saved, and its world, which is stamped from the plan
+/// and moves.
 ///
-/// Every change goes through edit() (or begin() and commit()), which remembers the state before,
-/// so that it can be undone exactly: undo goes back to the moment before the change, also when
-/// time has passed since. Ticks by themselves are no edits: a scene that was only played has no
-/// unsaved changes.
+/// Every change is a step with a name. It goes through edit(), or begin() and commit(), and the
+/// functions below "changing", which change the plan and the world in the same moment. Before
+/// time passes the world is exactly what the plan says. Later it is a moment of its own: then edits
+/// change both, and what they add or move stands in the plan where it stands in the moment. Pieces
+/// that broke off, and what rains, are of the moment alone: the plan knows nothing of them.
+///
+/// Undo and redo go without limit: steps lie on the disk. They restore the plan to the byte, and
+/// the world to the bit, also behind time that has passed since. Ticks by themselves are no edits:
+/// a scene that was only played has no unsaved changes.
 ///
 /// One thread. Functions that cannot do what they promise throw std::exception with one sentence
 /// and leave the document as it was.
 class Document {
 public:
-    /// A new scene: an empty floor.
-    Document();
+    /// A new scene: an empty floor. The history lies in a nameless file in `historyFolder`, or
+    /// where temporary files are.
+    explicit Document(std::filesystem::path historyFolder = {});
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
@@ -58,45 +53,66 @@ public:
     void open(const std::filesystem::path& file);
     /// Takes a scene without a file, such as a new one. Throws as open() does.
     void adopt(sulfur::scene::Scene scene);
-    /// The state of this moment as a scene.
-    sulfur::scene::Scene capture() const;
-    /// Writes the state of this moment, in one piece or not at all. Throws
-    /// sulfur::scene::WriteError or ReadError.
+    /// The text of the file: the plan, with the factors of the constants in its numbers.
+    std::string text() const;
+    /// The plan as it is saved, or the state of this moment.
+    sulfur::scene::Scene planScene() const;
+    sulfur::scene::Scene momentScene() const { return captureMoment().scene; }
+    /// Of this moment, without the factors: what a clipboard takes. Bodies of the world in the
+    /// order of the scene's.
+    struct Captured {
+        sulfur::scene::Scene scene;
+        std::vector<sulfur::BodyId> bodies;
+    };
+    Captured captureForClipboard() const;
+    /// Writes the plan, in one piece or not at all. Throws sulfur::scene::WriteError or ReadError.
     void save(const std::filesystem::path& file);
+    /// Writes the state of this moment as a scene of its own; what is open stays what it is.
+    void saveMoment(const std::filesystem::path& file) const;
     /// Empty until the scene was opened from a file or saved.
     const std::filesystem::path& file() const { return file_; }
     /// The file's name, or "Untitled".
     std::string name() const;
-    const sulfur::scene::Scene& scene() const { return scene_; }
     /// Whether there are edits that are not saved.
     bool modified() const { return state_ != savedState_; }
 
-    // -- the world --
+    // -- looking --
 
+    const sulfur::scene::Scene& scene() const { return plan_.scene(); }
+    const Plan& plan() const { return plan_; }
+    /// For forces, which are no edits.
     sulfur::World& world() { return *world_; }
     const sulfur::World& world() const { return *world_; }
+    /// The id in the plan; "" for pieces and for what rained.
+    std::string idOf(sulfur::BodyId body) const;
+    /// The body of an id, null when it has broken or the plan has none.
+    sulfur::BodyId bodyOf(std::string_view id) const;
     /// Grows with everything that may change what a view has derived from the world, except
     /// for ticks: edits, undo, other files.
     std::uint64_t revision() const { return revision_; }
+    /// Called when bodies have got new handles: with what gives the new handle for an old one, null
+    /// when it is gone.
+    std::function<void(const std::function<sulfur::BodyId(sulfur::BodyId)>&)> onNewHandles;
 
     // -- time --
 
     bool playing() const { return playing_; }
     void play();
     void pause() { playing_ = false; }
+    /// From now on the world is a moment of its own. play() and tick() do it too.
+    void startTime();
     /// Advances by one tick, playing or not.
     void tick();
-    /// Whether time has passed since the state to which reset() returns.
-    bool canReset() const { return beforePlay_ != nullptr; }
-    /// Back to the state before the first play or tick, also undoing what was edited since. Stops
-    /// playing. Can itself be undone.
+    /// Whether time has passed since the plan.
+    bool canReset() const { return moved_; }
+    /// Stamps the world from the plan again. Stops playing. Can itself be undone.
     void reset();
 
-    // -- edits --
+    // -- history --
 
-    /// Runs `change` as one step of the history. When it throws, the world is as before and the
-    /// exception goes on.
-    void edit(const std::string& label, const std::function<void(sulfur::World&)>& change);
+    /// Runs `change` as one step of the history. When it throws, all is as before and the exception
+    /// goes on. A step that has changed nothing is none.
+    void edit(const std::string& label, const std::function<void()>& change);
     /// Begins a step that takes a while, such as a drag. Commits one that is open.
     void begin(const std::string& label);
     void commit();
@@ -112,6 +128,10 @@ public:
     /// Label of the step that undo() or redo() would take, "" when there is none.
     std::string undoLabel() const;
     std::string redoLabel() const;
+    /// The labels of all steps, the oldest first, those that could be redone last.
+    std::vector<std::string> history() const;
+    /// How many of them are done.
+    std::size_t historyPlace() const;
 
     // -- constants --
 
@@ -121,40 +141,86 @@ public:
     /// Sets one or several constants, clamped to their limits, as a part of the open edit, or as
     /// an edit of its own.
     void setConstants(const Constants& constants);
-    /// Things made by a tool get the factors of the moment, too. Part of an edit.
-    sulfur::Body addScaled(const sulfur::Blueprint& blueprint, const sulfur::Pose& pose);
+
+    // -- changing, inside of an edit --
+
+    /// Adds a body. `name` becomes its id, with a number where it is taken.
+    sulfur::BodyId add(const std::string& name, const sulfur::scene::Generator& recipe,
+                       const sulfur::Pose& pose);
+    /// Throws std::runtime_error when the scene would have more than files may hold.
+    sulfur::BodyId add(const sulfur::scene::Prefab& prefab,
+                       const sulfur::scene::Placement& placement);
+    /// Adds a body to this moment alone.
+    sulfur::BodyId addPassing(const sulfur::scene::Prefab& prefab, const sulfur::Pose& pose);
+    /// Adds all bodies of a scene with what ties them to each other, moved by `by` metres.
+    std::vector<sulfur::BodyId> insert(const sulfur::scene::Scene& scene, const sulfur::Point& by);
+    void remove(std::span<const sulfur::BodyId> bodies);
+    /// Moves bodies without turning them, metres.
+    void translate(std::span<const sulfur::BodyId> bodies, const sulfur::Point& by);
+    /// Puts the frame of a body's blueprint at a pose.
+    void place(sulfur::BodyId body, const sulfur::Pose& pose);
+    /// Puts bodies at rest where the plan has them, and what it does not have in a row above all
+    /// else. Of this moment alone.
+    void bringBack(std::span<const sulfur::BodyId> bodies);
+    /// Changes the blueprints of bodies; `change` sees each one once, without the factors of the
+    /// constants. Handles of these bodies may be others afterwards.
+    void change(std::span<const sulfur::BodyId> bodies,
+                const std::function<void(sulfur::scene::Prefab&)>& change);
+    /// A joint between bodies.
+    sulfur::JointId connect(sulfur::ParticleId a, sulfur::ParticleId b,
+                            sulfur::ConnectOptions options = {});
+    void setPinned(sulfur::ParticleId particle, bool pinned);
+    void remove(sulfur::JointId joint);
+    /// For members of the plan that are not of bodies and blueprints: texts, the level, fields.
+    sulfur::scene::Scene& planForEditing() { return plan_.scene(); }
+    sulfur::scene::Placement& placementForEditing(std::string_view id) { return plan_.body(id); }
 
 private:
-    struct Checkpoint;
+    struct Side;
     struct Step;
 
-    std::unique_ptr<Checkpoint> checkpoint() const;
-    void restore(const Checkpoint& checkpoint);
-    void startTime();
-    void push(std::deque<Step>& steps, Step step);
-    void applyElasticity(double factor);
-    void applyFriction(double factor);
+    Captured captureMoment() const;
+    void stamp();
+    Side side();
+    void restore(const Side& side);
+    void swap(Step& step);
+    void requireRoom(std::size_t particles, std::size_t joints) const;
+    std::uint64_t keyOf(const std::string& id);
+    std::optional<sulfur::scene::ParticleRef> refOf(sulfur::ParticleId particle) const;
+    void bringPlanHere(std::span<const sulfur::BodyId> bodies);
+    void takeOver(const std::function<void()>& change);
+    void setFactors(const Constants& wanted);
+    void changePiece(sulfur::BodyId body,
+                     const std::function<void(sulfur::scene::Prefab&)>& change);
+    std::vector<std::string> idsOf(std::span<const sulfur::BodyId> bodies) const;
 
-    sulfur::scene::Scene scene_;
-    sulfur::scene::Instance instance_;
+    Plan plan_;
+    std::string text_;  ///< of the plan, without the factors, as it was at the last commit
     std::unique_ptr<sulfur::World> world_;
     std::filesystem::path file_;
 
+    // Bodies of the world bear the key of their plan's id as user data: it comes along with
+    // snapshots. What rains bears the place of its blueprint in `passing_`.
+    std::unordered_map<std::string, std::uint64_t> keys_;
+    std::vector<std::string> ids_;  ///< by key - 1
+    std::vector<sulfur::scene::Prefab> passing_;
+
     Constants constants_;
     Constants initialConstants_;
-    // What the factors apply to, kept while a factor is not 1, so that 1 gives back every bit.
-    std::map<sulfur::JointId, sulfur::Real> unscaledStiffness_;
-    std::map<sulfur::BodyId, sulfur::Material> unscaledMaterial_;
 
-    std::deque<Step> undo_;
-    std::deque<Step> redo_;
+    Shelf shelf_;
+    std::vector<Step> undo_;
+    std::vector<Step> redo_;
     std::unique_ptr<Step> open_;
-    std::shared_ptr<const Checkpoint> beforePlay_;
     std::uint64_t state_ = 0;
     std::uint64_t savedState_ = 0;
     std::uint64_t lastState_ = 0;
     std::uint64_t revision_ = 0;
+    bool moved_ = false;  ///< whether the world is a moment of its own
     bool playing_ = false;
 };
+
+/// Where things may be: all that the plan has, with as much around it again, at least 50 m.
+Bounds worldBounds(const Document& document);
 
 }  // namespace sulfurchamber

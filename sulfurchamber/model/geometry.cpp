@@ -226,6 +226,12 @@ Totals totals(const World& world) {
     return sums;
 }
 
+double floorHeight(const World& world) {
+    double height = 0;
+    for (const BodyId body : world.bodies()) height = std::max(height, world.bounds(body).high.y());
+    return height;
+}
+
 std::optional<Bounds> interestingBounds(const World& world) {
     constexpr double inf = std::numeric_limits<double>::infinity();
     Bounds moving{{inf, inf}, {-inf, -inf}};
@@ -241,10 +247,9 @@ std::optional<Bounds> interestingBounds(const World& world) {
         }
     }
     if (moving.low.x() > moving.high.x()) {
-        if (standing.low.x() > standing.high.x()) return std::nullopt;
-        const double middle = standing.centre().x();
-        const double half = std::min(standing.size().x() / 2, 5.0);
-        return Bounds{{middle - half, standing.low.y()}, {middle + half, standing.high.y() + 5}};
+        constexpr double flat = 1;  // metres: what is lower is a floor to build on
+        if (standing.low.x() > standing.high.x() || standing.size().y() < flat) return std::nullopt;
+        return standing;
     }
     includeGround(world, moving);
     return moving;

@@ -65,9 +65,10 @@ struct Totals {
 };
 Totals totals(const sulfur::World& world);
 
-/// All that one wants to see: everything that moves, and the ground below and near it. Nothing
-/// for an empty
-/// world; a few metres above the middle of the ground where nothing moves.
+/// All that one wants to see: everything that moves, and the ground below and near it; all of what
+/// is fixed where nothing moves. Nothing for an empty world, and for one that has but a floor.
 std::optional<Bounds> interestingBounds(const sulfur::World& world);
+/// How high the floor of such a world is, metres.
+double floorHeight(const sulfur::World& world);
 
 }  // namespace sulfurchamber

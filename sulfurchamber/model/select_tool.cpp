@@ -96,9 +96,7 @@ private:
             document().begin("Move");
             moved_ = true;
         }
-        for (const BodyId body : bench().selection())
-            for (const sulfur::ParticleId particle : world().particles(body))
-                world().setPosition(particle, world().position(particle) + by);
+        document().translate(bench().selection(), by);
     }
 
     void selectBand() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "geometry.hpp"
 #include "tool.hpp"
@@ -17,6 +18,7 @@ using sulfur::World;
 
 constexpr double goldenFraction = 0.6180339887498949;
 constexpr double rainWidth = 6;  // metres
+constexpr double widest = 36;    // metres over which boxes drop at most
 constexpr double boxSize = 0.5;
 
 std::unique_ptr<Tool> makeTool(Workbench& bench, ToolKind kind) {
@@ -61,6 +63,7 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
     });
     std::erase_if(scene.vetoes,
                   [&](const auto& v) { return !ids.contains(v.a) || !ids.contains(v.b); });
+    scene.fields.clear();
     scene.extra.clear();
     return scene;
 }
@@ -79,7 +82,10 @@ std::optional<ToolKind> toolFromName(std::string_view name) {
     return std::nullopt;
 }
 
-Workbench::Workbench() : tool_(makeTool(*this, ToolKind::select)) {}
+Workbench::Workbench(std::filesystem::path historyFolder)
+    : document_(std::move(historyFolder)), tool_(makeTool(*this, ToolKind::select)) {
+    document_.onNewHandles = [this](const auto& now) { followHandles(now); };
+}
 Workbench::~Workbench() = default;
 
 void Workbench::setTool(ToolKind tool) {
@@ -124,6 +130,7 @@ void Workbench::forgetRemoved() {
 // --- time ------------------------------------------------------------------------------------
 
 void Workbench::tick() {
+    document_.startTime();
     tool_->tick();
     if (rain_ > 0) addRainBox();
     document_.tick();
@@ -141,28 +148,38 @@ void Workbench::addRainBox() {
     if (!document_.editing() || document_.undoLabel() != "Rain of boxes")
         document_.begin("Rain of boxes");
     for (; rainDue_ >= 1; rainDue_ -= 1) {
-        const double share = std::fmod(static_cast<double>(dropped_) * goldenFraction, 1.0);
-        dropBox(document_.world(), (share - 0.5) * rainWidth);
+        try {
+            dropBox(true, rainWidth);
+        } catch (...) {
+            rain_ = 0;  // the scene is full
+            document_.commit();
+            throw;
+        }
     }
 }
 
-void Workbench::dropBox(World& world, double x) {
+// What falls while time runs is of this moment: the plan would have all of it in one place.
+void Workbench::dropBox(bool passing, double width) {
+    const double share = std::fmod(static_cast<double>(dropped_) * goldenFraction, 1.0);
+    const double x = (share - 0.5) * width;
     const double angle = 0.7 * std::fmod(static_cast<double>(dropped_) * 0.37, 1.0) - 0.35;
-    sulfur::Blueprint box =
-        sulfur::shapes::box({.size = {Real(boxSize), Real(boxSize)}, .mass = 1});
-    box.name = "box";
-    const double y = std::max(topAt(world, x, 0) + 1.0, 3.0);
+    const sulfur::shapes::BoxOptions box{.size = {Real(boxSize), Real(boxSize)}, .mass = 1};
+    const double y = std::max(topAt(document_.world(), x, 0) + 1.0, 3.0);
+    const sulfur::Pose pose{.position = {x, y}, .angle = angle};
+    if (passing)
+        document_.addPassing(sulfur::scene::makePrefab("box", box), pose);
+    else
+        document_.add("box", box, pose);
     ++dropped_;
-    document_.addScaled(box, {.position = {x, y}, .angle = angle});
 }
 
 void Workbench::dropBoxes(int count) {
     if (count <= 0) return;
-    document_.edit("Drop boxes", [&](World& world) {
-        for (int i = 0; i < count; ++i) {
-            const double share = std::fmod(static_cast<double>(dropped_) * goldenFraction, 1.0);
-            dropBox(world, (share - 0.5) * rainWidth);
-        }
+    document_.edit("Drop boxes", [&] {
+        const bool passing = document_.canReset();
+        // Many fall side by side: a tower would reach the sky.
+        const double width = std::clamp(0.6 * std::sqrt(count), rainWidth, widest);
+        for (int i = 0; i < count; ++i) dropBox(passing, width);
     });
 }
 
@@ -196,39 +213,87 @@ void Workbench::selectAll() {
 void Workbench::deleteSelection() {
     if (selection_.empty()) return;
     tool_->cancel();
-    document_.edit("Delete", [&](World& world) {
-        for (const BodyId body : selection_) world.remove(body);
-    });
-    selection_.clear();
+    const auto gone = std::exchange(selection_, {});
+    document_.edit("Delete", [&] { document_.remove(gone); });
 }
 
 std::string Workbench::copy() const {
     if (selection_.empty()) return {};
-    // capture() lists the bodies in the order of the world.
-    auto scene = document_.capture();
-    const auto bodies = document_.world().bodies();
+    auto [scene, bodies] = document_.captureForClipboard();
     std::set<std::string> ids;
     for (std::size_t i = 0; i < bodies.size() && i < scene.bodies.size(); ++i)
         if (selected(bodies[i])) ids.insert(scene.bodies[i].id);
     return sulfur::scene::format(only(std::move(scene), ids));
 }
 
-void Workbench::paste(const std::string& text, const sulfur::Vec2& offset) {
+void Workbench::paste(const std::string& text, const Point& by) {
     const auto scene = sulfur::scene::parse(text, "the clipboard");
     std::vector<BodyId> made;
     tool_->cancel();
-    document_.edit("Paste", [&](World& world) {
-        const auto instance = sulfur::scene::instantiate(scene, world);
-        for (const auto& placement : scene.bodies) made.push_back(instance.body(placement.id));
-        for (const BodyId body : made)
-            for (const sulfur::ParticleId particle : world.particles(body))
-                world.setPosition(particle, world.position(particle) + offset.cast<double>());
+    document_.edit("Paste", [&] {
+        made = document_.insert(scene, by);
+        select(made);
     });
-    select(std::move(made));
+}
+
+void Workbench::pasteAt(const std::string& text, const Point& place) {
+    const auto scene = sulfur::scene::parse(text, "the clipboard");
+    World trial(scene.settings);
+    sulfur::scene::instantiate(scene, trial);
+    std::optional<Bounds> all;
+    for (const BodyId body : trial.bodies()) {
+        const auto bounds = trial.bounds(body);
+        if (!all) all = Bounds{bounds.low, bounds.high};
+        all->include(bounds.low);
+        all->include(bounds.high);
+    }
+    paste(text, all ? Point(place - all->centre()) : Point(0, 0));
 }
 
 void Workbench::duplicate() {
-    if (const std::string text = copy(); !text.empty()) paste(text, {Real(0.5), Real(0.5)});
+    if (const std::string text = copy(); !text.empty()) paste(text, {0.5, 0.5});
+}
+
+void Workbench::followHandles(const std::function<BodyId(BodyId)>& now) {
+    std::vector<BodyId> kept;
+    for (const BodyId body : selection_)
+        if (const BodyId is = now(body))
+            kept.push_back(is);
+        else if (document_.world().contains(body) && document_.idOf(body).empty())
+            kept.push_back(body);
+    select(std::move(kept));
+}
+
+// --- what has left ---------------------------------------------------------------------------
+
+std::vector<BodyId> Workbench::strays() const {
+    const World& world = document_.world();
+    const Bounds inside = worldBounds(document_);
+    std::vector<BodyId> found;
+    for (const BodyId body : world.bodies()) {
+        if (world.kind(body) != sulfur::BodyKind::dynamic) continue;
+        const auto bounds = world.bounds(body);
+        if ((bounds.high.array() < inside.low.array()).any() ||
+            (bounds.low.array() > inside.high.array()).any())
+            found.push_back(body);
+    }
+    return found;
+}
+
+void Workbench::bringBackStrays() {
+    const auto found = strays();
+    if (found.empty()) return;
+    tool_->cancel();
+    document_.startTime();
+    document_.edit("Bring back", [&] { document_.bringBack(found); });
+}
+
+void Workbench::deleteStrays() {
+    const auto found = strays();
+    if (found.empty()) return;
+    tool_->cancel();
+    document_.edit("Delete what has left", [&] { document_.remove(found); });
+    forgetRemoved();
 }
 
 }  // namespace sulfurchamber

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,7 +46,8 @@ class Tool;
 
 class Workbench {
 public:
-    Workbench();
+    /// `historyFolder` as Document has it.
+    explicit Workbench(std::filesystem::path historyFolder = {});
     ~Workbench();
 
     Document& document() { return document_; }
@@ -87,10 +89,21 @@ public:
     void deleteSelection();
     /// The selected bodies as the text of a scene; empty when nothing is selected.
     std::string copy() const;
-    /// Adds the bodies of such a text and selects them, moved by `offset`. Throws
+    /// Adds the bodies of such a text and selects them, moved by `by` metres. Throws
     /// sulfur::scene::ReadError, naming the clipboard, when it is something else.
-    void paste(const std::string& text, const sulfur::Vec2& offset);
+    void paste(const std::string& text, const sulfur::Point& by);
+    /// The same, with the middle of what is pasted at a place.
+    void pasteAt(const std::string& text, const sulfur::Point& place);
     void duplicate();
+
+    // -- what has left --
+
+    /// Moving bodies that are wholly outside of worldBounds(): they fall for ever, unseen.
+    std::vector<sulfur::BodyId> strays() const;
+    /// Puts them back at rest: where the plan has them, what it does not have in a row above the
+    /// rest. Of this moment alone.
+    void bringBackStrays();
+    void deleteStrays();
 
     // -- for tools --
 
@@ -100,7 +113,8 @@ public:
 
 private:
     void addRainBox();
-    void dropBox(sulfur::World& world, double x);
+    void dropBox(bool passing, double width);
+    void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
     void forgetRemoved();
 
     Document document_;

@@ -22,6 +22,8 @@ constexpr float reachPixels = 9;    // logical pixels within which the pointer h
 constexpr float rulersTake = 44;    // logical pixels at the left and at the bottom
 constexpr float fitMargin = 1.25f;  // of what is shown around what is interesting
 constexpr double fitSmallest = 4;   // metres that are shown at least
+constexpr float firstWidth = 12;    // metres that an empty scene shows
+constexpr float firstFloor = 0.2f;  // of the height that is below its floor
 
 }  // namespace
 
@@ -159,13 +161,24 @@ std::optional<sulfur::Point> SceneView::pointer() const {
     return toWorld(*mouse_);
 }
 
+std::optional<sulfur::Point> SceneView::pointerInView() const {
+    if (!mouse_ || platform_ == nullptr) return std::nullopt;
+    const atlax::Vec2 size = platform_->size().toVec();
+    const bool in = mouse_->x >= 0 && mouse_->y >= 0 && mouse_->x < size.x && mouse_->y < size.y;
+    return in ? pointer() : std::nullopt;
+}
+
 void SceneView::fit(atlax::PixelSize size) {
     const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
     const float rulers = options_.rulers ? rulersTake * scale : 0;
     const float width = std::max(64.0f, static_cast<float>(size.width) - rulers);
     const float height = std::max(64.0f, static_cast<float>(size.height) - rulers / 2);
-    const auto bounds =
-        interestingBounds(bench_.document().world()).value_or(Bounds{{-2, 0}, {2, 4}});
+    const auto interesting = interestingBounds(bench_.document().world());
+    if (!interesting) {
+        showFloor(width, height, rulers);
+        return;
+    }
+    const Bounds& bounds = *interesting;
     const auto extent = [](double length) {
         return static_cast<float>(std::max(fitSmallest, length)) * fitMargin;
     };
@@ -173,6 +186,15 @@ void SceneView::fit(atlax::PixelSize size) {
         std::clamp(std::min(width / extent(bounds.size().x()), height / extent(bounds.size().y())),
                    minZoom, maxZoom);
     camera_.centre = atlax::Vec2(bounds.centre()) +
+                     atlax::Vec2{-rulers / 2, -rulers / 4} / camera_.pixelsPerMetre;
+}
+
+// Room to build: the floor in the lower fifth.
+void SceneView::showFloor(float width, float height, float rulers) {
+    camera_.pixelsPerMetre = width / firstWidth;
+    const float above = (0.5f - firstFloor) * height / camera_.pixelsPerMetre;
+    const auto floor = static_cast<float>(floorHeight(bench_.document().world()));
+    camera_.centre = atlax::Vec2{0, floor + above} +
                      atlax::Vec2{-rulers / 2, -rulers / 4} / camera_.pixelsPerMetre;
 }
 

@@ -39,6 +39,8 @@ public:
     sulfur::Point toWorld(atlax::Vec2 pixels) const;
     /// Where the pointer is, metres; nothing until it was seen.
     std::optional<sulfur::Point> pointer() const;
+    /// The same, nothing where it is not over the drawing area.
+    std::optional<sulfur::Point> pointerInView() const;
 
     /// Buttons of the mouse that went down or up so far; for scripts that wait for their clicks.
     std::uint64_t buttonEvents() const { return buttonEvents_; }
@@ -68,6 +70,7 @@ public:
 private:
     void applyTime();
     void fit(atlax::PixelSize size);
+    void showFloor(float width, float height, float rulers);
     void mouseButton(const atlax::MouseButtonEvent& event);
     void mouseMoved(atlax::Vec2 position);
     void wheel(const atlax::WheelEvent& event);

@@ -17,8 +17,10 @@ tool ball
 click 0 3.2
 expect bodies = 8
 expect modified = 1
+save ${WORK}/planned.json
 run 0.5
-save ${WORK}/moved.json
+save ${WORK}/played.json     # the plan, not the moment
+save-moment ${WORK}/moved.json
 expect modified = 0
 open ${WORK}/moved.json
 expect bodies = 8
@@ -27,6 +29,7 @@ save ${WORK}/moved-again.json
 run_window(0 --script ${WORK}/script.txt)
 expect_text("${out}${err}" "broken.json:1:")
 expect_same(${WORK}/first.json ${WORK}/second.json)
+expect_same(${WORK}/planned.json ${WORK}/played.json)
 expect_same(${WORK}/moved.json ${WORK}/moved-again.json)
 
 # Where nothing can be written, nothing is, and the reason is told.

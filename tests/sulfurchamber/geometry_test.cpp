@@ -62,6 +62,8 @@ TEST(Geometry, BoundsShowWhatMovesAndTheGroundBelow) {
     sulfur::World world;
     EXPECT_FALSE(interestingBounds(world));
     world.add(sulfur::shapes::floor({-100, 0}, {100, 0}));
+    EXPECT_FALSE(interestingBounds(world)) << "a floor alone is room to build";
+    EXPECT_NEAR(floorHeight(world), 0.05, 1e-6);
     world.add(sulfur::shapes::box(), {.position = {3, 4}});
     const auto bounds = interestingBounds(world);
     ASSERT_TRUE(bounds);

@@ -83,3 +83,48 @@ run_window(0 --script ${WORK}/drag.txt)
 file(WRITE ${WORK}/wrong.txt "expect bodies = 1\nexpect bodies = 5\n")
 run_window(1 --script ${WORK}/wrong.txt)
 expect_text("${out}${err}" "wrong.txt:2: bodies is 1, expected = 5")
+
+# Nothing is cut, whatever the size and the tool, and nothing complains on the terminal.
+foreach(size 640x480 900x600 1280x800)
+  string(REPLACE "x" ";" sides ${size})
+  list(GET sides 0 width)
+  list(GET sides 1 height)
+  set(script "open ${SCENES}/jelly-tower.json\n")
+  foreach(tool select box ball jelly rope ground pin cut erase)
+    string(APPEND script "tool ${tool}\nwhole\n")
+  endforeach()
+  file(WRITE ${WORK}/whole.txt "${script}screenshot ${WORK}/${size}.png\nrun 0.2\nwhole\n")
+  run(0 ${XVFB_RUN} -a -s "-screen 0 ${size}x24" ${PROGRAM} --width ${width} --height ${height}
+    --script ${WORK}/whole.txt)
+  if("${out}${err}" MATCHES "BUG|CRITICAL|Gtk-WARNING")
+    message(FATAL_ERROR "GTK complains: ${out}${err}")
+  endif()
+endforeach()
+
+# Undo says what it undoes; what has left is counted and comes back; paste goes to the mouse.
+file(WRITE ${WORK}/edit.txt "
+label undo Undo
+tool ball
+click 2 3
+label undo Undo “Add ball”
+do undo
+label redo Redo “Add ball”
+do redo
+tool select
+click 2 3
+do copy
+click -3 4
+do paste
+expect bodies = 3
+expect newest.x < -2.9
+expect newest.x > -3.1
+set gravity -30
+run 4
+expect strays = 2
+screenshot ${WORK}/strays.png
+set gravity 9.81
+do bring-back
+expect strays = 0
+expect newest.y < 5
+")
+run_window(0 --script ${WORK}/edit.txt)

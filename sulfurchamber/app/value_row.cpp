@@ -1,0 +1,186 @@
+#include "value_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "icons.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+constexpr int sliderSteps = 1000;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+wxString shortNumber(double value) {
+    const double size = std::abs(value);
+    if (size >= 1e5) return wxString::Format("%.3g", value);
+    return wxString::Format("%g", std::round(value * 1000) / 1000);
+}
+
+}  // namespace
+
+ValueRow::ValueRow(wxWindow* parent, wxSizer* sizer, ValueSpec spec) : spec_(std::move(spec)) {
+    makeTop(parent);
+    makeSlider(parent);
+    whole_ = new wxBoxSizer(wxVERTICAL);
+    whole_->Add(top_, wxSizerFlags(0).Expand());
+    whole_->Add(bottom_, wxSizerFlags(0).Expand().Border(wxBOTTOM, parent->FromDIP(4)));
+    sizer->Add(whole_, wxSizerFlags(0).Expand());
+    for (wxWindow* window : {static_cast<wxWindow*>(name_), static_cast<wxWindow*>(number_),
+                             static_cast<wxWindow*>(slider_)})
+        window->SetToolTip(spec_.help);
+    bind();
+}
+
+void ValueRow::makeTop(wxWindow* parent) {
+    top_ = new wxBoxSizer(wxHORIZONTAL);
+    name_ = new wxStaticText(parent, wxID_ANY, spec_.name, wxDefaultPosition, wxDefaultSize,
+                             wxST_ELLIPSIZE_END);
+    number_ = new wxTextCtrl(parent, wxID_ANY, "", wxDefaultPosition,
+                             parent->FromDIP(wxSize(58, -1)), wxTE_RIGHT | wxTE_PROCESS_ENTER);
+    auto* unit = new wxStaticText(parent, wxID_ANY, spec_.unit, wxDefaultPosition,
+                                  parent->FromDIP(wxSize(34, -1)));
+    revert_ = new wxBitmapButton(parent, wxID_ANY, icon("revert"), wxDefaultPosition, wxDefaultSize,
+                                 wxBU_EXACTFIT | wxBORDER_NONE);
+    revert_->SetToolTip("Back to what the scene began with");
+    top_->Add(name_, wxSizerFlags(1).CentreVertical());
+    top_->Add(number_, wxSizerFlags(0).CentreVertical());
+    top_->Add(unit, wxSizerFlags(0).CentreVertical().Border(wxLEFT, parent->FromDIP(4)));
+    top_->Add(revert_, wxSizerFlags(0).CentreVertical());
+}
+
+// The slider between the ends of its range.
+void ValueRow::makeSlider(wxWindow* parent) {
+    bottom_ = new wxBoxSizer(wxHORIZONTAL);
+    slider_ = new wxSlider(parent, wxID_ANY, 0, 0, sliderSteps);
+    const auto end = [&](const wxString& text) {
+        auto* label = new wxStaticText(parent, wxID_ANY, text);
+        label->SetFont(label->GetFont().Smaller());
+        bottom_->Add(label, wxSizerFlags(0).CentreVertical());
+    };
+    end(shortNumber(spec_.low));
+    bottom_->Add(slider_, wxSizerFlags(1).CentreVertical());
+    end(spec_.endless.empty() ? shortNumber(spec_.high) : spec_.endless);
+}
+
+void ValueRow::bind() {
+    slider_->Bind(wxEVT_SLIDER, [this](wxCommandEvent&) {
+        sliding_ = true;
+        const double wanted = value(slider_->GetValue());
+        if (spec_.get() != wanted) spec_.set(wanted);
+        refresh();
+    });
+    const auto released = [this](wxEvent& event) {
+        if (std::exchange(sliding_, false)) spec_.finish();
+        event.Skip();
+    };
+    slider_->Bind(wxEVT_SCROLL_THUMBRELEASE, [released](wxScrollEvent& e) { released(e); });
+    slider_->Bind(wxEVT_KEY_UP, [released](wxKeyEvent& e) { released(e); });
+    slider_->Bind(wxEVT_KILL_FOCUS, [released](wxFocusEvent& e) { released(e); });
+    number_->Bind(wxEVT_TEXT_ENTER, [this](wxCommandEvent&) { enter(false); });
+    number_->Bind(wxEVT_KILL_FOCUS, [this](wxFocusEvent& event) {
+        if (number_->IsModified()) enter(true);
+        event.Skip();
+    });
+    number_->Bind(wxEVT_KEY_DOWN, [this](wxKeyEvent& event) {
+        if (event.GetKeyCode() == WXK_ESCAPE)
+            takeBack();
+        else
+            event.Skip();
+    });
+    revert_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) {
+        const auto first = spec_.initial ? spec_.initial() : std::nullopt;
+        if (!first) return;
+        spec_.finish();
+        spec_.set(*first);
+        spec_.finish();
+        refresh();
+    });
+}
+
+int ValueRow::position(double value) const {
+    if (!spec_.endless.empty() && std::isinf(value)) return sliderSteps;
+    const double share = spec_.logarithmic ? std::log(std::max(value, spec_.low) / spec_.low) /
+                                                 std::log(spec_.high / spec_.low)
+                                           : (value - spec_.low) / (spec_.high - spec_.low);
+    const int last = spec_.endless.empty() ? sliderSteps : sliderSteps - 1;
+    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * last));
+}
+
+double ValueRow::value(int position) const {
+    if (!spec_.endless.empty() && position == sliderSteps) return infinite;
+    const int last = spec_.endless.empty() ? sliderSteps : sliderSteps - 1;
+    const double share = static_cast<double>(position) / last;
+    if (!spec_.logarithmic) {
+        const double exact = spec_.low + share * (spec_.high - spec_.low);
+        return std::clamp(std::round(exact * 100) / 100, spec_.low, spec_.high);
+    }
+    // Three digits, which is what one can read.
+    const double exact = spec_.low * std::pow(spec_.high / spec_.low, share);
+    const double digit = std::pow(10, std::floor(std::log10(exact)) - 2);
+    return std::clamp(std::round(exact / digit) * digit, spec_.low, spec_.high);
+}
+
+wxString ValueRow::text(std::optional<double> value) const {
+    if (!value) return "";
+    if (std::isinf(*value)) return spec_.endless;
+    return shortNumber(*value);
+}
+
+void ValueRow::refresh() {
+    const auto now = spec_.get();
+    if (fresh_ || now != shown_) {
+        if (!sliding_) slider_->SetValue(now ? position(*now) : 0);
+        number_->SetHint(now ? "" : "mixed");
+        takeBack();
+    }
+    shown_ = now;
+    fresh_ = false;
+    const auto first = spec_.initial ? spec_.initial() : std::nullopt;
+    const bool changed = first && now != first;
+    if (revert_->IsEnabled() != changed) revert_->Enable(changed);
+}
+
+void ValueRow::takeBack() {
+    number_->ChangeValue(text(spec_.get()));
+    number_->DiscardEdits();
+    number_->SetForegroundColour(wxNullColour);
+}
+
+void ValueRow::enter(bool leaving) {
+    const wxString typed = number_->GetValue().Strip(wxString::both);
+    double wanted = 0;
+    const bool endless = !spec_.endless.empty() && typed.CmpNoCase(spec_.endless) == 0;
+    const bool isNumber = typed.ToDouble(&wanted) || typed.ToCDouble(&wanted);
+    if (endless) wanted = infinite;
+    const bool inRange = std::isfinite(wanted) && wanted >= spec_.low && wanted <= spec_.high;
+    if (endless || (isNumber && inRange)) {
+        spec_.finish();
+        if (spec_.get() != wanted) spec_.set(wanted);
+        spec_.finish();
+        takeBack();
+        refresh();
+        return;
+    }
+    if (leaving && typed.empty()) {
+        takeBack();
+        return;
+    }
+    wxString sentence =
+        spec_.name + ": " + typed + (isNumber ? " is out of range" : " is no number");
+    sentence += "; allowed is " + shortNumber(spec_.low) + " to " + shortNumber(spec_.high) + " " +
+                spec_.unit;
+    if (!spec_.endless.empty()) sentence += ", or " + spec_.endless;
+    spec_.refuse(sentence.utf8_string());
+    if (leaving)
+        takeBack();
+    else
+        number_->SetForegroundColour(wxColour(0xFF, 0x5E, 0x57));
+}
+
+void ValueRow::show(bool on) {
+    if (whole_->AreAnyItemsShown() != on) whole_->ShowItems(on);
+}
+
+}  // namespace sulfurchamber
