@@ -166,6 +166,8 @@ public:
     /// constants. Handles of these bodies may be others afterwards.
     void change(std::span<const sulfur::BodyId> bodies,
                 const std::function<void(sulfur::scene::Prefab&)>& change);
+    /// Gives a body of the plan another id. Throws as Plan::rename does.
+    void rename(sulfur::BodyId body, const std::string& to);
     /// A joint between bodies.
     sulfur::JointId connect(sulfur::ParticleId a, sulfur::ParticleId b,
                             sulfur::ConnectOptions options = {});

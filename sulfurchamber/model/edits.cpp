@@ -285,6 +285,14 @@ void Document::changePiece(BodyId body, const std::function<void(Prefab&)>& chan
     follow(*world_, body, before, prefab.blueprint);
 }
 
+void Document::rename(BodyId body, const std::string& to) {
+    const std::string id = idOf(body);
+    if (id.empty()) throw std::runtime_error("a piece has no name");
+    plan_.rename(id, to);
+    world_->setUserData(body, keyOf(to));
+    ++revision_;
+}
+
 void Document::setPinned(ParticleId particle, bool pinned) {
     const auto ref = refOf(particle);
     world_->setPinned(particle, pinned);

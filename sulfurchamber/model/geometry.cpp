@@ -37,9 +37,12 @@ bool crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
     return sideC * sideD < 0 && sideA * sideB < 0;
 }
 
+// Which particles capsules join to which.
+using Neighbours = std::map<std::uint32_t, std::vector<std::uint32_t>>;
+
 // Follows one closed line of neighbours; empty when it ends or branches.
-std::vector<std::uint32_t> walkLoop(const std::map<std::uint32_t, std::vector<std::uint32_t>>& next,
-                                    std::uint32_t start, std::vector<bool>& seen) {
+std::vector<std::uint32_t> walkLoop(const Neighbours& next, std::uint32_t start,
+                                    std::vector<bool>& seen) {
     std::vector<std::uint32_t> loop;
     std::uint32_t before = start;
     std::uint32_t at = start;
@@ -60,6 +63,18 @@ std::vector<std::uint32_t> walkLoop(const std::map<std::uint32_t, std::vector<st
         at = to;
     } while (at != start);
     return closed ? loop : std::vector<std::uint32_t>{};
+}
+
+std::vector<std::vector<std::uint32_t>> loopsOf(const Neighbours& neighbours,
+                                                std::size_t particles) {
+    std::vector<std::vector<std::uint32_t>> loops;
+    std::vector<bool> seen(particles, false);
+    for (const auto& [start, around] : neighbours) {
+        if (seen[start] || around.size() != 2) continue;
+        if (auto loop = walkLoop(neighbours, start, seen); loop.size() > 2)
+            loops.push_back(std::move(loop));
+    }
+    return loops;
 }
 
 // What hangs on one pin swings to both sides of it.
@@ -180,7 +195,7 @@ std::vector<std::vector<std::uint32_t>> outlines(const World& world, BodyId body
     const auto particles = world.particles(body);
     std::map<ParticleId, std::uint32_t> indices;
     for (std::uint32_t i = 0; i < particles.size(); ++i) indices.emplace(particles[i], i);
-    std::map<std::uint32_t, std::vector<std::uint32_t>> neighbours;
+    Neighbours neighbours;
     for (const JointId joint : world.joints(body)) {
         const auto info = world.info(joint);
         if (!(info.radius > 0)) continue;
@@ -190,14 +205,17 @@ std::vector<std::vector<std::uint32_t>> outlines(const World& world, BodyId body
         neighbours[a->second].push_back(b->second);
         neighbours[b->second].push_back(a->second);
     }
-    std::vector<std::vector<std::uint32_t>> loops;
-    std::vector<bool> seen(particles.size(), false);
-    for (const auto& [start, around] : neighbours) {
-        if (seen[start] || around.size() != 2) continue;
-        if (auto loop = walkLoop(neighbours, start, seen); loop.size() > 2)
-            loops.push_back(std::move(loop));
+    return loopsOf(neighbours, particles.size());
+}
+
+std::vector<std::vector<std::uint32_t>> outlines(const sulfur::Blueprint& blueprint) {
+    Neighbours neighbours;
+    for (const auto& joint : blueprint.joints) {
+        if (!(joint.radius > 0)) continue;
+        neighbours[joint.a].push_back(joint.b);
+        neighbours[joint.b].push_back(joint.a);
     }
-    return loops;
+    return loopsOf(neighbours, blueprint.particles.size());
 }
 
 bool inside(const std::vector<Point>& polygon, const Point& point) {

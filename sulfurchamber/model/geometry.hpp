@@ -52,6 +52,8 @@ std::vector<sulfur::JointId> jointsCrossing(const sulfur::World& world, const su
 /// Closed outlines of a body, made of the capsules that collide, as indices of its particles.
 /// Complexity: linear in the joints.
 std::vector<std::vector<std::uint32_t>> outlines(const sulfur::World& world, sulfur::BodyId body);
+/// The same of a plan.
+std::vector<std::vector<std::uint32_t>> outlines(const sulfur::Blueprint& blueprint);
 /// Whether a point lies inside a closed polygon.
 bool inside(const std::vector<sulfur::Point>& polygon, const sulfur::Point& point);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
 
 namespace sulfurchamber {
 namespace {
@@ -225,6 +226,37 @@ void Plan::forgetLostEnds() {
     };
     std::erase_if(scene_.connections, [&](const auto& c) { return lost(c.a) || lost(c.b); });
     std::erase_if(scene_.attachments, [&](const auto& a) { return lost(a.particle); });
+}
+
+void Plan::rename(const std::string& id, const std::string& to) {
+    if (id == to) return;
+    if (to.empty() || to.size() > sulfur::scene::Limits::nameBytes ||
+        to.find_first_of("\n\t\"\\") != std::string::npos)
+        throw std::runtime_error("\"" + to + "\" is no name; allowed is one line of 1 to " +
+                                 std::to_string(sulfur::scene::Limits::nameBytes) + " bytes");
+    if (contains(to))
+        throw std::runtime_error("\"" + to + "\" is the name of another body; choose a free one");
+    for (const auto& member : scene_.extra)
+        if (member.json.find('"' + id + '"') != std::string::npos)
+            throw std::runtime_error("the " + member.key + " of the scene names \"" + id +
+                                     "\"; change it there first");
+    body(id).id = to;
+    const auto change = [&](std::string& name) {
+        if (name == id) name = to;
+    };
+    for (auto& connection : scene_.connections) {
+        change(connection.a.body);
+        change(connection.b.body);
+    }
+    for (auto& attachment : scene_.attachments) {
+        change(attachment.particle.body);
+        change(attachment.body);
+    }
+    for (auto& veto : scene_.vetoes) {
+        change(veto.a);
+        change(veto.b);
+    }
+    index();
 }
 
 void Plan::connect(sulfur::scene::Connection connection) {

@@ -44,6 +44,9 @@ public:
     /// otherwise becomes part of their blueprints. Others who share a blueprint keep what it was.
     void change(const std::vector<std::string>& ids,
                 const std::function<void(sulfur::scene::Prefab&)>& change);
+    /// Gives a body another id, wherever it is named. Throws std::runtime_error when that is taken
+    /// or unusable, or when an unknown member of the scene, such as a level, names the body.
+    void rename(const std::string& id, const std::string& to);
     void connect(sulfur::scene::Connection connection);
     void remove(std::size_t connection);
     /// All that hang together by connections and attachments with one of these, with themselves.
