@@ -167,16 +167,27 @@ void MainFrame::addViewActions() {
     toggle("skeleton", "S&keleton", 'K',
            "What the physics sees: particles, joints under load, surfaces, contacts, fields", "",
            o.skeleton);
+    for (const char* page : {"scene", "object", "history"})
+        add({"page-" + std::string(page), m,
+             wxString("Page of the ") + page +
+                 (page[0] == 's'   ? "\tCtrl+1"
+                  : page[0] == 'o' ? "\tCtrl+2"
+                                   : "\tCtrl+3"),
+             0, "Bring this page of the side panel to the front", "",
+             [this, page] {
+                 showSide(true);
+                 side_->showPage(page);
+             }})
+            .separatorBefore = page[0] == 's';
     add({"panel",
          m,
          "Side &panel\tF9",
          0,
-         "Constants and numbers beside the scene",
+         "Constants, properties and history beside the scene",
          "",
          [this] { showSide(!side_->IsShown()); },
          {},
-         [this] { return side_->IsShown(); }})
-        .separatorBefore = true;
+         [this] { return side_->IsShown(); }});
     add({"fullscreen",
          m,
          "F&ullscreen\tF11",

@@ -63,13 +63,13 @@ void ConstantsPanel::addConstants(wxSizer* sizer) {
     spec.help = "Factor on the stiffness of all elastic joints";
     spec.low = L::minElasticity;
     spec.high = L::maxElasticity;
-    spec.logarithmic = true;
+    spec.scale = Scale::logarithmic;
     add(spec, &Constants::elasticity);
     spec.name = "Friction";
     spec.help = "Factor on the sliding and static friction of all surfaces";
     spec.low = 0;
     spec.high = L::friction;
-    spec.logarithmic = false;
+    spec.scale = Scale::linear;
     add(spec, &Constants::friction);
     spec.name = "Air friction";
     spec.unit = "1/s";

@@ -3,6 +3,7 @@
 #include <atlax/files.hpp>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -29,13 +30,15 @@ std::string scriptHelp() {
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
            "  run SECONDS             play for simulated seconds, then pause\n"
+           "  property KEY VALUE      of what is selected: mass, stiffness, width, ... or inf\n"
+           "  material NAME           makes what is selected of ice, rubber, wood, steel, ...\n"
            "  open FILE, save FILE    without questions\n"
            "  save-moment FILE        the state of this moment as a scene of its own\n"
            "  screenshot FILE         the window as PNG\n"
            "  expect QUANTITY OP N    fails unless it holds; OP is = != < or >; quantities:\n"
            "                          bodies particles joints contacts time selected modified\n"
            "                          playing problem newest.x newest.y gravity elasticity rain\n"
-           "                          strays steps\n"
+           "                          strays steps property.KEY\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
@@ -256,6 +259,22 @@ bool Script::startWorld(const Words& words) {
         else
             fail("there is no constant " + words[1]);
         if (words[1] != "rain") document.setConstants(constants);
+    } else if (words[0] == "property" && words.size() == 3) {
+        const NumberProperty* property = numberProperty(words[1]);
+        if (property == nullptr) fail("there is no property " + words[1]);
+        const double value =
+            words[2] == "inf" ? std::numeric_limits<double>::infinity() : number(words[2]);
+        const std::string label = "Change " + words[1];
+        document.edit(label,
+                      [&] { setProperty(document, frame_.bench().selection(), *property, value); });
+    } else if (words[0] == "material" && words.size() == 2) {
+        for (const MaterialPreset& preset : materialPresets())
+            if (wxString::FromUTF8(preset.name.data(), preset.name.size()).Lower() == words[1]) {
+                document.edit("Make of " + words[1],
+                              [&] { applyPreset(document, frame_.bench().selection(), preset); });
+                return true;
+            }
+        fail("there is no material " + words[1]);
     } else {
         return false;
     }
@@ -305,6 +324,12 @@ double Script::quantity(const std::string& name) const {
     if (name == "gravity") return document.constants().gravity;
     if (name == "elasticity") return document.constants().elasticity;
     if (name == "rain") return bench.rain();
+    if (name.starts_with("property.")) {
+        const NumberProperty* property = numberProperty(name.substr(9));
+        if (property == nullptr) fail("there is no " + name);
+        return common(document, bench.selection(), *property)
+            .value.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
     if (name == "strays") return static_cast<double>(bench.strays().size());
     if (name == "steps") return static_cast<double>(document.historyPlace());
     if (name == "newest.x" || name == "newest.y") {

@@ -1,18 +1,69 @@
 #include "side_panel.hpp"
 
+#include <wx/sizer.h>
+
 #include "constants_panel.hpp"
+#include "properties_panel.hpp"
 
 namespace sulfurchamber {
 
 SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
                      std::function<void(const std::string&)> refuse)
-    : wxNotebook(parent, wxID_ANY) {
-    constants_ = new ConstantsPanel(this, bench, view, std::move(refuse));
+    : wxNotebook(parent, wxID_ANY), bench_(bench) {
+    constants_ = new ConstantsPanel(this, bench, view, refuse);
+    properties_ = new PropertiesPanel(this, bench, std::move(refuse));
     AddPage(constants_, "Scene");
+    AddPage(properties_, "Object");
+    makeHistory();
+}
+
+// A click goes to the moment after a step.
+void SidePanel::makeHistory() {
+    history_ = new wxListBox(this, wxID_ANY, wxDefaultPosition, wxDefaultSize, 0, nullptr,
+                             wxLB_SINGLE | wxBORDER_NONE);
+    history_->SetToolTip("All steps; a click goes back or forth to one");
+    AddPage(history_, "History");
+    history_->Bind(wxEVT_LISTBOX, [this](wxCommandEvent& event) {
+        const auto wanted = static_cast<std::size_t>(std::max(0, event.GetInt()));
+        Document& document = bench_.document();
+        bench_.cancel();
+        while (document.historyPlace() > wanted && document.canUndo()) document.undo();
+        while (document.historyPlace() < wanted && document.canRedo()) document.redo();
+        bench_.documentChanged();
+    });
+}
+
+void SidePanel::refreshHistory() {
+    const Document& document = bench_.document();
+    auto labels = document.history();
+    labels.insert(labels.begin(), "As it was opened");
+    const std::size_t place = document.historyPlace();
+    if (labels == shownHistory_ && place == shownPlace_) return;
+    if (labels != shownHistory_) {
+        wxArrayString lines;
+        for (const std::string& label : labels) lines.Add(wxString::FromUTF8(label));
+        history_->Set(lines);
+    }
+    history_->SetSelection(static_cast<int>(place));
+    history_->EnsureVisible(static_cast<int>(place));
+    shownHistory_ = std::move(labels);
+    shownPlace_ = place;
 }
 
 void SidePanel::refresh() {
     if (GetCurrentPage() == constants_) constants_->refresh();
+    if (GetCurrentPage() == properties_) properties_->refresh();
+    if (GetCurrentPage() == history_) refreshHistory();
+}
+
+bool SidePanel::showPage(const std::string& name) {
+    for (std::size_t i = 0; i < GetPageCount(); ++i) {
+        if (GetPageText(i).Lower().utf8_string() != name) continue;
+        ChangeSelection(i);
+        refresh();
+        return true;
+    }
+    return false;
 }
 
 }  // namespace sulfurchamber

@@ -1,16 +1,19 @@
 // What stands beside the scene.
 #pragma once
 
+#include <wx/listbox.h>
 #include <wx/notebook.h>
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "../view/scene_view.hpp"
 
 namespace sulfurchamber {
 
 class ConstantsPanel;
+class PropertiesPanel;
 
 class SidePanel final : public wxNotebook {
 public:
@@ -20,9 +23,20 @@ public:
 
     /// Shows what the document and the simulation say now. Cheap; may be called often.
     void refresh();
+    /// Brings a page to the front: "scene", "object" or "history". False when there is no such
+    /// page.
+    bool showPage(const std::string& name);
 
 private:
+    void makeHistory();
+    void refreshHistory();
+
+    Workbench& bench_;
     ConstantsPanel* constants_ = nullptr;
+    PropertiesPanel* properties_ = nullptr;
+    wxListBox* history_ = nullptr;
+    std::vector<std::string> shownHistory_;
+    std::size_t shownPlace_ = 0;
 };
 
 }  // namespace sulfurchamber

@@ -14,7 +14,11 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 wxString shortNumber(double value) {
     const double size = std::abs(value);
-    if (size >= 1e5) return wxString::Format("%.3g", value);
+    if (size >= 1e5) {
+        wxString text = wxString::Format("%.3g", value);
+        text.Replace("e+0", "e");
+        return text;
+    }
     return wxString::Format("%g", std::round(value * 1000) / 1000);
 }
 
@@ -40,7 +44,7 @@ void ValueRow::makeTop(wxWindow* parent) {
     number_ = new wxTextCtrl(parent, wxID_ANY, "", wxDefaultPosition,
                              parent->FromDIP(wxSize(58, -1)), wxTE_RIGHT | wxTE_PROCESS_ENTER);
     auto* unit = new wxStaticText(parent, wxID_ANY, spec_.unit, wxDefaultPosition,
-                                  parent->FromDIP(wxSize(34, -1)));
+                                  parent->FromDIP(wxSize(42, -1)));
     revert_ = new wxBitmapButton(parent, wxID_ANY, icon("revert"), wxDefaultPosition, wxDefaultSize,
                                  wxBU_EXACTFIT | wxBORDER_NONE);
     revert_->SetToolTip("Back to what the scene began with");
@@ -99,26 +103,51 @@ void ValueRow::bind() {
     });
 }
 
+// Where in its range a value is, 0 to 1, and back.
+double ValueRow::share(double value) const {
+    const double low = spec_.low;
+    const double high = spec_.high;
+    switch (spec_.scale) {
+        case Scale::logarithmic:
+            return std::log(std::max(value, low) / low) / std::log(high / low);
+        case Scale::cubic:
+            return std::cbrt((value - low) / (high - low));
+        case Scale::linear:
+            break;
+    }
+    return (value - low) / (high - low);
+}
+
+double ValueRow::ofShare(double share) const {
+    const double low = spec_.low;
+    const double high = spec_.high;
+    switch (spec_.scale) {
+        case Scale::logarithmic:
+            return low * std::pow(high / low, share);
+        case Scale::cubic:
+            return low + share * share * share * (high - low);
+        case Scale::linear:
+            break;
+    }
+    return low + share * (high - low);
+}
+
 int ValueRow::position(double value) const {
     if (!spec_.endless.empty() && std::isinf(value)) return sliderSteps;
-    const double share = spec_.logarithmic ? std::log(std::max(value, spec_.low) / spec_.low) /
-                                                 std::log(spec_.high / spec_.low)
-                                           : (value - spec_.low) / (spec_.high - spec_.low);
     const int last = spec_.endless.empty() ? sliderSteps : sliderSteps - 1;
-    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * last));
+    return static_cast<int>(std::lround(std::clamp(share(value), 0.0, 1.0) * last));
 }
 
 double ValueRow::value(int position) const {
     if (!spec_.endless.empty() && position == sliderSteps) return infinite;
     const int last = spec_.endless.empty() ? sliderSteps : sliderSteps - 1;
-    const double share = static_cast<double>(position) / last;
-    if (!spec_.logarithmic) {
-        const double exact = spec_.low + share * (spec_.high - spec_.low);
+    const double exact = ofShare(static_cast<double>(position) / last);
+    if (spec_.whole) return std::round(exact);
+    if (spec_.scale == Scale::linear)
         return std::clamp(std::round(exact * 100) / 100, spec_.low, spec_.high);
-    }
     // Three digits, which is what one can read.
-    const double exact = spec_.low * std::pow(spec_.high / spec_.low, share);
-    const double digit = std::pow(10, std::floor(std::log10(exact)) - 2);
+    if (exact == 0) return 0;
+    const double digit = std::pow(10, std::floor(std::log10(std::abs(exact))) - 2);
     return std::clamp(std::round(exact / digit) * digit, spec_.low, spec_.high);
 }
 
@@ -130,7 +159,8 @@ wxString ValueRow::text(std::optional<double> value) const {
 
 void ValueRow::refresh() {
     const auto now = spec_.get();
-    if (fresh_ || now != shown_) {
+    const bool typing = spec_.moves && number_->IsModified();
+    if (fresh_ || (now != shown_ && !typing)) {
         if (!sliding_) slider_->SetValue(now ? position(*now) : 0);
         number_->SetHint(now ? "" : "mixed");
         takeBack();
@@ -180,7 +210,7 @@ void ValueRow::enter(bool leaving) {
 }
 
 void ValueRow::show(bool on) {
-    if (whole_->AreAnyItemsShown() != on) whole_->ShowItems(on);
+    whole_->ShowItems(on);
 }
 
 }  // namespace sulfurchamber

@@ -12,6 +12,8 @@
 #include <optional>
 #include <string>
 
+#include "../model/properties.hpp"
+
 namespace sulfurchamber {
 
 /// What a row shows and does.
@@ -21,8 +23,10 @@ struct ValueSpec {
     wxString help;  ///< one line for the tooltip
     double low = 0;
     double high = 1;
-    bool logarithmic = false;
-    wxString endless;  ///< not empty: the slider's upper end is infinity, and this is its word
+    Scale scale = Scale::linear;
+    bool whole = false;  ///< without a fraction
+    bool moves = false;  ///< changes by itself: what one types is left alone
+    wxString endless;    ///< not empty: the slider's upper end is infinity, and this is its word
     /// The value now; nothing: it is not the same for all that is meant.
     std::function<std::optional<double>()> get;
     /// Where the button leads back to; nothing or an empty function: it has no such value.
@@ -53,6 +57,8 @@ public:
     const ValueSpec& spec() const { return spec_; }
 
 private:
+    double share(double value) const;
+    double ofShare(double share) const;
     int position(double value) const;
     double value(int position) const;
     wxString text(std::optional<double> value) const;

@@ -414,7 +414,9 @@ std::string colourOf(const sulfur::scene::Placement& body) {
     const auto own = body.extra.find("");
     if (own == body.extra.end()) return "";
     const auto* member = sulfur::scene::findExtra(own->second, "color");
-    if (member == nullptr || member->json.size() != 9 || member->json[1] != '#') return "";
+    if (member == nullptr || member->json.size() != 9 || member->json[1] != '#' ||
+        member->json.find_first_not_of("0123456789abcdefABCDEF", 2) != 8)
+        return "";
     return member->json.substr(1, 7);
 }
 

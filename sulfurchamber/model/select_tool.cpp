@@ -29,6 +29,7 @@ public:
             return;
         }
         if (!bench().selected(body)) bench().select({body});
+        pressed_ = body;
         if (document().playing()) {
             grip_ = Grip::take(world(), pointer.position, pointer.reach);
             if (grip_) doing_ = Doing::pull;
@@ -47,7 +48,10 @@ public:
         if (doing_ == Doing::idle) return;
         move(pointer);
         if (doing_ == Doing::band) selectBand();
+        // A click without a drag means this one of several.
+        const bool clicked = doing_ == Doing::move && !moved_;
         if (moved_) document().commit();
+        if (clicked && world().contains(pressed_)) bench().select({pressed_});
         finish();
     }
 
@@ -115,6 +119,7 @@ private:
     Doing doing_ = Doing::idle;
     bool additive_ = false;
     bool moved_ = false;
+    BodyId pressed_;
     Point from_{0, 0};
     Point to_{0, 0};
     std::optional<Grip> grip_;

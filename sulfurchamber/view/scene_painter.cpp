@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "../model/geometry.hpp"
+#include "../model/properties.hpp"
 #include "palette.hpp"
 
 namespace sulfurchamber {
@@ -54,7 +56,8 @@ bool holdsOthers(const World& world, const std::vector<std::vector<std::uint32_t
 
 }  // namespace
 
-const ScenePainter::Look& ScenePainter::lookOf(const World& world, BodyId body) {
+const ScenePainter::Look& ScenePainter::lookOf(const Document& document, BodyId body) {
+    const World& world = document.world();
     const auto joints = world.joints(body);
     const auto found = looks_.find(body);
     if (found != looks_.end() && found->second.jointCount == joints.size()) return found->second;
@@ -70,6 +73,10 @@ const ScenePainter::Look& ScenePainter::lookOf(const World& world, BodyId body) 
         tied.push_back(info.a);
         tied.push_back(info.b);
     }
+    if (const std::string id = document.idOf(body); !id.empty())
+        if (const std::string text = colourOf(document.plan().body(id)); !text.empty())
+            look.colour =
+                Color::hex(static_cast<std::uint32_t>(std::stoul(text.substr(1), nullptr, 16)));
     std::sort(tied.begin(), tied.end());
     const auto particles = world.particles(body);
     for (std::uint32_t i = 0; i < particles.size(); ++i)
@@ -77,14 +84,18 @@ const ScenePainter::Look& ScenePainter::lookOf(const World& world, BodyId body) 
     return looks_.insert_or_assign(body, std::move(look)).first->second;
 }
 
-ScenePainter::Posed ScenePainter::pose(const World& world, BodyId body) {
+ScenePainter::Posed ScenePainter::pose(const Document& document, BodyId body) {
+    const World& world = document.world();
     Posed posed;
     posed.id = body;
-    posed.look = &lookOf(world, body);
+    posed.look = &lookOf(document, body);
     posed.kind = world.kind(body);
     for (const ParticleId particle : world.particles(body)) posed.points.push_back(place(particle));
     const float light = shade(body);
-    if (posed.kind == sulfur::BodyKind::fixed) {
+    if (posed.look->colour) {
+        posed.fill = atlax::mix(palette::deep, *posed.look->colour, 0.8f);
+        posed.rim = atlax::mix(*posed.look->colour, palette::ice, 0.35f);
+    } else if (posed.kind == sulfur::BodyKind::fixed) {
         posed.fill = palette::steel;
         posed.rim = atlax::mix(palette::steel, palette::sky, 0.45f);
     } else if (posed.look->soft) {
@@ -108,6 +119,7 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
                          double alpha) {
     const Document& document = bench.document();
     canvas_ = &canvas;
+    document_ = &document;
     world_ = &document.world();
     options_ = &options;
     alpha_ = alpha;
@@ -116,7 +128,7 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     revision_ = document.revision();
 
     std::vector<Posed> bodies;
-    for (const BodyId body : world_->bodies()) bodies.push_back(pose(*world_, body));
+    for (const BodyId body : world_->bodies()) bodies.push_back(pose(document, body));
     for (const bool fixed : {true, false})
         for (const Posed& body : bodies)
             if ((body.kind == sulfur::BodyKind::fixed) == fixed)
@@ -236,7 +248,7 @@ void ScenePainter::paintVelocities() {
         if (world_->kind(body) == sulfur::BodyKind::fixed) continue;
         const auto particles = world_->particles(body);
         // A rope swings in itself: its particles tell more than their mean.
-        const bool each = lookOf(*world_, body).outlines.empty() && particles.size() > 2;
+        const bool each = lookOf(*document_, body).outlines.empty() && particles.size() > 2;
         if (!each) {
             Vec2 middle;
             for (const ParticleId particle : particles) middle += place(particle);

@@ -4,6 +4,7 @@
 #include <atlax/canvas.hpp>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "../model/workbench.hpp"
@@ -35,7 +36,8 @@ private:
         bool soft = false;
         bool filled = true;
         std::vector<std::vector<std::uint32_t>> outlines;
-        std::vector<std::uint32_t> lone;  // particles without joints
+        std::vector<std::uint32_t> lone;     // particles without joints
+        std::optional<atlax::Color> colour;  // of its own
     };
     // A body with the places of its particles in this frame.
     struct Posed {
@@ -47,8 +49,8 @@ private:
         atlax::Color rim;
     };
 
-    const Look& lookOf(const sulfur::World& world, sulfur::BodyId body);
-    Posed pose(const sulfur::World& world, sulfur::BodyId body);
+    const Look& lookOf(const Document& document, sulfur::BodyId body);
+    Posed pose(const Document& document, sulfur::BodyId body);
     void paintBody(const Posed& body, bool selected);
     void paintJoints(const Posed& body);
     void paintDiscs(const Posed& body);
@@ -65,6 +67,7 @@ private:
     std::uint64_t revision_ = 0;
     // Of the frame that is being painted.
     atlax::Canvas* canvas_ = nullptr;
+    const Document* document_ = nullptr;
     const sulfur::World* world_ = nullptr;
     const ViewOptions* options_ = nullptr;
     double alpha_ = 0;

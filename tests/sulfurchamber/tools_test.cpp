@@ -256,6 +256,10 @@ TEST(Tools, AFrameSelectsAndDeleteIsUndone) {
     EXPECT_EQ(bench.selection().size(), 2u);
     click(bench, {5, 2}, true);
     EXPECT_EQ(bench.selection().size(), 3u);
+    click(bench, {1, 2});
+    EXPECT_EQ(bench.selection().size(), 1u) << "a click means this one of several";
+    bench.selectAll();
+    bench.toggle(bench.document().world().bodies()[0]);
     bench.deleteSelection();
     EXPECT_EQ(bodyCount(bench), 1u);
     EXPECT_TRUE(bench.selection().empty());

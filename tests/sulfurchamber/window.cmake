@@ -93,6 +93,7 @@ foreach(size 640x480 900x600 1280x800)
   foreach(tool select box ball jelly rope ground pin cut erase)
     string(APPEND script "tool ${tool}\nwhole\n")
   endforeach()
+  string(APPEND script "do page-object\nwhole\ndo select-all\nwhole\ndo page-history\nwhole\n")
   file(WRITE ${WORK}/whole.txt "${script}screenshot ${WORK}/${size}.png\nrun 0.2\nwhole\n")
   run(0 ${XVFB_RUN} -a -s "-screen 0 ${size}x24" ${PROGRAM} --width ${width} --height ${height}
     --script ${WORK}/whole.txt)
@@ -128,3 +129,33 @@ expect strays = 0
 expect newest.y < 5
 ")
 run_window(0 --script ${WORK}/edit.txt)
+
+# Properties of one and of many, in a running world too.
+file(WRITE ${WORK}/properties.txt "
+do page-object
+tool box
+click -2 3
+tool jelly
+click 2 3
+tool select
+click -2 3
+expect selected = 1
+expect property.mass = 1
+property mass 5
+expect property.mass = 5
+label undo Undo “Change mass”
+run 0.3
+material steel
+expect property.density > 77
+do select-all
+screenshot ${WORK}/many.png
+do reset
+do undo                     # of the reset
+do undo                     # of the steel
+click -2 2.6
+expect property.mass = 5
+expect problem = 0
+do page-history
+screenshot ${WORK}/history.png
+")
+run_window(0 --script ${WORK}/properties.txt)

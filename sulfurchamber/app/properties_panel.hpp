@@ -1,0 +1,74 @@
+// A page of the side panel: what is selected, one body or many, and its properties.
+#pragma once
+
+#include <wx/button.h>
+#include <wx/checkbox.h>
+#include <wx/choice.h>
+#include <wx/clrpicker.h>
+#include <wx/scrolwin.h>
+#include <wx/stattext.h>
+#include <wx/textctrl.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "../model/properties.hpp"
+#include "../model/workbench.hpp"
+#include "value_row.hpp"
+
+namespace sulfurchamber {
+
+class PropertiesPanel final : public wxScrolledWindow {
+public:
+    /// `refuse` tells the user in one sentence why something was not taken.
+    PropertiesPanel(wxWindow* parent, Workbench& bench,
+                    std::function<void(const std::string&)> refuse);
+    ~PropertiesPanel() override;
+
+    /// Shows what is selected now. Cheap; may be called often.
+    void refresh();
+
+private:
+    static constexpr int layerCount = 8;
+
+    void makeHead(wxSizer* sizer);
+    void makeLayers(wxSizer* sizer);
+    void addPlace(wxSizer* sizer, const wxString& name, const wxString& unit, double limit,
+                  double (*get)(const sulfur::Pose&), void (*set)(sulfur::Pose&, double));
+    void addNumber(wxSizer* sizer, const NumberProperty& property);
+    /// Runs a change of the selection as one step; what is wrong is told.
+    void change(const std::string& label, const std::function<void()>& what);
+    void rename();
+    void readSelection();
+    void showHead();
+
+    Workbench& bench_;
+    std::function<void(const std::string&)> refuse_;
+    wxStaticText* title_ = nullptr;
+    wxTextCtrl* name_ = nullptr;
+    wxChoice* preset_ = nullptr;
+    wxCheckBox* held_ = nullptr;
+    wxColourPickerCtrl* colour_ = nullptr;
+    wxButton* ownColour_ = nullptr;
+    std::array<wxCheckBox*, layerCount> layers_{};
+    wxSizer* body_ = nullptr;  ///< all below the title
+    std::vector<std::unique_ptr<ValueRow>> places_;
+
+    /// A row, what the selection has in common, and what it had when it was selected.
+    struct Number {
+        const NumberProperty* property = nullptr;
+        std::unique_ptr<ValueRow> row;
+        Common now;
+        Common first;
+    };
+    std::vector<Number> numbers_;
+    std::vector<std::string> shownIds_;
+    std::uint64_t shownRevision_ = 0;
+    bool fresh_ = true;
+};
+
+}  // namespace sulfurchamber
