@@ -39,6 +39,24 @@ INSTANTIATE_TEST_SUITE_P(All, Gallery,
                              return name;
                          });
 
+/// Free ropes swing as ropes do, and come to rest.
+TEST(GalleryScenes, RopesCalmDown) {
+    Document document;
+    document.open(std::filesystem::path(SULFURCHAMBER_SCENES) / "rope.json");
+    const auto fastest = [&] {
+        double most = 0;
+        for (const auto body : document.world().bodies())
+            for (const auto particle : document.world().particles(body))
+                most = std::max(most,
+                                static_cast<double>(document.world().velocity(particle).norm()));
+        return most;
+    };
+    for (int i = 0; i < 500 * 2; ++i) document.tick();
+    EXPECT_GT(fastest(), 0.5);
+    for (int i = 0; i < 500 * 38; ++i) document.tick();
+    EXPECT_LT(fastest(), 0.25);
+}
+
 TEST(GalleryFolder, HasOnlyTheseScenes) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SULFURCHAMBER_SCENES))
