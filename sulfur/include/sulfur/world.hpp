@@ -444,15 +444,15 @@ public:
     void setSensor(BodyId body, bool sensor);
     /// Takes a body out of the world for a while (false), or back in (true). While it is out it
     /// stays where it is, with its velocities, touches nothing, and no query or sensor finds it; as
-    /// a sensor it feels nobody. Joints to other bodies and attachments do nothing meanwhile, on
-    /// either side, nor do grabs, forces and impulses; it neither sleeps nor wakes. Its handles are
-    /// valid, it can be looked at, drawn, moved by setPose() and changed, and what velocity it is
-    /// given it has when it comes back. Contacts end with the next tick, with their events; those
-    /// who were in it as a sensor are not told. When it comes back it goes on as it was, joints
-    /// and attachments close as if the caller had torn them apart, and what it overlaps then is led
-    /// apart slowly. Pieces that break off inherit it; scene files do not hold it. Wakes what
-    /// touched or is tied to it, and what sleeps where it comes back. Complexity: that of deriving
-    /// how all is solved, in the next tick.
+    /// a sensor it feels nobody. Joints to other bodies, attachments and mechanisms do nothing
+    /// meanwhile, on either side, nor do grabs, forces and impulses; it neither sleeps nor wakes.
+    /// Its handles are valid, it can be looked at, drawn, moved by setPose() and changed, and what
+    /// velocity it is given it has when it comes back. Contacts end with the next tick, with their
+    /// events; those who were in it as a sensor are not told. When it comes back it goes on as it
+    /// was, joints and attachments close as if the caller had torn them apart, and what it overlaps
+    /// then is led apart slowly. Pieces that break off inherit it; scene files do not hold it.
+    /// Wakes what touched or is tied to it, and what sleeps where it comes back. Complexity: that
+    /// of deriving how all is solved, in the next tick.
     void setEnabled(BodyId body, bool enabled);
     /// Changes who moves a body. What becomes dynamic goes on with the velocities of its particles,
     /// and discs with its angular velocity: from rest if it was fixed, as it was driven if it was

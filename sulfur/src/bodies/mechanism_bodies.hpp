@@ -26,4 +26,14 @@ void forEachTieOf(const State& state, const Mechanism& m, Function&& f) {
         addAll(state.mechanisms.list[state.mechanisms.slots.dense(part)]);
 }
 
+/// Whether it does nothing, because a body of it takes no part.
+inline bool isCut(const State& state, const Mechanism& m) {
+    bool cut = state.bodies[state.bodySlots.dense(m.a)].disabled ||
+               state.bodies[state.bodySlots.dense(m.b)].disabled;
+    forEachTieOf(state, m, [&](std::uint32_t a, std::uint32_t b) {
+        cut |= state.bodies[a].disabled || state.bodies[b].disabled;
+    });
+    return cut;
+}
+
 }  // namespace sulfur::detail

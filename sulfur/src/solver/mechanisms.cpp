@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory_resource>
 
+#include "bodies/mechanism_bodies.hpp"
 #include "contacts/touch_rows.hpp"
 #include "core/limits.hpp"
 #include "core/settings.hpp"
@@ -151,7 +152,7 @@ void startMechanisms(State& state) {
     const double h = static_cast<double>(state.h), perForce = multiplierPerForce(state);
     for (std::uint32_t i = 0; i < all.list.size(); ++i) {
         Mechanism& m = all.list[i];
-        if (!isAwake(state, m)) continue;
+        if (!isAwake(state, m) || isCut(state, m)) continue;
         for (MechanismArm& arm : m.arms)
             if (arm.from) arm.angle = angleOf(state, arm, false);
         for (const auto number : {RowOf::drive, RowOf::across, RowOf::angle}) {
@@ -189,7 +190,7 @@ void recordMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     const double perMultiplier = static_cast<double>(newtonsPerMultiplier(state));
     for (Mechanism& m : all.list)
-        if (isAwake(state, m)) m.forces = {};
+        if (isAwake(state, m) || isCut(state, m)) m.forces = {};
     for (const MechanismRow& row : all.rows) {
         const auto newtons = [&](double multiplier) {
             return static_cast<Real>(perMultiplier * multiplier);
