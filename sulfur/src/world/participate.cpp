@@ -4,6 +4,7 @@
 #include "bodies/pose.hpp"
 #include "bodies/sleep.hpp"
 #include "contacts/stages.hpp"
+#include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/room.hpp"
 #include "rigid/disc_turns.hpp"
@@ -18,6 +19,7 @@ using detail::Attachment;
 using detail::BodyRecord;
 using detail::Cluster;
 using detail::indexOf;
+using detail::none;
 using detail::RigidMotion;
 using detail::State;
 
