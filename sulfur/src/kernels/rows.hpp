@@ -2,8 +2,8 @@
 //
 // A block holds eight rows of one colour: no two of them share a body that can be pushed. The same
 // source, rows.ipp, is compiled for every x86-64, for AVX2 and for AVX-512 and gives the same bits:
-// lanes do not meet, roots and divisions are exact, no product is fused with a sum. As in joint_sweep.hpp
-// nothing here may include a header with functions.
+// lanes do not meet, roots and divisions are exact, no product is fused with a sum. As in
+// joint_sweep.hpp nothing here may include a header with functions.
 //
 // Velocities are displacements of a step (m, rad), impulses are momenta times the step (kg m).
 #pragma once
