@@ -176,9 +176,9 @@ QueryShape fromC(const SulfurQueryShape& shape) {
 }
 
 DrawOptions fromC(const SulfurDrawOptions& options) {
-    return {options.bodies,   options.particles, options.discs,       options.joints,
-            options.capsules, options.contacts,  options.attachments, options.fields,
-            options.grabs,    options.alpha,     fromC(options.view)};
+    return {options.bodies,   options.particles,  options.discs,       options.joints,
+            options.capsules, options.contacts,   options.attachments, options.fields,
+            options.grabs,    options.mechanisms, options.alpha,       fromC(options.view)};
 }
 
 // --- to C ----------------------------------------------------------------------------------------
@@ -285,9 +285,9 @@ SulfurGrabOptions toC(const GrabOptions& options) {
 }
 
 SulfurDrawOptions toC(const DrawOptions& options) {
-    return {options.bodies,   options.particles, options.discs,       options.joints,
-            options.capsules, options.contacts,  options.attachments, options.fields,
-            options.grabs,    options.alpha,     toC(options.view)};
+    return {options.bodies,   options.particles,  options.discs,       options.joints,
+            options.capsules, options.contacts,   options.attachments, options.fields,
+            options.grabs,    options.mechanisms, options.alpha,       toC(options.view)};
 }
 
 }  // namespace sulfur::c

@@ -41,6 +41,11 @@ public:
         tell(to_.field, SulfurDrawnField{toC(f.id), toC(*f.field)});
     }
     void grab(const Grab& g) override { tell(to_.grab, SulfurDrawnGrab{toC(g.id), toC(g.info)}); }
+    void mechanism(const Mechanism& m) override {
+        SulfurDrawnMechanism drawn{toC(m.id), toC(m.info), {}, 0};
+        for (const Point& place : m.places) drawn.places[drawn.count++] = toC(place);
+        tell(to_.mechanism, drawn);
+    }
 
 private:
     template <class Shown>

@@ -53,6 +53,11 @@ public:
     void grab(const Grab& grab) override {
         pen_.spring(Vec2(grab.info.point), Vec2(grab.info.target));
     }
+    void mechanism(const Mechanism& mechanism) override {
+        // A pin alone is shown as what holds it: an attachment.
+        for (std::size_t i = 1; i < mechanism.places.size(); ++i)
+            pen_.spring(Vec2(mechanism.places[i - 1]), Vec2(mechanism.places[i]));
+    }
     void field(const FieldShape& shape) override {
         std::visit([this](const auto& field) { drawField(field); }, *shape.field);
     }

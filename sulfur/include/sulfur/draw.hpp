@@ -21,18 +21,20 @@ struct DrawOptions {
     bool attachments = true;  ///< DebugDraw::attachment
     bool fields = true;       ///< DebugDraw::field
     bool grabs = true;        ///< DebugDraw::grab
+    bool mechanisms = true;   ///< DebugDraw::mechanism
     /// How much of the next tick has passed on the clock, 0 to 1: places are between those of the
     /// last two ticks, as World::interpolated gives them. Contacts are where the tick left them.
     double alpha = 1;
     /// Bodies with none of their particles in here are left out with all that is theirs, joints
-    /// between bodies and attachments with none of their ends; fields and grabs are always shown.
+    /// between bodies, attachments and mechanisms with none of their ends; fields and grabs are
+    /// always shown.
     Zone view = Everywhere{};
 };
 
 /// Receives what World::draw shows, in this order: fields, then body by body (oldest first) the
 /// body itself, its capsules, joints, discs and particles, then joints between bodies, attachments,
-/// grabs and contacts. Override what is of interest; everything else does nothing. Places are in
-/// the world, metres. The world must not be changed meanwhile.
+/// mechanisms, grabs and contacts. Override what is of interest; everything else does nothing.
+/// Places are in the world, metres. The world must not be changed meanwhile.
 class DebugDraw {
 public:
     /// A particle.
@@ -98,6 +100,15 @@ public:
         GrabId id = {};      ///< its handle
         GrabInfo info = {};  ///< where it holds and pulls
     };
+    /// A mechanism. Bodies of one particle that are its pins are shown as bodies too.
+    struct Mechanism {
+        MechanismId id = {};      ///< its handle
+        MechanismInfo info = {};  ///< what it is and does
+        /// Metres, only during the call. Hinge and weld: the pin, or without one a place of each
+        /// body. Slider: where its value is 0, then where it is. Distance: both points. Pulley: the
+        /// rope from a over the frame to b. Gear: the first place of each of its two mechanisms.
+        std::span<const Point> places;
+    };
 
     virtual ~DebugDraw() = default;
     /// Called for each body.
@@ -118,6 +129,8 @@ public:
     virtual void field(const FieldShape&) {}
     /// Called for each grab.
     virtual void grab(const Grab&) {}
+    /// Called for each mechanism.
+    virtual void mechanism(const Mechanism&) {}
 };
 
 }  // namespace sulfur

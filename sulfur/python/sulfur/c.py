@@ -831,6 +831,7 @@ class DrawOptions(Structure):
         ("attachments", c_bool),
         ("fields", c_bool),
         ("grabs", c_bool),
+        ("mechanisms", c_bool),
         ("alpha", c_double),
         ("view", Zone),
     ]
@@ -916,6 +917,15 @@ class DrawnGrab(Structure):
     ]
 
 
+class DrawnMechanism(Structure):
+    _fields_ = [
+        ("id", MechanismId),
+        ("info", MechanismInfo),
+        ("places", Vec * 4),
+        ("count", c_uint32),
+    ]
+
+
 DrawBody = CFUNCTYPE(None, c_void_p, POINTER(DrawnBody))
 DrawParticle = CFUNCTYPE(None, c_void_p, POINTER(DrawnParticle))
 DrawDisc = CFUNCTYPE(None, c_void_p, POINTER(DrawnDisc))
@@ -925,6 +935,7 @@ DrawContact = CFUNCTYPE(None, c_void_p, POINTER(ContactInfo))
 DrawAttachment = CFUNCTYPE(None, c_void_p, POINTER(DrawnAttachment))
 DrawField = CFUNCTYPE(None, c_void_p, POINTER(DrawnField))
 DrawGrab = CFUNCTYPE(None, c_void_p, POINTER(DrawnGrab))
+DrawMechanism = CFUNCTYPE(None, c_void_p, POINTER(DrawnMechanism))
 
 
 class DebugDraw(Structure):
@@ -939,6 +950,7 @@ class DebugDraw(Structure):
         ("attachment", DrawAttachment),
         ("field", DrawField),
         ("grab", DrawGrab),
+        ("mechanism", DrawMechanism),
     ]
 
 

@@ -323,7 +323,7 @@ class World:
 
     def draw(self, visitor, **options):
         """Calls those of visitor's methods body, particle, disc, joint, capsule, contact,
-        attachment, field and grab that it has, each with a struct of sulfur.c that is valid only
+        attachment, field, grab and mechanism that it has, each with a struct of sulfur.c that is valid only
         meanwhile: sulfur/c/draw.h."""
         functions = c.DebugDraw()
         for name, kind in c.DebugDraw._fields_[1:]:

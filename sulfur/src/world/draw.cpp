@@ -1,5 +1,7 @@
 // World: showing itself to a visitor.
+#include <algorithm>
 #include <sulfur/draw.hpp>
+#include <vector>
 
 #include "core/error_checks.hpp"
 #include "solver/zones.hpp"
@@ -34,6 +36,8 @@ public:
         }
         if (options_.attachments)
             for (const auto& held : state_.attachments) drawAttachment(held);
+        if (options_.mechanisms)
+            for (const auto& mechanism : state_.mechanisms.list) drawMechanism(mechanism);
         if (options_.grabs)
             for (const GrabId id : world_.grabs()) to_.grab({id, world_.info(id)});
         if (options_.contacts)
@@ -45,6 +49,13 @@ private:
     Point place(std::uint32_t i) const {
         const auto& p = state_.particles;
         return p.position[i] - (1 - options_.alpha) * p.displacement[i].cast<double>();
+    }
+    Point place(ParticleId id) const { return place(state_.particleSlots.dense(id)); }
+    Point place(const detail::MechanismPoint& point) const {
+        Point sum(0, 0);
+        for (std::uint32_t k = 0; k < point.count; ++k)
+            sum += static_cast<double>(point.weight[k]) * place(point.support[k]);
+        return sum;
     }
     bool inView(std::uint32_t i) const { return detail::contains(options_.view, place(i)); }
     bool anyInView(const BodyRecord& body) const {
@@ -125,6 +136,39 @@ private:
         }
         if (seen)
             to_.attachment({held.id, place(held.particle), point, {supports.data(), held.count}});
+    }
+
+    /// DebugDraw::Mechanism says which.
+    std::vector<Point> placesOf(const detail::Mechanism& m) const {
+        const auto& p = m.points;
+        switch (m.kind) {
+            case MechanismKind::hinge:
+            case MechanismKind::weld:
+                if (!m.pins[0]) return {place(m.arms[0].from), place(m.arms[1].from)};
+                return {
+                    place(state_.attachments[state_.attachmentSlots.dense(m.pins[0])].particle)};
+            case MechanismKind::slider:
+                return {place(p[1]), place(p[0])};
+            case MechanismKind::distance:
+                return {place(p[0]), place(p[1])};
+            case MechanismKind::pulley:
+                return {place(p[1]), place(p[0]), place(p[2]), place(p[3])};
+            case MechanismKind::gear:
+                break;
+        }
+        std::vector<Point> ends;
+        for (const MechanismId part : m.parts) ends.push_back(placesOf(partOf(part)).front());
+        return ends;
+    }
+    const detail::Mechanism& partOf(MechanismId id) const {
+        return state_.mechanisms.list[state_.mechanisms.slots.dense(id)];
+    }
+
+    void drawMechanism(const detail::Mechanism& m) {
+        const std::vector<Point> places = placesOf(m);
+        const auto seen = [&](const Point& at) { return detail::contains(options_.view, at); };
+        if (std::any_of(places.begin(), places.end(), seen))
+            to_.mechanism({m.id, world_.info(m.id), places});
     }
 
     const World& world_;

@@ -240,7 +240,8 @@ const char* c_check_state(void) {
 
 /* How often each function was called. */
 typedef struct Counts {
-    int bodies, particles, discs, joints, capsules, contacts, attachments, fields, grabs;
+    int bodies, particles, discs, joints, capsules, contacts, attachments, fields, grabs,
+        mechanisms;
     double drag;
     SulfurVec support;
 } Counts;
@@ -275,15 +276,22 @@ static void count_grab(void* user, const SulfurDrawnGrab* grab) {
     ((Counts*)user)->grabs += grab->info.target.y == 4;
 }
 
+static void count_mechanism(void* user, const SulfurDrawnMechanism* mechanism) {
+    ((Counts*)user)->mechanisms += mechanism->info.kind == SULFUR_DISTANCE &&
+                                   mechanism->count == 2 && mechanism->places[0].x < -4;
+}
+
 const char* c_check_draw(void) {
     SulfurWorld* world = NULL;
     SulfurBodyId crates[5];
     SulfurDebugDraw draw = sulfur_debug_draw_default();
     SulfurDrawOptions options = sulfur_draw_options_default();
     SulfurStatistics statistics;
+    SulfurMechanismId rod;
     Counts counts;
     const char* wrong = c_make_scene(&world, crates);
     if (wrong) return wrong;
+    OK(sulfur_world_distance(world, crates[0], v(-5, 0.6), crates[1], v(-5, 1.7), NULL, &rod));
     OK(sulfur_world_step(world));
     OK(sulfur_world_statistics(world, &statistics));
     memset(&counts, 0, sizeof counts);
@@ -298,11 +306,13 @@ const char* c_check_draw(void) {
     draw.attachment = count_attachment;
     draw.field = count_field;
     draw.grab = count_grab;
+    draw.mechanism = count_mechanism;
     OK(sulfur_world_draw(world, &draw, NULL));
     CHECK(counts.bodies >= 10 && counts.particles == (int)statistics.particles);
     CHECK(counts.discs == 1 && counts.joints == (int)statistics.joints && counts.capsules > 20);
     CHECK(counts.attachments >= 1 && counts.attachments <= 3 && counts.support.y > 6);
     CHECK(counts.fields == 1 && counts.drag == 0.125 && counts.grabs == 1);
+    CHECK(counts.mechanisms == 1);
     memset(&counts, 0, sizeof counts);
     options.particles = false;
     options.view.kind = SULFUR_CIRCLE_ZONE;

@@ -15,6 +15,8 @@ struct Recorder final : DebugDraw {
     std::vector<Point> supports;
     std::vector<FieldId> fields;
     std::vector<Grab> grabs;
+    std::vector<Mechanism> mechanisms;
+    std::vector<std::vector<Point>> places;  // of mechanisms
 
     void body(const Body& b) override { bodies.push_back(b); }
     void particle(const Particle& p) override { particles.push_back(p); }
@@ -31,10 +33,15 @@ struct Recorder final : DebugDraw {
         EXPECT_TRUE(std::holds_alternative<WindField>(*f.field));
     }
     void grab(const Grab& g) override { grabs.push_back(g); }
+    void mechanism(const Mechanism& m) override {
+        mechanisms.push_back(m);
+        places.emplace_back(m.places.begin(), m.places.end());
+    }
 
     std::size_t count() const {
         return bodies.size() + particles.size() + discs.size() + joints.size() + capsules.size() +
-               contacts.size() + attachments.size() + fields.size() + grabs.size();
+               contacts.size() + attachments.size() + fields.size() + grabs.size() +
+               mechanisms.size();
     }
 };
 
@@ -138,6 +145,52 @@ TEST_F(Drawn, PlacesAreInterpolated) {
     test::expectRefused(world, ErrorCode::outOfRange, [&] { world.draw(seen, {.alpha = 2}); });
     test::expectRefused(world, ErrorCode::notFinite,
                         [&] { world.draw(seen, {.alpha = std::nan("")}); });
+}
+
+struct DrawnMechanisms : testing::Test {
+    World world{{.gravity = {0, 0}}};
+    Body frame = world.add(shapes::floor({-5, 5}, {5, 5}));
+    Body a = world.add(shapes::box()), b = world.add(shapes::box(), {.position = {2, 0}});
+    MechanismId hinge = world.hinge(frame, a, {0, 0});
+    MechanismId slider =
+        world.slider(frame, b, {2, 0}, {0, 2}, {.drive = {.motorSpeed = 1, .motorMax = infinite}});
+    MechanismId loose = world.hinge(a, b, {1, 0}, {.collide = true, .pin = false});
+    MechanismId distance = world.distance(a, {0, 0}, b, {2, 0});
+    MechanismId pulley = world.pulley(a, {0, 0}, {0, 5}, b, {2, 0}, {2, 5}, frame, {.length = 99});
+    Recorder seen;
+
+    void expectPlaces(std::size_t which, MechanismId id, const std::vector<Point>& places) {
+        EXPECT_EQ(seen.mechanisms[which].id, id);
+        EXPECT_EQ(seen.mechanisms[which].info.kind, world.info(id).kind);
+        ASSERT_EQ(seen.places[which].size(), places.size()) << which;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            EXPECT_LT((seen.places[which][i] - places[i]).norm(), 1e-4) << which << ' ' << i;
+    }
+};
+
+TEST_F(DrawnMechanisms, ShowWhatTheyRunThrough) {
+    test::run(world, 0.1);
+    const MechanismId gear = world.gear(slider, distance, 1);
+    const MechanismId weld = world.weld(frame, b, {2, 0.1}, {.stiffness = 0});
+    world.draw(seen);
+    ASSERT_EQ(seen.mechanisms.size(), 7u);
+    const double up = world.info(slider).value;
+    EXPECT_NEAR(up, 0.1, 0.01);
+    expectPlaces(0, hinge, {{0, 0}});
+    expectPlaces(1, slider, {{2, 0}, {2, up}});
+    EXPECT_EQ(seen.places[2].size(), 2u);
+    expectPlaces(3, distance, {{0, 0}, {2, up}});
+    expectPlaces(4, pulley, {{0, 0}, {0, 5}, {2, 5}, {2, up}});
+    expectPlaces(5, gear, {{2, 0}, {0, 0}});
+    expectPlaces(6, weld, {{2, 0.1}});
+}
+
+TEST_F(DrawnMechanisms, AreLeftOutWithTheirOptionAndOutOfView) {
+    world.draw(seen, {.mechanisms = false});
+    EXPECT_TRUE(seen.mechanisms.empty());
+    world.draw(seen, {.view = CircleZone{{0, 5}, 1}});
+    ASSERT_EQ(seen.mechanisms.size(), 1u);
+    EXPECT_EQ(seen.mechanisms[0].id, pulley);
 }
 
 TEST_F(Drawn, DrawingChangesNothing) {

@@ -9,6 +9,7 @@
 #include <sulfur/c/blueprint.h>
 #include <sulfur/c/events.h>
 #include <sulfur/c/fields.h>
+#include <sulfur/c/mechanisms.h>
 #include <sulfur/c/parts.h>
 #include <sulfur/c/world.h>
 
@@ -27,6 +28,7 @@ typedef struct SulfurDrawOptions {
     bool attachments;  ///< SulfurDebugDraw::attachment
     bool fields;       ///< SulfurDebugDraw::field
     bool grabs;        ///< SulfurDebugDraw::grab
+    bool mechanisms;   ///< SulfurDebugDraw::mechanism
     double alpha;      ///< how much of the next tick has passed on the clock, 0 to 1
     SulfurZone view;   ///< what is outside is left out
 } SulfurDrawOptions;
@@ -105,6 +107,14 @@ typedef struct SulfurDrawnGrab {
     SulfurGrabInfo info;  ///< where it holds and pulls
 } SulfurDrawnGrab;
 
+/// A mechanism.
+typedef struct SulfurDrawnMechanism {
+    SulfurMechanismId id;      ///< its handle
+    SulfurMechanismInfo info;  ///< what it is and does
+    SulfurVec places[4];       ///< metres; sulfur::DebugDraw::Mechanism says which
+    uint32_t count;            ///< of the places, 1 to 4
+} SulfurDrawnMechanism;
+
 /// Gets a body.
 typedef void (*SulfurDrawBody)(void* user, const SulfurDrawnBody* body);
 /// Gets a particle.
@@ -123,6 +133,8 @@ typedef void (*SulfurDrawAttachment)(void* user, const SulfurDrawnAttachment* at
 typedef void (*SulfurDrawField)(void* user, const SulfurDrawnField* field);
 /// Gets a grab.
 typedef void (*SulfurDrawGrab)(void* user, const SulfurDrawnGrab* grab);
+/// Gets a mechanism.
+typedef void (*SulfurDrawMechanism)(void* user, const SulfurDrawnMechanism* mechanism);
 
 /// Receives what is shown, in the order that sulfur::DebugDraw has; null functions are not called.
 typedef struct SulfurDebugDraw {
@@ -136,6 +148,7 @@ typedef struct SulfurDebugDraw {
     SulfurDrawAttachment attachment;  ///< called for each attachment
     SulfurDrawField field;            ///< called for each force field
     SulfurDrawGrab grab;              ///< called for each grab
+    SulfurDrawMechanism mechanism;    ///< called for each mechanism
 } SulfurDebugDraw;
 /// No functions.
 SULFUR_API SulfurDebugDraw sulfur_debug_draw_default(void);
