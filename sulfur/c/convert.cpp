@@ -50,7 +50,8 @@ std::vector<Vec2> vectors(const SulfurVec* list, std::size_t count) {
 
 Material fromC(const SulfurMaterial& material) {
     return {real(material.static_friction), real(material.kinetic_friction),
-            real(material.restitution), real(material.surface_speed)};
+            real(material.restitution), real(material.surface_speed),
+            real(material.rolling_resistance)};
 }
 
 ParticleSpec fromC(const SulfurParticleSpec& particle) {
@@ -185,7 +186,7 @@ DrawOptions fromC(const SulfurDrawOptions& options) {
 
 SulfurMaterial toC(const Material& material) {
     return {toC(material.staticFriction), toC(material.kineticFriction), toC(material.restitution),
-            toC(material.surfaceSpeed)};
+            toC(material.surfaceSpeed), toC(material.rollingResistance)};
 }
 
 SulfurParticleSpec toC(const ParticleSpec& particle) {

@@ -41,7 +41,7 @@ struct PreSolveContact {
 
 /// Whether a contact acts in this step, and how. `surface`, which may be changed, is how both
 /// surfaces meet: their friction, their restitution, and the speed at which that of b carries a to
-/// the right of the normal. See World::setPreSolve().
+/// the right of the normal; rolling resistance is no part of it. See World::setPreSolve().
 using PreSolve = std::function<bool(const PreSolveContact& contact, Material& surface)>;
 
 }  // namespace sulfur

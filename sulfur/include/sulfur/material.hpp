@@ -8,8 +8,8 @@
 namespace sulfur {
 
 /// Surface constants of a body or of one of its joints. Where two surfaces meet, each coefficient
-/// of friction is the geometric mean of the two, restitution the larger one, and surface speeds
-/// add up. Impacts below WorldSettings::reboundSpeed never rebound.
+/// of friction is the geometric mean of the two, restitution and rolling resistance are the larger
+/// ones, and surface speeds add up. Impacts below WorldSettings::reboundSpeed never rebound.
 struct Material {
     Real staticFriction = Real(0.6);   ///< coefficient, kineticFriction to 1e6
     Real kineticFriction = Real(0.5);  ///< coefficient, 0 to 1e6
@@ -17,6 +17,15 @@ struct Material {
     /// m/s, up to 1000 either way, at which the surface runs along itself as a conveyor belt does:
     /// to the right of its outward normal, so that a belt carries what lies on it towards +x.
     Real surfaceSpeed = 0;
+    /// Coefficient, 0 to 1000: of a couple against how two rigid bodies that press on each other
+    /// turn against each other, at most c R N, with the force N of their contact and 1/R = 1/R1 +
+    /// 1/R2, where each R is how far the centre of a body is from the plane of the contact, and
+    /// what cannot turn counts as flat (Ai et al. 2011, "Assessment of rolling resistance models in
+    /// discrete element simulations", model A). For a disc on flat ground this is engineering's
+    /// coefficient of rolling resistance: a force of c N at its axle keeps it rolling, it loses
+    /// 2/3 c g by itself, and stays on slopes of less than atan(c). What is soft rolls nobody. Not
+    /// with Friction::sliding, under which nothing rolls.
+    Real rollingResistance = 0;
 
     /// Member by member.
     friend bool operator==(const Material&, const Material&) = default;

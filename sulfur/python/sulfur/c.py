@@ -96,6 +96,7 @@ class Material(Structure):
         ("kinetic_friction", c_double),
         ("restitution", c_double),
         ("surface_speed", c_double),
+        ("rolling_resistance", c_double),
     ]
 
 

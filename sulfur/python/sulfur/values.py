@@ -50,7 +50,8 @@ def options_of(name, options):
 
 
 def material(**options):
-    """A surface: static_friction, kinetic_friction, restitution, surface_speed."""
+    """A surface: static_friction, kinetic_friction, restitution, surface_speed,
+    rolling_resistance."""
     return options_of("material", options)
 
 

@@ -43,6 +43,8 @@ void describe(Visitor& v, Object& o) {
     v.number("restitution", o.restitution, d.restitution, 0, 1);
     v.number("surfaceSpeed", o.surfaceSpeed, d.surfaceSpeed, -Limits::surfaceSpeed,
              Limits::surfaceSpeed);
+    v.number("rollingResistance", o.rollingResistance, d.rollingResistance, 0,
+             Limits::rollingResistance);
 }
 
 template <class Visitor, Is<Filter> Object>

@@ -80,14 +80,13 @@ void spreadStaleness(State& state) {
     }
 }
 
-/// How many surfaces bounce.
-std::uint32_t countBouncing(const State& state, const BodyRecord& body) {
+/// How many surfaces of a body bounce, or resist rolling.
+std::uint32_t countSurfaces(const State& state, const BodyRecord& body, Real Material::*what) {
     const auto& material = state.joints.material;
     return static_cast<std::uint32_t>(
-        (body.material.restitution > 0) +
-        std::count_if(body.joints.begin(), body.joints.end(), [&](JointId id) {
-            return material[state.jointSlots.dense(id)].restitution > 0;
-        }));
+        (body.material.*what > 0) +
+        std::count_if(body.joints.begin(), body.joints.end(),
+                      [&](JointId id) { return material[state.jointSlots.dense(id)].*what > 0; }));
 }
 
 template <class Function>
@@ -135,7 +134,8 @@ void listAwake(State& state) {
     core.moverIsCluster.resize(core.movers.size(), 0);
     for (; core.listedBodies < state.bodies.size(); ++core.listedBodies) {
         const BodyRecord& body = state.bodies[core.listedBodies];
-        core.bouncingPairs += countBouncing(state, body);
+        core.bouncingPairs += countSurfaces(state, body, &Material::restitution);
+        core.rollingSurfaces += countSurfaces(state, body, &Material::rollingResistance);
         if (body.sensor && !body.disabled) state.sensing.bodies.push_back(core.listedBodies);
         if (body.gone == 0) listBody(state, core.listedBodies);
     }
@@ -247,9 +247,11 @@ void clearLists(State& state) {
     core.awakeIsCluster.clear();
     core.moverIsCluster.clear();
     state.sensing.bodies.clear();
-    core.listedBodies = core.bouncingPairs = 0;
-    for (const auto j : state.work.tiedJoints)
+    core.listedBodies = core.bouncingPairs = core.rollingSurfaces = 0;
+    for (const auto j : state.work.tiedJoints) {
         if (state.joints.material[j].restitution > 0) ++core.bouncingPairs;
+        if (state.joints.material[j].rollingResistance > 0) ++core.rollingSurfaces;
+    }
 }
 
 bool isAwake(const State& state, std::uint32_t bodySlot) {
@@ -321,8 +323,10 @@ void makeRoomToForget(State& state, std::uint32_t slot) {
 void forgetBody(State& state, std::uint32_t index) {
     ContactCore& core = state.core;
     const BodyRecord& body = state.bodies[index];
-    if (!core.listsStale && index < core.listedBodies)
-        core.bouncingPairs -= countBouncing(state, body);
+    if (!core.listsStale && index < core.listedBodies) {
+        core.bouncingPairs -= countSurfaces(state, body, &Material::restitution);
+        core.rollingSurfaces -= countSurfaces(state, body, &Material::rollingResistance);
+    }
     if (body.sensor) std::erase(state.sensing.bodies, index);
     state.sensing.left = true;
     leaveLists(state, index);

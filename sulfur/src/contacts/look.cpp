@@ -38,6 +38,7 @@ Surfaces surfacesOf(const State& state, std::uint32_t corner, std::uint32_t body
     s.staticFriction = mean(a.staticFriction, b.staticFriction);
     s.kineticFriction = mean(a.kineticFriction, b.kineticFriction);
     s.restitution = std::max(a.restitution, b.restitution);
+    s.rolling = std::max(a.rollingResistance, b.rollingResistance);
     s.speed = a.surfaceSpeed + b.surfaceSpeed;
     if (state.settings.friction == Friction::sliding) {
         s.drag = s.kineticFriction;

@@ -118,6 +118,7 @@ private:
         block.staticFriction[lane] = surface.staticFriction;
         block.kineticFriction[lane] = surface.kineticFriction;
         block.slip[lane] = -surface.speed * state_.h;
+        core_.rows.manifoldShape(pair_.row).rolling[lane] = static_cast<float>(surface.rolling);
         pair_.drag = surface.drag;
         pair_.restitution = surface.restitution;
         p.pressing[lane] = inherited(wanted_[index], old, block, lane);

@@ -120,6 +120,7 @@ private:
         block.staticFriction[lane] = surface.staticFriction;
         block.kineticFriction[lane] = surface.kineticFriction;
         block.slip[lane] = -surface.speed * state_.h;
+        shape.rolling[lane] = static_cast<float>(surface.rolling);
         core_.rows.markTouch(touch.row);
         pair_.drag = surface.drag;
         pair_.restitution = surface.restitution;

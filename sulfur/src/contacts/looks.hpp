@@ -14,8 +14,9 @@ struct State;
 /// How surfaces meet.
 struct Surfaces {
     Real staticFriction = 0, kineticFriction = 0, restitution = 0;
-    Real speed = 0;  // m/s along the tangent
-    Real drag = 0;   // kg/s, with Friction::sliding, instead of the coefficients
+    Real speed = 0;    // m/s along the tangent
+    Real rolling = 0;  // coefficient of the couple against rolling
+    Real drag = 0;     // kg/s, with Friction::sliding, instead of the coefficients
 };
 /// Of a corner and a side, by their bodies' slots.
 Surfaces surfacesOf(const State& state, std::uint32_t corner, std::uint32_t bodyA,

@@ -14,6 +14,8 @@ struct SweepKind;
 
 /// Shapes, pairs and lists follow bodies that were made, changed, fell asleep or woke.
 void updateShapes(State& state);
+/// Couples against rolling change the spins of rigid components, before their motion is predicted.
+void resistRolling(State& state);
 /// Solver bodies take up the predicted motion, and what rows gave in the last step.
 void takeMotion(State& state);
 /// Boxes that something leaves in this step are made anew, with their pairs.

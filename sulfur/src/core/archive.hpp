@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <sulfur/error.hpp>
+#include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
 #include <type_traits>
 #include <utility>
@@ -168,6 +169,17 @@ public:
         bool present = value.has_value();
         (*this)(present);
         if (present) (*this)(*value);
+    }
+
+    /// Rolling resistance only where there is some, so that worlds without it hash as they did.
+    void operator()(Material& m) {
+        const Real common[] = {m.staticFriction, m.kineticFriction, m.restitution, m.surfaceSpeed};
+        bytes(common, sizeof common);
+        if (m.rollingResistance != 0) (*this)(m.rollingResistance);
+    }
+    void operator()(std::vector<Material>& list) {
+        mix(list.size());
+        for (Material& material : list) (*this)(material);
     }
 
     std::uint64_t result = 0x9e3779b97f4a7c15u;

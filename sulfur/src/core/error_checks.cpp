@@ -59,6 +59,7 @@ void validate(const Material& material) {
                  static_cast<double>(material.kineticFriction), 1e6, "static friction");
     requireRange(static_cast<double>(material.restitution), 0, 1, "restitution");
     requireRange(static_cast<double>(material.surfaceSpeed), -1000, 1000, "surface speed");
+    requireRange(static_cast<double>(material.rollingResistance), 0, 1000, "rolling resistance");
 }
 
 }  // namespace sulfur::detail

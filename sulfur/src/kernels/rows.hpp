@@ -111,8 +111,8 @@ struct ManifoldFeature {
 
 /// The part of a block that only refreshes read.
 struct alignas(sizeof(Lane)) ManifoldShape {
-    Places pair;  // whose row it is, or none
-    Places unused;
+    Places pair;                // whose row it is, or none
+    float rolling[rowLanes];    // coefficient of the couple against rolling, as long as Places
     Lane thickness;             // m, radii of both sides together
     Lane fineness;              // m, the least radii of both outlines together
     Lane lookX, lookY;          // m, where b was in the frame of a when the pair was looked at
@@ -143,18 +143,18 @@ struct alignas(sizeof(Lane)) TouchBlock {
 };
 
 struct alignas(sizeof(Lane)) TouchShape {
-    Places touch;  // whose row it is, or none
-    Places unused;
-    Lane thickness;         // m
-    Lane cornerX, cornerY;  // m, in the frame of p
-    Lane aX, aY, bX, bY;    // m, the side's ends in the frames of their bodies
-    Lane sameBody;          // 1: a moves both ends
-    Lane free;              // 1: the corner is a particle, which cannot turn
-    Lane share;             // of the thickness that the corner has
-    Lane outward;           // +1, -1: which way the side pushes, from a to b; 0: the
-                            // corner is before one of its ends
-    Lane endShare;          // of a corner before a corner: 0: it is the side's a, 1: its b
-    Lane low, high;         // where along the side (0 to 1) it stays this touch
+    Places touch;             // whose row it is, or none
+    float rolling[rowLanes];  // as of manifolds
+    Lane thickness;           // m
+    Lane cornerX, cornerY;    // m, in the frame of p
+    Lane aX, aY, bX, bY;      // m, the side's ends in the frames of their bodies
+    Lane sameBody;            // 1: a moves both ends
+    Lane free;                // 1: the corner is a particle, which cannot turn
+    Lane share;               // of the thickness that the corner has
+    Lane outward;             // +1, -1: which way the side pushes, from a to b; 0: the
+                              // corner is before one of its ends
+    Lane endShare;            // of a corner before a corner: 0: it is the side's a, 1: its b
+    Lane low, high;           // where along the side (0 to 1) it stays this touch
 };
 
 /// What a refresh reads beside the bodies.

@@ -169,7 +169,8 @@ struct ContactCore {
     std::vector<std::uint8_t> awakeIsCluster;
     std::vector<std::uint32_t> denseOfMover;  // the same by mover; none where it sleeps
     std::vector<std::uint8_t> moverIsCluster;
-    std::uint32_t bouncingPairs = 0;  // 0: nothing has restitution
+    std::uint32_t bouncingPairs = 0;    // 0: nothing has restitution
+    std::uint32_t rollingSurfaces = 0;  // 0: nothing resists rolling
     std::vector<std::uint32_t> awakeChunks, awakeStrips;
     std::vector<std::uint32_t> newChunks;  // in no grid yet
 

@@ -4,6 +4,7 @@
 
 #include "bodies/driven.hpp"
 #include "bodies/pose.hpp"
+#include "contacts/stages.hpp"
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "particles/motion.hpp"
@@ -112,6 +113,7 @@ void predict(State& state) {
     startFreshParticles(state);
     adoptStirredClusters(state);
     startMechanisms(state);
+    resistRolling(state);
     predictParticles(state);
     driveKinematicBodies(state);
     predictClusters(state);

@@ -35,9 +35,11 @@ void wakeOwner(State& state, std::uint32_t particle) {
     detail::wakeBody(state, state.particles.body[particle]);
 }
 
-/// The lists of contacts count what bounces.
+/// The lists of contacts count what bounces, and what resists rolling.
 void changeMaterial(State& state, Material& material, const Material& to) {
-    if ((material.restitution > 0) != (to.restitution > 0)) state.core.listsStale = true;
+    if ((material.restitution > 0) != (to.restitution > 0) ||
+        (material.rollingResistance > 0) != (to.rollingResistance > 0))
+        state.core.listsStale = true;
     material = to;
 }
 

@@ -67,6 +67,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.mechanisms);
     a(state.structureChanged);
     a(state.sensing.visits);
+    a(state.core.rollingSurfaces);  // asked before lists are made anew
 }
 
 /// Only where they are given: what a world follows without them is in its gravity.

@@ -175,8 +175,8 @@ TEST(CInterface, ShapesHaveTheDefaultsOfCpp) {
 
 constexpr SulfurVec corners[3] = {{0, 0}, {2, 0}, {1, 3}};
 const std::vector<Vec2> points{{0, 0}, {2, 0}, {1, 3}};
-constexpr SulfurMaterial surface{0.75, 0.25, 0.5, 3};
-const Material material{Real(0.75), Real(0.25), Real(0.5), 3};
+constexpr SulfurMaterial surface{0.75, 0.25, 0.5, 3, 0.125};
+const Material material{Real(0.75), Real(0.25), Real(0.5), 3, Real(0.125)};
 
 TEST(CInterfaceShapes, Ground) {
     SulfurBlueprint* made = nullptr;

@@ -146,7 +146,8 @@ JointId Caller::joint() {
 Material Caller::material() {
     const Real kinetic = std::abs(fraction());
     const Real more = std::abs(fraction()), restitution = fraction();
-    return {kinetic + more, kinetic, restitution, either() ? 0 : number()};
+    const Real speed = either() ? 0 : number();
+    return {kinetic + more, kinetic, restitution, speed, oneIn(3) ? number() : 0};
 }
 
 Filter Caller::filter() {

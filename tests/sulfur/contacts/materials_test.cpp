@@ -282,6 +282,7 @@ TEST(Materials, RefusesBadValues) {
     for (const Material& bad :
          {slippery, Material{.kineticFriction = -1}, Material{.restitution = Real(1.1)},
           Material{.restitution = -1}, Material{.surfaceSpeed = 1001},
+          Material{.rollingResistance = -1}, Material{.rollingResistance = 1001},
           Material{.staticFriction = Real(2e6)}}) {
         const auto refused = [&](auto&& call) {
             test::expectRefused(world, ErrorCode::outOfRange, call);

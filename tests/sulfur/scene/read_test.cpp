@@ -45,6 +45,7 @@ TEST(Read, GivesEveryMember) {
     EXPECT_TRUE(scene.prefab("rope")->blueprint.selfCollision);
     EXPECT_FALSE(scene.prefab("chain")->blueprint.selfCollision);
     EXPECT_EQ(plain.material.surfaceSpeed, Real(1.5));
+    EXPECT_EQ(plain.material.rollingResistance, Real(0.25));
     EXPECT_FALSE(plain.joints[0].material);
     EXPECT_EQ(plain.joints[1].material->surfaceSpeed, Real(-2.5));
     EXPECT_EQ(scene.connections[0].options.material->restitution, Real(0.45));
@@ -170,6 +171,8 @@ const Mistake mistakes[] = {
      "kineticFriction"},
     {R"({"particles": [{"position": [0, 0]}], "material": {"surfaceSpeed": 1001}})",
      "-1000 to 1000"},
+    {R"({"particles": [{"position": [0, 0]}], "material": {"rollingResistance": -1}})",
+     "0 to 1000"},
     {R"({"particles": [{"position": [0, 0]}], "selfCollision": 1})", "true or false"},
     {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "material": {"kineticFriction": 2}}]})",
      "kineticFriction"},

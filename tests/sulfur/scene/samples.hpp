@@ -33,7 +33,7 @@ inline const std::string fullScene = R"({
         {"a": 0, "b": 1, "c": 2, "stiffness": 12.5, "damping": 0.25, "restAngle": -1.5, "why": []}
       ],
       "material": {"staticFriction": 0.9, "kineticFriction": 0.8, "restitution": 0.7,
-                   "surfaceSpeed": 1.5, "wet": true},
+                   "surfaceSpeed": 1.5, "rollingResistance": 0.25, "wet": true},
       "filter": {"category": 2, "mask": 4294967294, "group": -3, "why": null},
       "selfCollision": true,
       "skin": {"texture": "art/plain.png", "uv": [[0, 1], [1, 1], [0, 0]],

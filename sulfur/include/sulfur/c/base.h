@@ -134,10 +134,11 @@ typedef struct SulfurMechanismId {
 
 /// How a surface behaves; sulfur::Material, which gives the ranges.
 typedef struct SulfurMaterial {
-    double static_friction;   ///< coefficient
-    double kinetic_friction;  ///< coefficient
-    double restitution;       ///< 0 to 1
-    double surface_speed;     ///< m/s, as of a conveyor belt
+    double static_friction;     ///< coefficient
+    double kinetic_friction;    ///< coefficient
+    double restitution;         ///< 0 to 1
+    double surface_speed;       ///< m/s, as of a conveyor belt
+    double rolling_resistance;  ///< coefficient, as of a wheel in sand
 } SulfurMaterial;
 /// That of a body for which none is given.
 SULFUR_API SulfurMaterial sulfur_material_default(void);

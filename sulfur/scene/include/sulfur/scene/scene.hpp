@@ -15,26 +15,27 @@ namespace sulfur::scene {
 
 /// Bounds of what a file may contain.
 struct Limits {
-    static constexpr std::size_t particles = 24'000;   ///< of all bodies, and of all blueprints
-    static constexpr std::size_t joints = 72'000;      ///< the same, with connections and angles
-    static constexpr std::size_t bodies = 24'000;      ///< of a scene
-    static constexpr std::size_t vetoes = 72'000;      ///< of a scene
-    static constexpr std::size_t fields = 1'000;       ///< of a scene
-    static constexpr double coordinate = 1'000;        ///< metres, either way
-    static constexpr double speed = 2'000;             ///< m/s
-    static constexpr double smallestMass = 1e-9;       ///< kg, of a particle
-    static constexpr double mass = 1e9;                ///< kg
-    static constexpr double stiffness = 1e18;          ///< N/m, beside "rigid"
-    static constexpr double damping = 1e12;            ///< N s/m, or N m s/rad
-    static constexpr double angularStiffness = 1e12;   ///< N m/rad
-    static constexpr double angle = 3.1415928;         ///< rad, either way; pi, also as Real
-    static constexpr double bending = 100;             ///< of ropes
-    static constexpr double strength = 1e18;           ///< N, beside "unbreakable"
-    static constexpr double friction = 1e6;            ///< coefficient
-    static constexpr double surfaceSpeed = 1'000;      ///< m/s, either way
-    static constexpr double gravity = 10'000;          ///< m/s^2
-    static constexpr std::size_t nameBytes = 100;      ///< of ids and names
-    static constexpr std::size_t textBytes = 100'000;  ///< of titles and descriptions
+    static constexpr std::size_t particles = 24'000;    ///< of all bodies, and of all blueprints
+    static constexpr std::size_t joints = 72'000;       ///< the same, with connections and angles
+    static constexpr std::size_t bodies = 24'000;       ///< of a scene
+    static constexpr std::size_t vetoes = 72'000;       ///< of a scene
+    static constexpr std::size_t fields = 1'000;        ///< of a scene
+    static constexpr double coordinate = 1'000;         ///< metres, either way
+    static constexpr double speed = 2'000;              ///< m/s
+    static constexpr double smallestMass = 1e-9;        ///< kg, of a particle
+    static constexpr double mass = 1e9;                 ///< kg
+    static constexpr double stiffness = 1e18;           ///< N/m, beside "rigid"
+    static constexpr double damping = 1e12;             ///< N s/m, or N m s/rad
+    static constexpr double angularStiffness = 1e12;    ///< N m/rad
+    static constexpr double angle = 3.1415928;          ///< rad, either way; pi, also as Real
+    static constexpr double bending = 100;              ///< of ropes
+    static constexpr double strength = 1e18;            ///< N, beside "unbreakable"
+    static constexpr double friction = 1e6;             ///< coefficient
+    static constexpr double rollingResistance = 1'000;  ///< coefficient
+    static constexpr double surfaceSpeed = 1'000;       ///< m/s, either way
+    static constexpr double gravity = 10'000;           ///< m/s^2
+    static constexpr std::size_t nameBytes = 100;       ///< of ids and names
+    static constexpr std::size_t textBytes = 100'000;   ///< of titles and descriptions
 };
 
 /// Where the particles of a body are when they have left the shape of its blueprint.
