@@ -26,6 +26,9 @@ Caller::Caller(std::unique_ptr<Numbers> numbers, bool asks, Calls calls)
                   &Caller::changeWorld,
                   &Caller::drive,
                   &Caller::saveOrRestore,
+                  &Caller::setCallbacks,
+                  &Caller::clone,
+                  &Caller::tick,
                   &Caller::tick,
                   &Caller::tick,
                   &Caller::tick};
@@ -51,6 +54,11 @@ std::unique_ptr<Caller> Caller::twin(bool asks) const {
     other->numbers_ = numbers_->clone();  // those that making it has used up
     other->world_ = std::make_unique<World>();
     other->world_->restore(world_->snapshot());
+    other->asksShouldCollide_ = asksShouldCollide_;
+    other->asksPreSolve_ = asksPreSolve_;
+    other->answers_ = answers_;
+    other->misbehaves_ = misbehaves_;
+    other->lendCallbacks();
     other->alive_ = alive_;
     other->gone_ = gone_;
     other->saved_ = saved_;

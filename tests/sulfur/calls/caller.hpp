@@ -22,6 +22,11 @@ inline void require(bool truth, const std::string& promise) {
     if (!truth) throw BrokenPromise("broken promise: " + promise);
 }
 
+/// What a callback throws.
+struct Refusal : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// What may be called: all of it, or only what gives nothing energy.
 enum class Calls { all, harmless };
 
@@ -56,6 +61,8 @@ public:
 
     /// One call. Throws BrokenPromise if it is refused and changes something all the same.
     void call();
+    /// A tick by itself, with what callbacks throw in it.
+    void step();
     /// Throws BrokenPromise unless everything is finite and what was there still is.
     void check();
 
@@ -105,6 +112,14 @@ private:
     void weaken();
     void bury(BodyId id);
 
+    // answers.cpp
+    void setCallbacks();
+    void lendCallbacks();
+    bool answerShouldCollide(BodyId a, BodyId b);
+    bool answerPreSolve(const PreSolveContact& contact, Material& surface);
+    void misbehave(std::uint64_t bits);
+    void clone();
+
     // changes.cpp
     void tie();
     void changeBody();
@@ -136,6 +151,10 @@ private:
     DividedTasks tasks_;
     std::vector<Call> calls_;
     std::vector<BodyId> alive_, gone_;
+    bool asksShouldCollide_ = false, asksPreSolve_ = false;
+    std::uint64_t answers_ = 0;   // what answers depend on, beside what is asked
+    bool misbehaves_ = false;     // a callback throws now and then
+    bool hasMisbehaved_ = false;  // in this tick
     Snapshot saved_;
     std::vector<BodyId> savedAlive_;
     int refused_ = 0, accepted_ = 0, broken_ = 0;

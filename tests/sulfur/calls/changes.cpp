@@ -262,7 +262,7 @@ void Caller::restore() {
 }
 
 void Caller::tick() {
-    world_->step();
+    step();
     const Events& events = world_->events();
     broken_ += static_cast<int>(events.jointsBroken.size());
     for (const BodySplit& split : events.bodiesSplit) alive_.push_back(split.piece);
