@@ -77,6 +77,8 @@ void MainFrame::addEditActions() {
     add({"select-all", m, "Select &all\tCtrl+A", 0, "Select all bodies", "",
          [this] { bench_.selectAll(); }})
         .separatorBefore = true;
+    add({"finish", m, "Close the &polygon", WXK_RETURN, "End what takes several clicks", "",
+         [this] { bench_.finish(); }});
     add({"cancel", m, "Select &nothing", WXK_ESCAPE,
          "Drop what the tool is doing and the selection", "", [this] {
              bench_.cancel();
@@ -105,8 +107,17 @@ void MainFrame::addToolActions() {
         {ToolKind::box, "&Box", 'B', "Rigid boxes"},
         {ToolKind::ball, "Ba&ll", 'O', "Balls"},
         {ToolKind::jelly, "&Jelly", 'J', "Soft boxes"},
+        {ToolKind::wheel, "&Wheel", 'W', "Wheels; on a body they turn about an axle"},
+        {ToolKind::polygon, "Pol&ygon", 'Y', "Rigid polygons, corner by corner"},
+        {ToolKind::draw, "&Draw", 'L', "Soft bodies, drawn freehand"},
         {ToolKind::rope, "&Rope", 'R', "Ropes between two points"},
+        {ToolKind::chain, "C&hain", 'H', "Chains of rigid links"},
+        {ToolKind::bridge, "Br&idge", 'U', "Bridges of planks between two pins"},
+        {ToolKind::cloth, "Cl&oth", 'Q', "Cloths that hang by their corners"},
+        {ToolKind::wall, "Wa&ll", 'N', "Walls that crumble"},
         {ToolKind::ground, "&Ground", 'G', "Fixed lines to stand on"},
+        {ToolKind::particle, "Pa&rticle", '1', "Particles, one by one"},
+        {ToolKind::joint, "Joi&nt", '2', "Joints between particles, one by one"},
         {ToolKind::pin, "&Pin", 'P', "Hold a particle where it is, or let it go"},
         {ToolKind::cut, "&Cut", 'X', "Cut through joints"},
         {ToolKind::erase, "&Erase", 'E', "Remove bodies"},
@@ -122,7 +133,8 @@ void MainFrame::addToolActions() {
              [this, kind = entry.kind] { bench_.setTool(kind); },
              {},
              [this, kind = entry.kind] { return bench_.tool() == kind; }})
-            .separatorBefore = entry.kind == ToolKind::box || entry.kind == ToolKind::pin;
+            .separatorBefore = entry.kind == ToolKind::box || entry.kind == ToolKind::rope ||
+                               entry.kind == ToolKind::particle || entry.kind == ToolKind::pin;
     }
 }
 

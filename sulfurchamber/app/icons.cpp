@@ -12,7 +12,7 @@ namespace {
 using Icon = std::pair<std::string_view, std::string_view>;
 
 // Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
-constexpr std::array<Icon, 24> icons{{
+constexpr std::array<Icon, 33> icons{{
     {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
     {"open",
      R"(<path d="M3 19V5h6l2 3h8v3"/><path d="M3 19l3-8h16l-3 8z" fill="ACCENT" fill-opacity="0.25"/>)"},
@@ -44,6 +44,23 @@ constexpr std::array<Icon, 24> icons{{
      R"(<path d="M5 20C3 14 4 7 8 6c3-1 6 1 9 0 3 2 4 9 2 14-5 1-9 1-14 0z" fill="#FFB347" fill-opacity="0.4" stroke="#FFB347"/><circle cx="9" cy="13" r="1.2" fill="INK" stroke="none"/><circle cx="15" cy="13" r="1.2" fill="INK" stroke="none"/>)"},
     {"rope",
      R"(<path d="M4 4c6 1 1 8 7 9s2 7 9 7"/><circle cx="4" cy="4" r="2" fill="ACCENT" stroke="none"/>)"},
+    {"wheel",
+     R"(<circle cx="12" cy="12" r="8" fill="ACCENT" fill-opacity="0.2"/><circle cx="12" cy="12" r="2" fill="INK"/><path d="M12 4v16M4 12h16" stroke-opacity="0.6"/>)"},
+    {"polygon", R"(<path d="M4 19L7 6l7 5 6-6-2 14z" fill="ACCENT" fill-opacity="0.3"/>)"},
+    {"draw",
+     R"(<path d="M5 18c-3-8 4-7 5-11s8-3 8 2-1 9-6 10-5 2-7-1z" fill="#FFB347" fill-opacity="0.4" stroke="#FFB347"/><path d="M14 10l7-7" stroke-width="2.4"/>)"},
+    {"chain",
+     R"(<rect x="3" y="3" width="6" height="9" rx="3"/><rect x="9" y="8" width="6" height="9" rx="3" stroke="ACCENT"/><rect x="15" y="13" width="6" height="9" rx="3"/>)"},
+    {"bridge",
+     R"(<path d="M2 8c6 8 14 8 20 0" stroke="ACCENT" stroke-width="2.8"/><path d="M2 8v12M22 8v12"/>)"},
+    {"cloth",
+     R"(<path d="M4 4c5 2 11 2 16 0v14c-5 3-11 3-16 0zM4 9c5 2 11 2 16 0M4 14c5 2 11 2 16 0M9 5v15M15 5v15" stroke="#FFB347"/>)"},
+    {"wall",
+     R"(<path d="M4 5h16v14H4zM4 9.7h16M4 14.3h16M9 5v4.7M15 5v4.7M12 9.7v4.6M9 14.3V19M15 14.3V19"/>)"},
+    {"particle",
+     R"(<circle cx="12" cy="12" r="4" fill="ACCENT" stroke="none"/><path d="M12 3v3M12 18v3M3 12h3M18 12h3" stroke-opacity="0.6"/>)"},
+    {"joint",
+     R"(<path d="M6 18L18 6" stroke="ACCENT" stroke-width="2.4"/><circle cx="6" cy="18" r="3" fill="INK"/><circle cx="18" cy="6" r="3" fill="INK"/>)"},
     {"ground",
      R"(<path d="M2 12h20" stroke-width="2.8"/><path d="M5 13l-3 5M11 13l-3 5M17 13l-3 5M22 14l-2 4" stroke-opacity="0.6"/>)"},
     {"pin",

@@ -24,6 +24,8 @@ wxString keyText(int key) {
             return "Del";
         case WXK_ESCAPE:
             return "Esc";
+        case WXK_RETURN:
+            return "Enter";
         default:
             return wxString(static_cast<wxChar>(key));
     }
@@ -81,7 +83,9 @@ void MainFrame::makeBars() {
     toolBar_ = new wxAuiToolBar(this, wxID_ANY, wxDefaultPosition, wxDefaultSize, style);
     palette_ = new wxAuiToolBar(this, wxID_ANY, wxDefaultPosition, wxDefaultSize,
                                 style | wxAUI_TB_VERTICAL);
-    for (wxAuiToolBar* bar : {toolBar_, palette_}) {
+    secondPalette_ = new wxAuiToolBar(this, wxID_ANY, wxDefaultPosition, wxDefaultSize,
+                                      style | wxAUI_TB_VERTICAL);
+    for (wxAuiToolBar* bar : {toolBar_, palette_, secondPalette_}) {
         bar->SetToolBitmapSize(FromDIP(wxSize(24, 24)));
         bar->SetToolPacking(FromDIP(4));
     }
@@ -99,13 +103,16 @@ void MainFrame::makeBars() {
         for (const Action& action : actions_)
             if (!name.empty() && action.name == name) put(toolBar_, action);
     }
+    // Two columns, so that all of them fit into a small window.
+    std::size_t tools = 0;
     for (const Action& action : actions_) {
         if (action.menu != MenuId::tools) continue;
-        if (action.separatorBefore) palette_->AddSeparator();
-        put(palette_, action);
+        put(tools < (allTools.size() + 1) / 2 ? palette_ : secondPalette_, action);
+        ++tools;
     }
     toolBar_->Realize();
     palette_->Realize();
+    secondPalette_->Realize();
 }
 
 void MainFrame::makePanels() {
@@ -135,7 +142,10 @@ void MainFrame::makePanels() {
     manager_.GetArtProvider()->SetMetric(wxAUI_DOCKART_PANE_BORDER_SIZE, 0);
     manager_.AddPane(centre_, wxAuiPaneInfo().Name("scene").CenterPane());
     manager_.AddPane(toolBar_, wxAuiPaneInfo().Name("bar").ToolbarPane().Top().Gripper(false));
-    manager_.AddPane(palette_, wxAuiPaneInfo().Name("tools").ToolbarPane().Left().Gripper(false));
+    manager_.AddPane(palette_,
+                     wxAuiPaneInfo().Name("tools").ToolbarPane().Left().Row(0).Gripper(false));
+    manager_.AddPane(secondPalette_,
+                     wxAuiPaneInfo().Name("tools2").ToolbarPane().Left().Row(1).Gripper(false));
     manager_.Update();
     Bind(wxEVT_SIZE, [this](wxSizeEvent& event) {
         event.Skip();

@@ -213,9 +213,9 @@ void MainFrame::refreshActions() {
     bool barsChanged = false;
     const bool playing = bench_.document().playing();
     for (const Action& action : actions_) {
-        wxAuiToolBar* bar = toolBar_->FindTool(action.id) != nullptr   ? toolBar_
-                            : palette_->FindTool(action.id) != nullptr ? palette_
-                                                                       : nullptr;
+        wxAuiToolBar* bar = nullptr;
+        for (wxAuiToolBar* one : {toolBar_, palette_, secondPalette_})
+            if (one->FindTool(action.id) != nullptr) bar = one;
         if (action.enabled) {
             const bool on = action.enabled();
             if (menus->IsEnabled(action.id) != on) menus->Enable(action.id, on);
@@ -241,6 +241,7 @@ void MainFrame::refreshActions() {
     if (!barsChanged) return;
     toolBar_->Refresh();
     palette_->Refresh();
+    secondPalette_->Refresh();
 }
 
 // The longest of the texts that fits into a field.

@@ -133,6 +133,7 @@ private:
     wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;
+    wxAuiToolBar* secondPalette_ = nullptr;
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
     std::optional<Preferences> preferences_;  ///< none while unattended

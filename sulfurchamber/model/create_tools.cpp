@@ -15,6 +15,11 @@ using sulfur::Vec2;
 
 constexpr double massPerArea = 4;     // kg/m^2: half a metre of box weighs a kilogram
 constexpr double massPerMetre = 0.4;  // kg/m of rope
+constexpr double chainMassPerMetre = 3;
+constexpr double bridgeMassPerMetre = 3;
+constexpr double clothMassPerArea = 0.3;
+constexpr double wallMassPerArea = 15;
+constexpr double wallStrength = 200;  // N for each kilogram
 constexpr double smallest = 0.08;     // metres; a shorter drag is a click
 
 Real real(double value) {
@@ -187,21 +192,123 @@ private:
     }
 };
 
-class GroundTool final : public DragTool {
+// Lines: chains, bridges and ground.
+class LineTool final : public DragTool {
 public:
-    using DragTool::DragTool;
+    LineTool(Workbench& bench, ToolKind kind) : DragTool(bench), kind_(kind) {}
     Preview preview() const override {
         if (!dragging()) return {};
         return {Preview::Kind::line, from(), to(), length()};
     }
-    std::string hint() const override { return "Drag a line of fixed ground"; }
+    std::string hint() const override {
+        if (kind_ == ToolKind::chain) return "Drag a chain of rigid links; its start is pinned";
+        if (kind_ == ToolKind::bridge) return "Drag a bridge of planks between two pins";
+        return "Drag a line of fixed ground";
+    }
+
+private:
+    void make(const Pointer& pointer) override {
+        if (clicked()) return;
+        const Vec2 span = (to() - from()).cast<Real>();
+        if (kind_ == ToolKind::chain) {
+            sulfur::shapes::ChainOptions options;
+            options.from = {0, 0};
+            options.to = span;
+            options.mass = real(length() * chainMassPerMetre);
+            options.pinFirst = true;
+            options.pinLast = pointer.shift;
+            add("chain", options, from());
+        } else if (kind_ == ToolKind::bridge) {
+            sulfur::shapes::BridgeOptions options;
+            options.from = {0, 0};
+            options.to = span;
+            options.planks = std::clamp(static_cast<int>(std::lround(length() / 0.4)), 2, 200);
+            options.sag = real(0.06 * length());
+            options.mass = real(length() * bridgeMassPerMetre);
+            add("bridge", options, from());
+        } else {
+            sulfur::shapes::GroundOptions options;
+            options.points = {Vec2(0, 0), span};
+            add("ground", options, from());
+        }
+    }
+
+    ToolKind kind_;
+};
+
+// Rectangles of many cells: cloth and walls.
+class GridTool final : public DragTool {
+public:
+    GridTool(Workbench& bench, bool cloth) : DragTool(bench), cloth_(cloth) {}
+    Preview preview() const override {
+        if (!dragging() || clicked()) return {};
+        return {Preview::Kind::rectangle, from(), to(), 0};
+    }
+    std::string hint() const override {
+        return cloth_ ? "Click to hang a cloth by its corners, or drag its size"
+                      : "Click to build a wall that crumbles, or drag its size";
+    }
 
 private:
     void make(const Pointer&) override {
-        if (clicked()) return;
-        sulfur::shapes::GroundOptions options;
-        options.points = {Vec2(0, 0), (to() - from()).cast<Real>()};
-        add("ground", options, from());
+        Point size = (to() - from()).cwiseAbs();
+        const Point centre = clicked() ? to() : Point((from() + to()) / 2);
+        if (clicked()) size = cloth_ ? Point(1.5, 1.5) : Point(2, 1.5);
+        size = size.cwiseMax(4 * smallest).cwiseMin(20.0);
+        const auto cells = [&](double side, double cell, int least, int most) {
+            return std::clamp(static_cast<int>(std::lround(side / cell)), least, most);
+        };
+        const double area = size.x() * size.y();
+        if (cloth_) {
+            sulfur::shapes::ClothOptions options;
+            options.size = size.cast<Real>();
+            options.columns = cells(size.x(), 0.13, 4, 24);
+            options.rows = cells(size.y(), 0.13, 4, 24);
+            options.mass = real(area * clothMassPerArea);
+            add("cloth", options, centre);
+        } else {
+            sulfur::shapes::WallOptions options;
+            options.size = size.cast<Real>();
+            options.columns = cells(size.x(), 0.4, 1, 20);
+            options.rows = cells(size.y(), 0.4, 1, 20);
+            options.mass = real(area * wallMassPerArea);
+            // It stands, and bears being put down from a hand's breadth.
+            options.strength = real(std::max(1500.0, wallStrength * area * wallMassPerArea));
+            add("wall", options, centre);
+        }
+    }
+
+    bool cloth_;
+};
+
+class WheelTool final : public DragTool {
+public:
+    using DragTool::DragTool;
+    Preview preview() const override {
+        if (!dragging() || clicked()) return {};
+        return {Preview::Kind::circle, from(), to(), length()};
+    }
+    std::string hint() const override {
+        return "Click to put a wheel, or drag from its hub to its rim; on a body its hub is an "
+               "axle";
+    }
+
+private:
+    void make(const Pointer& pointer) override {
+        sulfur::shapes::WheelOptions options;
+        const double radius = clicked() ? 0.4 : std::clamp(length(), 0.08, 50.0);
+        options.radius = real(radius);
+        options.rimRadius = real(std::min(0.03, radius / 4));
+        options.segments = std::clamp(static_cast<int>(std::lround(radius * 40)), 12, 48);
+        options.mass = real(3.14159265 * radius * radius * massPerArea);
+        // The body under the hub bears it.
+        const BodyId under = bodyAt(world(), from(), pointer.reach);
+        document().edit("Add wheel", [&] {
+            const BodyId wheel = document().add("wheel", options, {.position = from()});
+            if (!under || world().kind(under) != sulfur::BodyKind::dynamic) return;
+            document().attach(world().particles(wheel).back(), under);
+            document().letPass(wheel, under);
+        });
     }
 };
 
@@ -213,10 +320,17 @@ std::unique_ptr<Tool> makeCreateTool(Workbench& bench, ToolKind kind) {
             return std::make_unique<BallTool>(bench);
         case ToolKind::jelly:
             return std::make_unique<RectangleTool>(bench, true);
+        case ToolKind::wheel:
+            return std::make_unique<WheelTool>(bench);
         case ToolKind::rope:
             return std::make_unique<RopeTool>(bench);
+        case ToolKind::cloth:
+        case ToolKind::wall:
+            return std::make_unique<GridTool>(bench, kind == ToolKind::cloth);
+        case ToolKind::chain:
+        case ToolKind::bridge:
         case ToolKind::ground:
-            return std::make_unique<GroundTool>(bench);
+            return std::make_unique<LineTool>(bench, kind);
         default:
             return std::make_unique<RectangleTool>(bench, false);
     }

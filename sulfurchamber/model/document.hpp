@@ -171,6 +171,13 @@ public:
     /// A joint between bodies.
     sulfur::JointId connect(sulfur::ParticleId a, sulfur::ParticleId b,
                             sulfur::ConnectOptions options = {});
+    /// Holds a particle where it is on another body: an axle.
+    void attach(sulfur::ParticleId particle, sulfur::BodyId body);
+    /// Two bodies that pass through each other from now on.
+    void letPass(sulfur::BodyId a, sulfur::BodyId b);
+    /// A joint between two particles of the plan. Within a body it becomes a part of its blueprint.
+    /// A body of one particle becomes a part of the other body; else it is a joint between bodies.
+    void join(sulfur::ParticleId a, sulfur::ParticleId b, const sulfur::JointSpec& joint);
     void setPinned(sulfur::ParticleId particle, bool pinned);
     void remove(sulfur::JointId joint);
     /// For members of the plan that are not of bodies and blueprints: texts, the level, fields.
@@ -190,6 +197,8 @@ private:
     std::uint64_t keyOf(const std::string& id);
     std::optional<sulfur::scene::ParticleRef> refOf(sulfur::ParticleId particle) const;
     void bringPlanHere(std::span<const sulfur::BodyId> bodies);
+    void merge(const std::string& into, const std::string& single, std::uint32_t other,
+               const sulfur::JointSpec& joint);
     void takeOver(const std::function<void()>& change);
     void setFactors(const Constants& wanted);
     void changePiece(sulfur::BodyId body,

@@ -1,5 +1,6 @@
 // What changes a document: each function changes the plan and the world in the same moment.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "document_steps.hpp"
@@ -327,6 +328,95 @@ JointId Document::connect(ParticleId a, ParticleId b, sulfur::ConnectOptions opt
     const BodyId body = world_->info(a).body;
     if (moved_) bringPlanHere({&body, 1});
     return joint;
+}
+
+void Document::attach(ParticleId particle, BodyId body) {
+    const auto ref = refOf(particle);
+    const std::string id = idOf(body);
+    const Pose pose = world_->pose(body);
+    const Point local = turned(world_->position(particle) - pose.position, -pose.angle);
+    world_->attach(particle, body, local.cast<Real>());
+    ++revision_;
+    if (!ref || id.empty()) return;
+    plan_.scene().attachments.push_back({*ref, id, local.cast<Real>(), {}});
+    if (moved_) bringPlanHere({&body, 1});
+}
+
+void Document::letPass(BodyId a, BodyId b) {
+    const std::string idA = idOf(a);
+    const std::string idB = idOf(b);
+    world_->setCollision(a, b, false);
+    if (!idA.empty() && !idB.empty()) plan_.scene().vetoes.push_back({idA, idB});
+}
+
+void Document::join(ParticleId a, ParticleId b, const sulfur::JointSpec& joint) {
+    const auto refA = refOf(a);
+    const auto refB = refOf(b);
+    if (a == b) throw std::runtime_error("a joint needs two particles");
+    if (!refA || !refB) throw std::runtime_error("pieces cannot be joined; reset the scene first");
+    requireRoom(0, 1);
+    if (refA->body == refB->body) {
+        sulfur::JointSpec made = joint;
+        made.a = refA->particle;
+        made.b = refB->particle;
+        const BodyId body = world_->info(a).body;
+        change({&body, 1}, [&](Prefab& prefab) {
+            prefab.generator = {};
+            prefab.blueprint.joints.push_back(made);
+        });
+        return;
+    }
+    const auto single = [&](const ParticleRef& ref) {
+        return plan_.blueprint(ref.body).particles.size() == 1;
+    };
+    if (single(*refB)) {
+        merge(refA->body, refB->body, refA->particle, joint);
+    } else if (single(*refA)) {
+        merge(refB->body, refA->body, refB->particle, joint);
+    } else {
+        sulfur::ConnectOptions options;
+        options.stiffness = joint.stiffness;
+        options.damping = joint.damping;
+        options.strength = joint.strength;
+        options.radius = joint.radius;
+        connect(a, b, options);
+    }
+}
+
+// The single particle becomes the last one of the other body. Whatever held it holds that.
+void Document::merge(const std::string& into, const std::string& single, std::uint32_t other,
+                     const sulfur::JointSpec& joint) {
+    const std::array<BodyId, 2> both{bodyOf(into), bodyOf(single)};
+    if (moved_) bringPlanHere(both);
+    auto particle = plan_.blueprint(single).particles[0];
+    const Point place = world_->position(world_->particles(both[1])[0]);
+    const Pose pose = plan_.body(into).pose;
+    particle.position = turned(place - pose.position, -pose.angle).cast<Real>();
+    const auto last = static_cast<std::uint32_t>(plan_.blueprint(into).particles.size());
+    auto& state = plan_.body(into).state;
+    if (state) {
+        state->positions.push_back(place);
+        state->velocities.emplace_back(0, 0);
+    }
+    sulfur::JointSpec made = joint;
+    made.a = other;
+    made.b = last;
+    const sulfur::Blueprint before = scaled(plan_.blueprint(into), constants_);
+    plan_.change({into}, [&](Prefab& prefab) {
+        prefab.generator = {};
+        prefab.blueprint.particles.push_back(particle);
+        prefab.blueprint.joints.push_back(made);
+    });
+    for (auto& connection : plan_.scene().connections)
+        for (ParticleRef* end : {&connection.a, &connection.b})
+            if (end->body == single) *end = {into, last};
+    for (auto& attachment : plan_.scene().attachments)
+        if (attachment.particle.body == single) attachment.particle = {into, last};
+    takeOver([&] {
+        follow(*world_, both[0], before, scaled(plan_.blueprint(into), constants_));
+        world_->remove(both[1]);
+        plan_.remove({single});
+    });
 }
 
 void Document::remove(JointId joint) {

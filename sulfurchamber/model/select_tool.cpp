@@ -52,12 +52,12 @@ public:
         const bool clicked = doing_ == Doing::move && !moved_;
         if (moved_) document().commit();
         if (clicked && world().contains(pressed_)) bench().select({pressed_});
-        finish();
+        toIdle();
     }
 
     void cancel() override {
         if (moved_) document().rollback();
-        finish();
+        toIdle();
     }
 
     void tick() override {
@@ -65,7 +65,7 @@ public:
         if (grip_->holds(world()))
             grip_->apply(world());
         else
-            finish();
+            toIdle();
     }
 
     Preview preview() const override {
@@ -110,7 +110,7 @@ private:
         bench().select(std::move(found));
     }
 
-    void finish() {
+    void toIdle() {
         doing_ = Doing::idle;
         moved_ = false;
         grip_.reset();

@@ -22,6 +22,8 @@ public:
     virtual void cancel() {}
     /// Before each tick.
     virtual void tick() {}
+    /// Enter: ends what takes several clicks.
+    virtual void finish() {}
     virtual Preview preview() const { return {}; }
     virtual std::string hint() const = 0;
 
@@ -35,7 +37,11 @@ private:
 };
 
 std::unique_ptr<Tool> makeSelectTool(Workbench& bench);
-/// Box, ball, jelly, rope and ground.
+/// Polygons corner by corner, and soft bodies drawn freehand.
+std::unique_ptr<Tool> makeOutlineTool(Workbench& bench, ToolKind kind);
+/// Particles and joints, one by one.
+std::unique_ptr<Tool> makeParticleTool(Workbench& bench, ToolKind kind);
+/// Ready-made shapes between two points, and the ground.
 std::unique_ptr<Tool> makeCreateTool(Workbench& bench, ToolKind kind);
 /// Pin, cut and erase.
 std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind);

@@ -25,6 +25,12 @@ std::unique_ptr<Tool> makeTool(Workbench& bench, ToolKind kind) {
     switch (kind) {
         case ToolKind::select:
             return makeSelectTool(bench);
+        case ToolKind::polygon:
+        case ToolKind::draw:
+            return makeOutlineTool(bench, kind);
+        case ToolKind::particle:
+        case ToolKind::joint:
+            return makeParticleTool(bench, kind);
         case ToolKind::pin:
         case ToolKind::cut:
         case ToolKind::erase:
@@ -72,7 +78,8 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
 
 std::string_view toolName(ToolKind tool) {
     static constexpr std::array<std::string_view, allTools.size()> names{
-        "select", "box", "ball", "jelly", "rope", "ground", "pin", "cut", "erase"};
+        "select", "box",   "ball", "jelly",  "wheel",    "polygon", "draw", "rope", "chain",
+        "bridge", "cloth", "wall", "ground", "particle", "joint",   "pin",  "cut",  "erase"};
     return names[static_cast<std::size_t>(tool)];
 }
 
@@ -103,6 +110,9 @@ void Workbench::move(const Pointer& pointer) {
 void Workbench::release(const Pointer& pointer) {
     tool_->release(pointer);
     forgetRemoved();
+}
+void Workbench::finish() {
+    tool_->finish();
 }
 void Workbench::cancel() {
     tool_->cancel();

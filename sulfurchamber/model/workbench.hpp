@@ -15,10 +15,31 @@
 
 namespace sulfurchamber {
 
-enum class ToolKind : std::uint8_t { select, box, ball, jelly, rope, ground, pin, cut, erase };
-inline constexpr std::array<ToolKind, 9> allTools{
-    ToolKind::select, ToolKind::box, ToolKind::ball, ToolKind::jelly, ToolKind::rope,
-    ToolKind::ground, ToolKind::pin, ToolKind::cut,  ToolKind::erase};
+enum class ToolKind : std::uint8_t {
+    select,
+    box,
+    ball,
+    jelly,
+    wheel,
+    polygon,
+    draw,
+    rope,
+    chain,
+    bridge,
+    cloth,
+    wall,
+    ground,
+    particle,
+    joint,
+    pin,
+    cut,
+    erase
+};
+inline constexpr std::array<ToolKind, 18> allTools{
+    ToolKind::select,  ToolKind::box,  ToolKind::ball,   ToolKind::jelly,    ToolKind::wheel,
+    ToolKind::polygon, ToolKind::draw, ToolKind::rope,   ToolKind::chain,    ToolKind::bridge,
+    ToolKind::cloth,   ToolKind::wall, ToolKind::ground, ToolKind::particle, ToolKind::joint,
+    ToolKind::pin,     ToolKind::cut,  ToolKind::erase};
 
 /// "select", "box", ...: for scripts and settings.
 std::string_view toolName(ToolKind tool);
@@ -35,11 +56,12 @@ struct Pointer {
 
 /// What a tool shows while it is at work.
 struct Preview {
-    enum class Kind : std::uint8_t { none, rectangle, circle, line, band, stroke, spring };
+    enum class Kind : std::uint8_t { none, rectangle, circle, line, band, stroke, spring, outline };
     Kind kind = Kind::none;
     sulfur::Point from{0, 0};
     sulfur::Point to{0, 0};
     double size = 0;  ///< radius of the circle, or the length in metres that is shown
+    std::vector<sulfur::Point> points = {};  ///< of the outline
 };
 
 class Tool;
@@ -63,6 +85,8 @@ public:
     void press(const Pointer& pointer);
     void move(const Pointer& pointer);
     void release(const Pointer& pointer);
+    /// Ends what takes several clicks (Enter).
+    void finish();
     /// Drops what the tool is doing (Escape, lost focus).
     void cancel();
     Preview preview() const;

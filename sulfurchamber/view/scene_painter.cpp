@@ -301,6 +301,14 @@ void ScenePainter::paintPreview(const Preview& preview) {
             canvas_->circle(from, 4 * pixel_, palette::amber);
             canvas_->circle(to, 4 * pixel_, palette::amber);
             break;
+        case Preview::Kind::outline:
+            for (std::size_t i = 1; i < preview.points.size(); ++i)
+                canvas_->line(Vec2(preview.points[i - 1]), Vec2(preview.points[i]), width,
+                              palette::amber);
+            canvas_->dashedLine(to, from, width, 6 * pixel_, 4 * pixel_,
+                                palette::amber.withAlpha(0.6f));
+            canvas_->circle(from, 4 * pixel_, palette::amber);
+            break;
         case Preview::Kind::stroke:
             canvas_->dashedLine(from, to, 2 * pixel_, 8 * pixel_, 5 * pixel_, palette::hot);
             break;

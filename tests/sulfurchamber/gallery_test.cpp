@@ -47,8 +47,8 @@ TEST(GalleryScenes, RopesCalmDown) {
         double most = 0;
         for (const auto body : document.world().bodies())
             for (const auto particle : document.world().particles(body))
-                most = std::max(most,
-                                static_cast<double>(document.world().velocity(particle).norm()));
+                most =
+                    std::max(most, static_cast<double>(document.world().velocity(particle).norm()));
         return most;
     };
     for (int i = 0; i < 500 * 2; ++i) document.tick();
