@@ -84,6 +84,7 @@ void MainFrame::addEditActions() {
              bench_.cancel();
              bench_.select({});
          }});
+    addTransformActions();
     const auto left = [this] { return strays_ > 0; };
     add({"bring-back", m, "&Bring back what has left", 0,
          "Put what fell out of the world's bounds back to its place", "",
@@ -92,6 +93,37 @@ void MainFrame::addEditActions() {
     add({"delete-strays", m, "Delete &what has left", 0,
          "Remove what fell out of the world's bounds", "", [this] { bench_.deleteStrays(); },
          left});
+}
+
+void MainFrame::addTransformActions() {
+    const auto m = MenuId::edit;
+    const auto any = [this] { return !bench_.selection().empty(); };
+    constexpr double step = 3.14159265358979 / 12;
+    add({"turn-left", m, wxString::FromUTF8("&Turn left by 15\xC2\xB0"), '[',
+         "Turn the selection anticlockwise", "", [this] { bench_.turn(step); }, any})
+        .separatorBefore = true;
+    add({"turn-right", m, wxString::FromUTF8("Turn &right by 15\xC2\xB0"), ']',
+         "Turn the selection clockwise", "", [this] { bench_.turn(-step); }, any});
+    add({"larger", m, "&Larger by a tenth\tCtrl++", 0,
+         "Scale the selection, its mass with its area", "", [this] { bench_.scale(1.1); }, any});
+    add({"smaller", m, "S&maller by a tenth\tCtrl+-", 0,
+         "Scale the selection, its mass with its area", "", [this] { bench_.scale(1 / 1.1); },
+         any});
+    add({"mirror", m, "M&irror\tCtrl+M", 0, "Left becomes right", "", [this] { bench_.mirror(); },
+         any});
+    struct Way {
+        const char* name;
+        const char* label;
+        int key;
+        double x, y;
+    };
+    static constexpr Way ways[] = {{"nudge-left", "Nudge left", WXK_LEFT, -1, 0},
+                                   {"nudge-right", "Nudge right", WXK_RIGHT, 1, 0},
+                                   {"nudge-up", "Nudge up", WXK_UP, 0, 1},
+                                   {"nudge-down", "Nudge down", WXK_DOWN, 0, -1}};
+    for (const Way& way : ways)
+        add({way.name, m, way.label, way.key, "Move the selection by a line of the fine grid", "",
+             [this, way] { bench_.nudge(sulfur::Point(way.x, way.y) * view_.fineStep()); }, any});
 }
 
 void MainFrame::addToolActions() {

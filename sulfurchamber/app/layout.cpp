@@ -24,6 +24,14 @@ wxString keyText(int key) {
             return "Del";
         case WXK_ESCAPE:
             return "Esc";
+        case WXK_LEFT:
+            return "Left";
+        case WXK_RIGHT:
+            return "Right";
+        case WXK_UP:
+            return "Up";
+        case WXK_DOWN:
+            return "Down";
         case WXK_RETURN:
             return "Enter";
         default:

@@ -76,6 +76,7 @@ private:
     void makeActions();
     void addFileActions();
     void addEditActions();
+    void addTransformActions();
     void addToolActions();
     void addViewActions();
     void addSimulationActions();

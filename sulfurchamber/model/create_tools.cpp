@@ -1,6 +1,8 @@
 // Tools that make bodies: a click makes one of the usual size, a drag says how large.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "geometry.hpp"
 #include "tool.hpp"
@@ -24,6 +26,24 @@ constexpr double smallest = 0.08;     // metres; a shorter drag is a click
 
 Real real(double value) {
     return static_cast<Real>(value);
+}
+
+// "1.20 m", for hints while one draws.
+std::string metres(double length) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2f m", length);
+    return text.data();
+}
+
+std::string kilograms(double mass) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), mass < 10 ? "%.2f kg" : "%.0f kg", mass);
+    return text.data();
+}
+
+std::string degreesOf(const Point& way) {
+    const double angle = std::atan2(way.y(), way.x()) * 180 / 3.14159265;
+    return std::to_string(std::lround(angle)) + " degrees";
 }
 
 // Press, drag, release between two points.
@@ -76,6 +96,10 @@ public:
         return {Preview::Kind::rectangle, from(), to(), 0};
     }
     std::string hint() const override {
+        const Point size = (to() - from()).cwiseAbs();
+        if (dragging() && !clicked())
+            return metres(size.x()) + " wide, " + metres(size.y()) + " high, " +
+                   kilograms(size.x() * size.y() * massPerArea);
         return soft_ ? "Click to drop a jelly, or drag its size"
                      : "Click to drop a box, or drag its size";
     }
@@ -123,6 +147,9 @@ public:
         return {Preview::Kind::circle, from(), to(), length()};
     }
     std::string hint() const override {
+        if (dragging() && !clicked())
+            return "Radius " + metres(length()) + ", " +
+                   kilograms(3.14159265 * length() * length() * massPerArea);
         return "Click to drop a ball, or drag from its centre to its rim";
     }
 
@@ -145,9 +172,11 @@ public:
         return {Preview::Kind::line, from(), to(), length()};
     }
     std::string hint() const override {
-        return dragging() ? "Release where the rope ends; with Shift both free ends are pinned"
-                          : "Drag to span a rope: it ties itself to what its ends touch, a free "
-                            "start is pinned";
+        return dragging()
+                   ? metres(length()) +
+                         " of rope; release where it ends, with Shift both free ends are pinned"
+                   : "Drag to span a rope: it ties itself to what its ends touch, a free "
+                     "start is pinned";
     }
 
 private:
@@ -201,6 +230,7 @@ public:
         return {Preview::Kind::line, from(), to(), length()};
     }
     std::string hint() const override {
+        if (dragging() && !clicked()) return metres(length()) + ", " + degreesOf(to() - from());
         if (kind_ == ToolKind::chain) return "Drag a chain of rigid links; its start is pinned";
         if (kind_ == ToolKind::bridge) return "Drag a bridge of planks between two pins";
         return "Drag a line of fixed ground";
@@ -245,6 +275,10 @@ public:
         return {Preview::Kind::rectangle, from(), to(), 0};
     }
     std::string hint() const override {
+        const Point size = (to() - from()).cwiseAbs();
+        if (dragging() && !clicked())
+            return metres(size.x()) + " wide, " + metres(size.y()) + " high, " +
+                   kilograms(size.x() * size.y() * (cloth_ ? clothMassPerArea : wallMassPerArea));
         return cloth_ ? "Click to hang a cloth by its corners, or drag its size"
                       : "Click to build a wall that crumbles, or drag its size";
     }
@@ -289,6 +323,9 @@ public:
         return {Preview::Kind::circle, from(), to(), length()};
     }
     std::string hint() const override {
+        if (dragging() && !clicked())
+            return "Radius " + metres(length()) + ", " +
+                   kilograms(3.14159265 * length() * length() * massPerArea);
         return "Click to put a wheel, or drag from its hub to its rim; on a body its hub is an "
                "axle";
     }

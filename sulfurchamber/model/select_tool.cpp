@@ -1,15 +1,20 @@
 // Selects and drags: bodies are put elsewhere while time stands still, and pulled by a spring
 // while it runs.
 #include <algorithm>
+#include <cmath>
 
 #include "geometry.hpp"
 #include "tool.hpp"
+#include "transform.hpp"
 
 namespace sulfurchamber {
 namespace {
 
 using sulfur::BodyId;
 using sulfur::Point;
+
+constexpr double degrees = 180 / 3.14159265358979;
+constexpr double turnStep = 15 / degrees;  // with the grid
 
 class SelectTool final : public Tool {
 public:
@@ -18,6 +23,7 @@ public:
     void press(const Pointer& pointer) override {
         cancel();
         from_ = to_ = pointer.position;
+        if (pressHandle(pointer)) return;
         const BodyId body = bodyAt(world(), pointer.position, pointer.reach);
         if (!body) {
             additive_ = pointer.shift || pointer.control;
@@ -41,6 +47,8 @@ public:
     void move(const Pointer& pointer) override {
         if (doing_ == Doing::pull) grip_->moveTo(pointer.position);
         if (doing_ == Doing::move) moveSelection(pointer.position - to_);
+        if (doing_ == Doing::turn) turnTo(pointer.position);
+        if (doing_ == Doing::scale) scaleTo(pointer.position);
         to_ = pointer.position;
     }
 
@@ -48,6 +56,10 @@ public:
         if (doing_ == Doing::idle) return;
         move(pointer);
         if (doing_ == Doing::band) selectBand();
+        if (doing_ == Doing::scale && factor_ != 1) {
+            doing_ = Doing::idle;
+            document().edit("Scale", [&] { scaleSelection(bench(), about_, factor_); });
+        }
         // A click without a drag means this one of several.
         const bool clicked = doing_ == Doing::move && !moved_;
         if (moved_) document().commit();
@@ -72,6 +84,9 @@ public:
         if (doing_ == Doing::band) return {Preview::Kind::band, from_, to_, 0};
         if (doing_ == Doing::pull && grip_->holds(world()))
             return {Preview::Kind::spring, grip_->anchor(world()), grip_->target(), 0};
+        if (doing_ == Doing::scale && bounds_)
+            return {Preview::Kind::rectangle, about_ + factor_ * (bounds_->low - about_),
+                    about_ + factor_ * (bounds_->high - about_), 0};
         return {};
     }
 
@@ -83,16 +98,61 @@ public:
                 return "Moving the selection: Escape puts it back";
             case Doing::band:
                 return "Release to select what lies wholly in the frame";
+            case Doing::turn:
+                return "Turning by " + std::to_string(std::lround(turned_ * degrees)) +
+                       " degrees, with the grid in steps of 15; Escape takes it back";
+            case Doing::scale:
+                return "Scaling to " + std::to_string(std::lround(factor_ * 100)) +
+                       " %, mass with the area; Escape takes it back";
             case Doing::idle:
                 break;
         }
         return document().playing()
                    ? "Drag a body to pull it with a spring, or drag a frame to select"
-                   : "Click to select, drag to move, Shift-click for several, Delete removes";
+                   : "Click to select, drag to move, drag the handles to turn and scale; Delete "
+                     "removes";
     }
 
 private:
-    enum class Doing { idle, band, move, pull };
+    enum class Doing { idle, band, move, pull, turn, scale };
+
+    // The handles of what is selected, while time stands still.
+    bool pressHandle(const Pointer& pointer) {
+        bounds_ = selectionBounds(bench());
+        if (document().playing() || !bounds_) return false;
+        const Handles handles = handlesOf(*bounds_, pointer.reach);
+        const auto hit = [&](const Point& place) {
+            return (place - pointer.position).norm() <= pointer.reach;
+        };
+        about_ = handles.middle;
+        factor_ = 1;
+        turned_ = 0;
+        if (hit(handles.turn))
+            doing_ = Doing::turn;
+        else if (std::any_of(handles.corners.begin(), handles.corners.end(), hit))
+            doing_ = Doing::scale;
+        return doing_ != Doing::idle;
+    }
+
+    void turnTo(const Point& place) {
+        const Point before = from_ - about_;
+        const Point now = place - about_;
+        double angle = std::atan2(sulfur::cross(before, now), before.dot(now));
+        if (bench().snap() > 0) angle = std::round(angle / turnStep) * turnStep;
+        if (angle == turned_) return;
+        if (!moved_) {
+            document().begin("Turn");
+            moved_ = true;
+        }
+        turnSelection(bench(), about_, angle - turned_);
+        turned_ = angle;
+    }
+
+    void scaleTo(const Point& place) {
+        const double before = (from_ - about_).norm();
+        factor_ = std::clamp((place - about_).norm() / std::max(before, 1e-6), 0.05, 20.0);
+        if (bench().snap() > 0) factor_ = std::max(0.1, std::round(factor_ * 10) / 10);
+    }
 
     void moveSelection(const Point& by) {
         if (by.x() == 0 && by.y() == 0) return;
@@ -120,6 +180,10 @@ private:
     bool additive_ = false;
     bool moved_ = false;
     BodyId pressed_;
+    Point about_{0, 0};
+    std::optional<Bounds> bounds_;
+    double turned_ = 0;  // radians so far
+    double factor_ = 1;
     Point from_{0, 0};
     Point to_{0, 0};
     std::optional<Grip> grip_;

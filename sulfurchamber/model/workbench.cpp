@@ -7,6 +7,7 @@
 
 #include "geometry.hpp"
 #include "tool.hpp"
+#include "transform.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -262,6 +263,33 @@ void Workbench::pasteAt(const std::string& text, const Point& place) {
 
 void Workbench::duplicate() {
     if (const std::string text = copy(); !text.empty()) paste(text, {0.5, 0.5});
+}
+
+void Workbench::nudge(const Point& by) {
+    if (selection_.empty()) return;
+    tool_->cancel();
+    document_.edit("Nudge", [&] { document_.translate(selection_, by); });
+}
+
+void Workbench::turn(double radians) {
+    const auto bounds = selectionBounds(*this);
+    if (!bounds) return;
+    tool_->cancel();
+    document_.edit("Turn", [&] { turnSelection(*this, bounds->centre(), radians); });
+}
+
+void Workbench::scale(double factor) {
+    const auto bounds = selectionBounds(*this);
+    if (!bounds) return;
+    tool_->cancel();
+    document_.edit("Scale", [&] { scaleSelection(*this, bounds->centre(), factor); });
+}
+
+void Workbench::mirror() {
+    const auto bounds = selectionBounds(*this);
+    if (!bounds) return;
+    tool_->cancel();
+    document_.edit("Mirror", [&] { mirrorSelection(*this, bounds->centre()); });
 }
 
 void Workbench::followHandles(const std::function<BodyId(BodyId)>& now) {

@@ -82,6 +82,7 @@ public:
     void setTool(ToolKind tool);
     /// Distance to which creating tools round their points, metres; 0: not at all.
     void setSnap(double metres) { snap_ = metres; }
+    double snap() const { return snap_; }
     void press(const Pointer& pointer);
     void move(const Pointer& pointer);
     void release(const Pointer& pointer);
@@ -119,6 +120,13 @@ public:
     /// The same, with the middle of what is pasted at a place.
     void pasteAt(const std::string& text, const sulfur::Point& place);
     void duplicate();
+
+    // -- transforming, each one step --
+
+    void nudge(const sulfur::Point& by);
+    void turn(double radians);
+    void scale(double factor);
+    void mirror();
 
     // -- what has left --
 

@@ -7,6 +7,7 @@
 
 #include "../model/geometry.hpp"
 #include "../model/properties.hpp"
+#include "../model/transform.hpp"
 #include "palette.hpp"
 
 namespace sulfurchamber {
@@ -138,7 +139,27 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     paintPins();
     if (options.contacts) paintContacts();
     if (options.velocities) paintVelocities();
+    if (bench.tool() == ToolKind::select && !document.playing()) paintHandles(bench);
     paintPreview(bench.preview());
+}
+
+void ScenePainter::paintHandles(const Workbench& bench) {
+    const auto bounds = selectionBounds(bench);
+    if (!bounds) return;
+    const Handles handles = handlesOf(*bounds, static_cast<double>(reachPixels * pixel_));
+    const std::array<Vec2, 4> corners{Vec2(handles.corners[0]), Vec2(handles.corners[1]),
+                                      Vec2(handles.corners[2]), Vec2(handles.corners[3])};
+    canvas_->polygonOutline(corners, pixel_, palette::sky.withAlpha(0.5f));
+    const Vec2 turn(handles.turn);
+    canvas_->line({turn.x, corners[2].y}, turn, pixel_, palette::sky.withAlpha(0.5f));
+    const float half = 4 * pixel_;
+    for (const Vec2& corner : corners) {
+        canvas_->rect({corner - Vec2{half, half}, {2 * half, 2 * half}}, palette::ice);
+        canvas_->rect({corner - Vec2{half, half} * 0.6f, Vec2{2 * half, 2 * half} * 0.6f},
+                      palette::steel);
+    }
+    canvas_->circle(turn, 5 * pixel_, palette::ice);
+    canvas_->circle(turn, 3 * pixel_, palette::amber);
 }
 
 void ScenePainter::paintBody(const Posed& body, bool selected) {

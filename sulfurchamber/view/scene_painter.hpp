@@ -11,6 +11,8 @@
 
 namespace sulfurchamber {
 
+inline constexpr float reachPixels = 9;  ///< logical pixels within which the pointer hits
+
 /// What is drawn beside the bodies.
 struct ViewOptions {
     bool grid = true;
@@ -60,6 +62,7 @@ private:
     void paintVelocities();
     void paintContacts();
     void paintPreview(const Preview& preview);
+    void paintHandles(const Workbench& bench);
     void arrow(atlax::Vec2 from, atlax::Vec2 to, atlax::Color color);
     atlax::Vec2 place(sulfur::ParticleId particle) const;
 

@@ -18,7 +18,6 @@ namespace {
 constexpr float minZoom = 0.5f;  // pixels per metre
 constexpr float maxZoom = 20000;
 constexpr float zoomPerNotch = 1.18f;
-constexpr float reachPixels = 9;    // logical pixels within which the pointer hits
 constexpr float rulersTake = 44;    // logical pixels at the left and at the bottom
 constexpr float fitMargin = 1.25f;  // of what is shown around what is interesting
 constexpr double fitSmallest = 4;   // metres that are shown at least
@@ -116,9 +115,13 @@ void SceneView::mouseButton(const atlax::MouseButtonEvent& event) {
     }
     if (event.button != atlax::MouseButton::Left) return;
     const Pointer pointer = pointerAt(event.position, event.modifiers);
-    const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
-    bench_.setSnap(snapping_ ? gridSteps(camera_.pixelsPerMetre, scale).fine : 0);
+    bench_.setSnap(snapping_ ? fineStep() : 0);
     guarded([&] { event.down ? bench_.press(pointer) : bench_.release(pointer); });
+}
+
+double SceneView::fineStep() const {
+    const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
+    return gridSteps(camera_.pixelsPerMetre, scale).fine;
 }
 
 void SceneView::mouseMoved(atlax::Vec2 position) {

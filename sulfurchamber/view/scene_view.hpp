@@ -30,6 +30,8 @@ public:
     ViewOptions& options() { return options_; }
     const ViewOptions& options() const { return options_; }
     bool snapping() const { return snapping_; }
+    /// Distance of the fine lines of the grid, metres.
+    double fineStep() const;
     void setSnapping(bool on) { snapping_ = on; }
     /// Shows all that is interesting, with the next frame.
     void zoomToFit() { fitPending_ = true; }

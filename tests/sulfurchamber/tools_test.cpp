@@ -51,6 +51,18 @@ TEST(Tools, EveryToolHasAHintAndSurvivesStrayEvents) {
     }
 }
 
+TEST(Tools, WhatIsDrawnSaysHowLargeItIs) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    bench.press({.position = {0, 1}});
+    bench.move({.position = {1.2, 1.5}});
+    EXPECT_EQ(bench.hint(), "1.20 m wide, 0.50 m high, 2.40 kg");
+    bench.setTool(ToolKind::ground);
+    bench.press({.position = {0, 1}});
+    bench.move({.position = {2, 3}});
+    EXPECT_EQ(bench.hint(), "2.83 m, 45 degrees");
+}
+
 TEST(Tools, AClickDropsABoxThatFallsOntoTheFloor) {
     Workbench bench;
     bench.setTool(ToolKind::box);

@@ -156,6 +156,13 @@ do undo                     # of the steel
 click -2 2.6
 expect property.mass = 5
 expect problem = 0
+do nudge-up
+do turn-left
+label undo Undo “Turn”
+do mirror
+do larger
+expect property.mass > 5.9
+screenshot ${WORK}/handles.png
 do page-history
 screenshot ${WORK}/history.png
 ")
