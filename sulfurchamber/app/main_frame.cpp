@@ -69,6 +69,7 @@ void MainFrame::finish(int exitCode) {
     if (exitCode != 0) chamberApp().setExitCode(exitCode);
     setOnFrame({});
     savePreferences();
+    recovery_.reset();
     manager_.UnInit();
     Destroy();
 }
@@ -163,6 +164,7 @@ void MainFrame::runAction(const Action& action) {
 void MainFrame::onFrame() {
     if (atlax::monotonicNs() >= nextRefreshNs_) {
         refresh();
+        keepUnsaved();
         nextRefreshNs_ = atlax::monotonicNs() + refreshNs;
     }
     // A script may close the frame; it must not do so from inside of a frame's drawing.

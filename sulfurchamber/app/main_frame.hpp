@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "../model/recovery.hpp"
 #include "../view/scene_view.hpp"
 #include "options.hpp"
 #include "preferences.hpp"
@@ -99,6 +100,8 @@ private:
     bool saveDialog();
     void saveMomentDialog();
     bool mayDiscard();
+    void keepUnsaved();
+    void offerRecovery();
     void openRecent(int index);
     void showGallery();
     void adoptDocument();
@@ -138,6 +141,8 @@ private:
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
     std::optional<Preferences> preferences_;  ///< none while unattended
+    std::optional<Recovery> recovery_;        ///< none while unattended
+    std::int64_t nextKeepNs_ = 0;
     std::function<void()> onFrame_;
     std::string lastProblem_;
     std::int64_t nextRefreshNs_ = 0;

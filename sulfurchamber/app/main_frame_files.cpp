@@ -1,11 +1,19 @@
 // Files: new, open, save, recent ones, examples, settings.
 #include <wx/msgdlg.h>
 
+#include <atlax/backend.hpp>
+#include <atlax/files.hpp>
+#include <atlax/log.hpp>
+
 #include "gallery.hpp"
 #include "main_frame.hpp"
 
 namespace sulfurchamber {
 namespace {
+
+std::filesystem::path recoveryFolder() {
+    return atlax::stateFolder("sulfurchamber") / "recovery";
+}
 
 const std::vector<atlax::FileKind> fileKinds{{"Scenes and levels", {"json"}}, {"All files", {}}};
 
@@ -84,6 +92,44 @@ bool MainFrame::mayDiscard() {
     }
 }
 
+void MainFrame::keepUnsaved() {
+    if (!recovery_ || atlax::monotonicNs() < nextKeepNs_) return;
+    nextKeepNs_ = atlax::monotonicNs() + options_.autosave * std::int64_t{1'000'000'000};
+    if (bench_.document().editing()) return;
+    const std::string problem = recovery_->keep(bench_.document());
+    if (!problem.empty()) atlax::log(atlax::LogLevel::Warning, problem);
+}
+
+// What a program that ended without asking has left. A file on the command line comes first: then
+// it is offered the next time.
+void MainFrame::offerRecovery() {
+    if (!recovery_ || !bench_.document().file().empty() || bench_.document().modified()) return;
+    const auto found = Recovery::left(recoveryFolder());
+    if (found.empty()) return;
+    const auto& left = found.front();
+    const std::string name = left.of.empty() ? "a new scene" : left.of.filename().string();
+    wxMessageDialog dialog(this,
+                           wxString::FromUTF8("SulfurChamber ended before " + name + " was saved."),
+                           "SulfurChamber", wxYES_NO | wxCANCEL | wxICON_QUESTION);
+    dialog.SetExtendedMessage("What you had built was kept. It can be opened now.");
+    dialog.SetYesNoCancelLabels("Open it", "Delete it", "Later");
+    const int answer = dialog.ShowModal();
+    if (answer == wxID_CANCEL) return;
+    if (answer == wxID_YES) {
+        try {
+            bench_.document().recover(left.kept, left.of);
+        } catch (const std::exception& error) {
+            tellInDialog(error.what(), "What was kept cannot be opened");
+            return;
+        }
+        adoptDocument();
+        // It is kept anew before the old file goes.
+        nextKeepNs_ = 0;
+        keepUnsaved();
+    }
+    Recovery::discard(left);
+}
+
 void MainFrame::newFile() {
     if (!mayDiscard()) return;
     bench_.cancel();
@@ -139,6 +185,9 @@ void MainFrame::showGallery() {
 
 void MainFrame::loadPreferences() {
     if (options_.unattended()) return;
+    recovery_.emplace(recoveryFolder());
+    nextKeepNs_ = atlax::monotonicNs() + options_.autosave * std::int64_t{1'000'000'000};
+    CallAfter([this] { offerRecovery(); });
     preferences_.emplace(Preferences::settingsFile());
     view_.options() = preferences_->viewOptions();
     view_.setSnapping(preferences_->snapping());

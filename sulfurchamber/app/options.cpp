@@ -26,6 +26,9 @@ Parsed parseCommandLine(int argc, char** argv) {
         ->check(atlax::between(0, 3600), "0 to 3600");
     app.add_option("--script", options.script, "Run a script of commands (see --script-help)")
         ->excludes(picture);  // which has no window to act on
+    app.add_option("--autosave", options.autosave,
+                   "Seconds after which unsaved work is kept for a crash (default 30)")
+        ->check(CLI::Range(1, 3600));
     app.add_option("--theme", options.theme,
                    "Panels: dark (default), light, or as the system has them")
         ->check(CLI::IsMember({"dark", "light", "system"}));

@@ -16,6 +16,7 @@ struct Options {
     std::filesystem::path picture;     ///< drawing area, without a window
     std::filesystem::path screenshot;  ///< the whole window
     std::filesystem::path script;
+    int autosave = 30;           ///< seconds after which unsaved work is kept
     std::string theme = "dark";  ///< dark, light or system
     int width = 1280;
     int height = 800;

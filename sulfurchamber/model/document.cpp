@@ -57,6 +57,12 @@ void Document::open(const std::filesystem::path& file) {
     file_ = file;
 }
 
+void Document::recover(const std::filesystem::path& kept, const std::filesystem::path& of) {
+    adopt(sulfur::scene::read(kept));
+    file_ = of;
+    state_ = ++lastState_;
+}
+
 void Document::adopt(Scene scene) {
     Plan plan(std::move(scene));
     std::string text = sulfur::scene::format(plan.scene());

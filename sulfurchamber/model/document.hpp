@@ -53,6 +53,9 @@ public:
     void open(const std::filesystem::path& file);
     /// Takes a scene without a file, such as a new one. Throws as open() does.
     void adopt(sulfur::scene::Scene scene);
+    /// Takes what was kept of a file that was not saved (empty: of none): it is unsaved still.
+    /// Throws as open() does.
+    void recover(const std::filesystem::path& kept, const std::filesystem::path& of);
     /// The text of the file: the plan, with the factors of the constants in its numbers.
     std::string text() const;
     /// The plan as it is saved, or the state of this moment.
@@ -75,6 +78,8 @@ public:
     std::string name() const;
     /// Whether there are edits that are not saved.
     bool modified() const { return state_ != savedState_; }
+    /// Another number after each edit, the same again after its undo.
+    std::uint64_t state() const { return state_; }
 
     // -- looking --
 
