@@ -69,6 +69,7 @@ static const char* check_hinge(const Scene* s) {
     wrong = await_limit(s->world, true, &limit);
     if (wrong) return wrong;
     CHECK(limit.upper && limit.mechanism.index == hinge.index);
+    for (i = 0; i < 10; ++i) OK(sulfur_world_step(s->world)); /* away from the limit */
     options.drive.motor_speed = 9;
     options.drive.strength = 0.001;
     OK(sulfur_mechanism_set_drive(s->world, hinge, &options.drive));
