@@ -149,6 +149,7 @@ struct MechanismRow {
     double hk = 0, hb = 0;                  // kg (m^2), of the spring and its damper
     double way = 0;                         // rad or m, that the motor wants in this step
     double most = 0;                        // kg m (m), that it gives
+    double bound = 0;                       // the same, that anything gives
     bool rigid = false;                     // the spring is
     /// kg m (m), multipliers so far.
     double spring = 0, motor = 0, low = 0, high = 0;

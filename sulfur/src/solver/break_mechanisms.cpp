@@ -32,6 +32,11 @@ void removePins(State& state, const Mechanism& m) {
     compact(state, removal);
 }
 
+/// N or N m, also where a limit pushes against a motor.
+Real loadOf(const RowForces& f) {
+    return std::max(std::abs(f.spring + f.motor), std::abs(f.lower + f.upper));
+}
+
 /// N
 Vec2 pinForceOf(const State& state, const Mechanism& m) {
     const bool isPinned = m.pins[0] && state.attachmentSlots.contains(m.pins[0]);
@@ -71,7 +76,7 @@ void breakMechanisms(State& state) {
     if (all.empty()) return;
     for (auto i = static_cast<std::uint32_t>(all.list.size()); i-- > 0;) {
         const Mechanism& m = all.list[i];
-        const Real driven = std::abs(m.forces[0].sum()), held = pinForceOf(state, m).norm();
+        const Real driven = loadOf(m.forces[0]), held = pinForceOf(state, m).norm();
         if (driven <= m.drive.strength && held <= m.pinStrength) continue;
         const Real force = held > m.pinStrength ? held : driven;
         state.events.mechanismsBroken.push_back({m.id, m.a, m.b, force});

@@ -115,6 +115,7 @@ void solveConstraints(State& state) {
     endBlows(state);
     holdBackFast(state);
     endLeads(state);
+    leadMechanisms(state);
     forgetAnswers(state);
     if (!state.work.watchedClusters.empty()) exportContacts(state, state.contacts, false);
     recoverAreas(state);

@@ -217,6 +217,19 @@ CoordinateSlopes slopesOf(const State& state, const Mechanism& m, RowOf row) {
     return slopes;
 }
 
+double speedOf(const State& state, const Mechanism& m) {
+    double sum = 0;
+    for (const TurnedMover& mover : slopesOf(state, m, RowOf::drive)) {
+        if (mover.cluster == none) {
+            sum += mover.force.dot(state.particles.velocity[mover.particle]);
+            continue;
+        }
+        const Cluster& c = state.clusters.list[mover.cluster];
+        sum += mover.force.dot(c.velocity) + mover.turning * c.spin;
+    }
+    return sum;
+}
+
 bool holds(const State& state, const Mechanism& m) {
     if (m.kind == MechanismKind::gear) {
         const Mechanisms& all = state.mechanisms;

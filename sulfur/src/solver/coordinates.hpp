@@ -18,6 +18,8 @@ double valueOf(const State& state, const Mechanism& mechanism, RowOf row, bool m
 /// Of the present places. Empty where a coordinate has none, as two points at one place have no
 /// direction.
 CoordinateSlopes slopesOf(const State& state, const Mechanism& mechanism, RowOf row);
+/// rad/s or m/s, of the drive's, with the velocities that there are.
+double speedOf(const State& state, const Mechanism& mechanism);
 /// rad, of a body as its arm shows it, with whole turns.
 double angleOf(const State& state, const MechanismArm& arm, bool moved);
 /// Where a point of a body is.

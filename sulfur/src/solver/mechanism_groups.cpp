@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory_resource>
 #include <span>
+#include <tuple>
 
 #include "core/disjoint_sets.hpp"
+#include "core/limits.hpp"
 #include "core/settings.hpp"
 #include "rigid/grip.hpp"
 #include "solver/coordinates.hpp"
@@ -20,6 +21,8 @@ namespace {
 
 /// More rows in a group than that are solved one part after the other.
 constexpr std::uint32_t mostRows = 64;
+/// Of a push, that trees or other rows leave: less than that is rounding, and nothing can move.
+constexpr double blocked = 1e-8;
 
 /// Changes displacements of one mover by a push (kg m or kg m^2).
 void push(State& state, const TurnedMover& m, double impulse) {
@@ -62,13 +65,11 @@ public:
         if (!(row_.mobility > 0)) return;
         pullSpring();
         if (row_.most > 0) set(row_.motor, change(row_.start + row_.way), -row_.most, row_.most);
-        if (row_.lower > -any) set(row_.low, change(row_.lower), 0, any);
-        if (row_.upper < any) set(row_.high, change(row_.upper), -any, 0);
+        if (std::isfinite(row_.lower)) set(row_.low, change(row_.lower), 0, row_.bound);
+        if (std::isfinite(row_.upper)) set(row_.high, change(row_.upper), -row_.bound, 0);
     }
 
 private:
-    static constexpr double any = std::numeric_limits<double>::infinity();
-
     /// Of the multiplier, to get there.
     double change(double goal) const { return (goal - row_.now) / row_.mobility; }
     void set(double& multiplier, double by, double least, double most) {
@@ -77,12 +78,12 @@ private:
         row_.now += row_.mobility * (multiplier - before);
     }
     void pullSpring() {
-        if (row_.rigid) return set(row_.spring, change(row_.rest), -any, any);
+        if (row_.rigid) return set(row_.spring, change(row_.rest), -row_.bound, row_.bound);
         if (row_.hk + row_.hb == 0) return;
         const double wanted =
             -(row_.hk * (row_.now - row_.rest) + row_.hb * (row_.now - row_.start));
         const double steep = 1 + (row_.hk + row_.hb) * row_.mobility;
-        set(row_.spring, (wanted - row_.spring) / steep, -any, any);
+        set(row_.spring, (wanted - row_.spring) / steep, -row_.bound, row_.bound);
     }
 
     MechanismRow& row_;
@@ -122,7 +123,7 @@ public:
                 if (j < k)
                     factor(k, j) = factor(j, j) > 0 ? sum / factor(j, j) : 0;
                 else
-                    factor(k, k) = sum > tuned::redundantPivot * matrix(k, k) ? sum : 0;
+                    factor(k, k) = sum > blocked * matrix(k, k) ? sum : 0;
             }
         }
     }
@@ -133,6 +134,18 @@ public:
         for (int i = 0; i < tuned::mostRowPasses && pass(); ++i) {
         }
         for (MechanismRow& row : rows_) row.change = row.sum() - row.change;
+    }
+
+    /// `row.now`: how far each coordinate is to be moved. Finds what does that, as `row.change`.
+    void lead() {
+        for (MechanismRow& row : rows_) row.change = 0;
+        for (int i = 0; i < tuned::mostRowPasses; ++i)
+            for (std::size_t k = 0; k < rows_.size(); ++k) {
+                if (!(rows_[k].mobility > 0)) continue;
+                const double more = rows_[k].now / rows_[k].mobility;
+                rows_[k].change += more;
+                for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now -= matrix(j, k) * more;
+            }
     }
 
 private:
@@ -181,19 +194,48 @@ private:
     double* factor_;
 };
 
-/// Gives what moves the change of a row.
-void give(State& state, const MechanismRow& row) {
+/// Gives what moves the change of a row: push(mover, change) what moves by itself, move(node, by)
+/// those of trees.
+template <class Push, class Move>
+void give(const State& state, const MechanismRow& row, Push&& push, Move&& move) {
     if (row.change == 0) return;
     const Trees& trees = state.trees;
     for (const TurnedMover& m : row.slopes)
-        if (treeOf(state, m) == none) push(state, m, row.change);
+        if (treeOf(state, m) == none) push(m, row.change);
     for (const TreeAnswer& answer : row.answers) {
         if (answer.tree == none) break;
         const Tree& tree = trees.list[answer.tree];
         for (auto k = tree.first; k < tree.last; ++k)
-            moveNode(state, trees.nodes[k],
-                     row.change * state.mechanisms.answers[answer.first + (k - tree.first)]);
+            move(trees.nodes[k],
+                 row.change * state.mechanisms.answers[answer.first + (k - tree.first)]);
     }
+}
+
+/// Moves places without a velocity.
+void shiftNode(State& state, std::uint32_t cluster, std::uint32_t particle,
+               const Eigen::Vector3d& by) {
+    if (cluster != none) {
+        state.clusters.list[cluster].shift += by.head<2>().cast<Real>();
+        state.clusters.list[cluster].twist += by[2];
+    } else if (particle != none) {
+        state.particles.shift[particle] += by.head<2>().cast<Real>();
+    }
+}
+
+/// How far a coordinate is from where its drive allows it, and has to go in this step.
+double wayToMend(const State& state, const MechanismRow& row) {
+    const Mechanism& m = state.mechanisms.list[row.mechanism];
+    const double now = valueOf(state, m, RowOf(row.number), true);
+    double goal = now;
+    if (row.number != 0) {
+        goal = 0;
+    } else {
+        if (row.rigid) goal = static_cast<double>(m.drive.rest);
+        goal = std::clamp(goal, static_cast<double>(m.drive.lower),
+                          static_cast<double>(m.drive.upper));
+    }
+    const double most = closingSpeed * static_cast<double>(state.h);
+    return std::clamp(tuned::recoveryShare * (goal - now), -most, most);
 }
 
 /// What of a unit of the row arrives at a node of a tree.
@@ -229,6 +271,14 @@ void answer(State& state, MechanismRow& row, std::uint32_t tree) {
         free = {tree, first};
         return;
     }
+}
+
+/// How far a unit of a row would move its coordinate if no tree held anything.
+double freeMobility(const MechanismRow& row) {
+    double sum = 0;
+    for (const TurnedMover& m : row.slopes)
+        sum += m.inverseMass * m.force.squaredNorm() + m.inverseInertia * m.turning * m.turning;
+    return sum;
 }
 
 /// How far a unit of one row moves the coordinate of another one.
@@ -281,9 +331,10 @@ void groupRows(State& state) {
         order[i] = first;
     }
     for (std::uint32_t i = 0; i < count; ++i) all.rows[i].group = order[i];
-    std::stable_sort(
-        all.rows.begin(), all.rows.end(),
-        [](const MechanismRow& a, const MechanismRow& b) { return a.group < b.group; });
+    std::sort(all.rows.begin(), all.rows.end(), [](const MechanismRow& a, const MechanismRow& b) {
+        return std::tuple(a.group, a.mechanism, a.number) <
+               std::tuple(b.group, b.mechanism, b.number);
+    });
     all.groups.clear();
     std::uint32_t places = 0;
     for (std::uint32_t first = 0, last = 0; first < count; first = last) {
@@ -316,8 +367,11 @@ void answerMechanisms(State& state) {
             for (std::uint32_t j = 0; j < size; ++j)
                 all.numbers[group.matrix + k * size + j] =
                     response(state, all.rows[group.first + k], all.rows[group.first + j]);
-        for (std::uint32_t k = 0; k < size; ++k)
-            all.rows[group.first + k].mobility = all.numbers[group.matrix + k * size + k];
+        for (std::uint32_t k = 0; k < size; ++k) {
+            MechanismRow& row = all.rows[group.first + k];
+            const double own = all.numbers[group.matrix + k * size + k];
+            row.mobility = own > blocked * freeMobility(row) ? own : 0;
+        }
         GroupSweep(state, group).factorise();
     }
 }
@@ -329,7 +383,35 @@ void solveMechanisms(State& state) {
         for (MechanismRow& row : rows)
             row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
         GroupSweep(state, group).run();
-        for (const MechanismRow& row : rows) give(state, row);
+        for (const MechanismRow& row : rows)
+            give(
+                state, row, [&](const TurnedMover& m, double change) { push(state, m, change); },
+                [&](const TreeNode& n, const Eigen::Vector3d& by) { moveNode(state, n, by); });
+    }
+}
+
+void leadMechanisms(State& state) {
+    Mechanisms& all = state.mechanisms;
+    for (const MechanismGroup& group : all.groups) {
+        const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
+        bool any = false;
+        for (MechanismRow& row : rows) {
+            row.now = wayToMend(state, row);
+            any |= row.now != 0;
+        }
+        if (!any) continue;
+        GroupSweep(state, group).lead();
+        for (const MechanismRow& row : rows)
+            give(
+                state, row,
+                [&](const TurnedMover& m, double change) {
+                    const Point way = m.inverseMass * change * m.force;
+                    shiftNode(state, m.cluster, m.particle,
+                              {way[0], way[1], m.inverseInertia * change * m.turning});
+                },
+                [&](const TreeNode& n, const Eigen::Vector3d& by) {
+                    shiftNode(state, n.cluster, n.particle, by);
+                });
     }
 }
 

@@ -42,19 +42,17 @@ bool hasSpring(const Drive& drive) {
     return drive.stiffness > 0 || drive.damping > 0;
 }
 
-/// What a drive asks for in this step. `start`: the coordinate when it began.
+/// What a drive asks for in this step. `start`: the coordinate when it began. What is wrong then
+/// stays so: leadMechanisms() mends it by moving places. A velocity that did would be kept by
+/// whoever stands in the way, and both would push ever harder.
 void settle(const State& state, const Drive& drive, MechanismRow& row) {
     const double h = static_cast<double>(state.h), perForce = multiplierPerForce(state);
-    const auto led = [&](double goal, double error) {
-        const double most = closingSpeed * h;
-        return goal + error - std::clamp(tuned::recoveryShare * error, -most, most);
-    };
     const double lower = static_cast<double>(drive.lower), upper = static_cast<double>(drive.upper);
-    row.lower = led(lower, std::min(row.start - lower, 0.0));
-    row.upper = led(upper, std::max(row.start - upper, 0.0));
+    row.lower = std::min(lower, row.start);
+    row.upper = std::max(upper, row.start);
     row.rigid = drive.stiffness == infinite;
     const double rest = static_cast<double>(drive.rest);
-    row.rest = row.rigid ? led(rest, row.start - rest) : rest;
+    row.rest = row.rigid ? row.start : rest;
     row.hk = row.rigid ? 0 : perForce * static_cast<double>(drive.stiffness);
     row.hb = perForce / h * static_cast<double>(drive.damping);
     row.way = h * static_cast<double>(drive.motorSpeed);
@@ -62,7 +60,8 @@ void settle(const State& state, const Drive& drive, MechanismRow& row) {
         const double left = static_cast<double>(*drive.motorTarget) - row.start;
         row.way = std::clamp(left, -std::abs(row.way), std::abs(row.way));
     }
-    row.most = perForce * static_cast<double>(drive.motorMax);
+    row.bound = perForce * maxForce;
+    row.most = std::min(perForce * static_cast<double>(drive.motorMax), row.bound);
 }
 
 /// A drive without limits that holds a value.

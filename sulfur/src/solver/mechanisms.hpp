@@ -14,6 +14,8 @@ void settleMechanisms(State& state);
 void answerMechanisms(State& state);
 /// One sweep.
 void solveMechanisms(State& state);
+/// After the sweeps: leads back what is beyond its limits, or not where it is held.
+void leadMechanisms(State& state);
 /// The forces that the multipliers stand for; what limits began and ceased to push.
 void recordMechanisms(State& state);
 /// Removes what was loaded beyond its strength, and what holds nothing any more.

@@ -127,8 +127,9 @@ Found find(const State& state, std::uint32_t body, const Point& at, const Pose& 
 [[noreturn]] void refusePoint(const char* which) {
     throw Error(ErrorCode::degenerate,
                 std::string("the particles of ") + which +
-                    " cannot hold that point; allowed are places of its particles, on the line "
-                    "between two of them, or within some fifty sizes of a body that is no line");
+                    " cannot hold that point; allowed are places of its particles (of a ball: its "
+                    "centre), on the line between two of them, or within some fifty sizes of a "
+                    "body that is no line");
 }
 
 /// The line that shows how a body turns: from the particle nearest to a point to the farthest one
@@ -171,20 +172,6 @@ void requireKnown(const State& state, MechanismId id) {
 const Mechanism& known(const State& state, MechanismId id) {
     requireKnown(state, id);
     return state.mechanisms.list[state.mechanisms.slots.dense(id)];
-}
-
-/// Of the coordinate: how fast it changes with the velocities that there are.
-double speedOf(const State& state, const Mechanism& m) {
-    double sum = 0;
-    for (const detail::TurnedMover& mover : slopesOf(state, m, RowOf::drive)) {
-        if (mover.cluster == detail::none) {
-            sum += mover.force.dot(state.particles.velocity[mover.particle]);
-            continue;
-        }
-        const detail::Cluster& c = state.clusters.list[mover.cluster];
-        sum += mover.force.dot(c.velocity) + mover.turning * c.spin;
-    }
-    return sum;
 }
 
 void wakeBoth(State& state, const Mechanism& m) {
@@ -386,6 +373,11 @@ WheelIds World::wheel(BodyId body, BodyId wheel, Point at, Vec2 axis, const Whee
 MechanismId World::distance(BodyId a, Point atA, BodyId b, Point atB,
                             const DistanceOptions& options) {
     validateDrive(options.drive);
+    if (!(options.drive.upper > 0))
+        throw Error(ErrorCode::outOfRange,
+                    "distance: the upper limit is " +
+                        std::to_string(static_cast<double>(options.drive.upper)) +
+                        "; allowed is more than 0, and a hinge for points that meet");
     MechanismMaker maker(*this, impl_->changing(), a, b);
     Mechanism& m = maker.mechanism();
     m.kind = MechanismKind::distance;
@@ -453,6 +445,10 @@ void World::setDrive(MechanismId id, const Drive& drive) {
     requireKnown(state, id);
     validateDrive(drive);
     Mechanism& m = state.mechanisms.list[state.mechanisms.slots.dense(id)];
+    if (m.kind == MechanismKind::distance && !(drive.upper > 0))
+        throw Error(ErrorCode::outOfRange, "drive: the upper limit of a distance is " +
+                                               std::to_string(static_cast<double>(drive.upper)) +
+                                               "; allowed is more than 0");
     m.drive = drive;
     wakeBoth(state, m);
 }

@@ -1,5 +1,6 @@
 // World: whether a body takes part, and who moves it.
 #include <algorithm>
+#include <utility>
 
 #include "bodies/pose.hpp"
 #include "bodies/sleep.hpp"
@@ -19,7 +20,6 @@ using detail::Attachment;
 using detail::BodyRecord;
 using detail::Cluster;
 using detail::indexOf;
-using detail::none;
 using detail::RigidMotion;
 using detail::State;
 
@@ -46,7 +46,7 @@ void noteParticipation(State& state, std::uint32_t index) {
 /// Nobody pulls any more.
 void forgetPulls(State& state) {
     for (std::uint32_t j = 0; j < state.joints.size(); ++j)
-        if (state.joints.body[j] == none && isCut(state, j))
+        if (state.joints.body[j] == detail::none && isCut(state, j))
             state.joints.force[j] = state.joints.lambda[j] = 0;
     for (Attachment& held : state.attachments)
         if (isCut(state, held)) held.force = Vec2(0, 0);
@@ -79,7 +79,7 @@ void requireTies(const State& state, std::uint32_t index) {
                                      "particle mass");
     };
     for (std::uint32_t j = 0; j < state.joints.size(); ++j)
-        if (state.joints.body[j] == none) require(state.joints.a[j], state.joints.b[j]);
+        if (state.joints.body[j] == detail::none) require(state.joints.a[j], state.joints.b[j]);
     for (const Attachment& held : state.attachments)
         for (std::uint32_t k = 0; k < held.count; ++k) require(held.particle, held.support[k]);
 }
@@ -176,8 +176,7 @@ void World::setKind(BodyId id, BodyKind kind) {
     body.kind = kind;
     body.moving = body.stopping = false;
     body.spin = 0;
-    const auto [first, last] = particlesOf(body);
-    std::erase_if(state.fresh, [&](std::uint32_t i) { return i >= first && i < last; });
+    std::erase_if(state.fresh, [&](std::uint32_t i) { return state.particles.body[i] == index; });
     if (kind == BodyKind::kinematic) driveAs(state, index, whole, turns ? whole.spin : 0);
     if (kind == BodyKind::fixed) setVelocities(state, index, whole, Point(0, 0), 0);
     detail::shapeChanged(state, index);

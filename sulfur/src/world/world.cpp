@@ -1,13 +1,16 @@
 // World: life, time, and looking at things.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "bodies/mechanism_bodies.hpp"
 #include "contacts/stages.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "core/room.hpp"
 #include "joints/turn.hpp"
 #include "shape/materials.hpp"
+#include "solver/coordinates.hpp"
 #include "solver/stages.hpp"
 #include "trees/tree_solver.hpp"
 #include "world/impl.hpp"
@@ -450,6 +453,13 @@ double World::energy() const {
         const Point apart = positionOfVelocity(state, j.b[i]) - positionOfVelocity(state, j.a[i]);
         const double stretch = apart.norm() - static_cast<double>(j.restLength[i]);
         sum += static_cast<double>(j.stiffness[i]) * stretch * stretch / 2;
+    }
+    for (const detail::Mechanism& m : state.mechanisms.list) {
+        const double stiffness = static_cast<double>(m.drive.stiffness);
+        if (stiffness == 0 || m.drive.stiffness == infinite || isCut(state, m)) continue;
+        const double value =
+            valueOf(state, m, detail::RowOf::drive, false) - state.lastStep / 2 * speedOf(state, m);
+        sum += stiffness * std::pow(value - static_cast<double>(m.drive.rest), 2) / 2;
     }
     return sum + energyOfAngles(state);
 }

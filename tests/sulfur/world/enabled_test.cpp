@@ -157,11 +157,11 @@ TEST(Enabled, ForcesAndImpulsesDoNothingToWhoIsOut) {
     world.step();
     crate.setEnabled(true);
     test::run(world, 0.1);
-    EXPECT_EQ(crate.centreOfMass(), Point(0, 0));
+    EXPECT_NEAR(crate.centreOfMass().norm(), 0, 1e-15);
     crate.setEnabled(false);
     crate.setVelocity({1, 0});
     test::run(world, 0.1);
-    EXPECT_EQ(crate.centreOfMass(), Point(0, 0));
+    EXPECT_NEAR(crate.centreOfMass().norm(), 0, 1e-15);
     crate.setEnabled(true);
     test::run(world, 0.1);
     EXPECT_NEAR(crate.centreOfMass().x(), 0.1, 1e-6);
