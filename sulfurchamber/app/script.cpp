@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../model/properties.hpp"
 #include "chamber_app.hpp"
 #include "screen_picture.hpp"
 

@@ -85,6 +85,7 @@ void ValueRow::bind() {
     number_->Bind(wxEVT_TEXT_ENTER, [this](wxCommandEvent&) { enter(false); });
     number_->Bind(wxEVT_KILL_FOCUS, [this](wxFocusEvent& event) {
         if (number_->IsModified()) enter(true);
+        number_->SelectNone();  // else it goes on looking as if keys went there
         event.Skip();
     });
     number_->Bind(wxEVT_KEY_DOWN, [this](wxKeyEvent& event) {
