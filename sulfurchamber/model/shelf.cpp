@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::size_t shortBytes = 512;  // what costs less in memory than as an entry of the disk
 
+// Not all file systems have files that never had a name.
 int openNameless(const std::filesystem::path& folder) {
+    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (nameless >= 0) return nameless;
     std::string name = (folder / "sulfurchamber-history-XXXXXX").string();
     const int file = ::mkostemp(name.data(), O_CLOEXEC);
     if (file >= 0) ::unlink(name.c_str());
