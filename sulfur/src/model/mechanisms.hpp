@@ -77,6 +77,7 @@ struct Mechanism {
     std::uint8_t turns = 1;            // a slider's b
     std::uint8_t vetoes = 0;           // its bodies collide again when it is gone
     std::uint8_t atLower = 0, atUpper = 0;  // in the last step
+    std::array<std::uint8_t, 3> vain{};     // rows that begin the next step without these
     std::array<RowForces, 3> forces;        // of the drive, across a line, and of a slider's angle
 
     template <class Archive>
@@ -107,6 +108,7 @@ struct Mechanism {
         archive(vetoes);
         archive(atLower);
         archive(atUpper);
+        archive(vain);
         for (auto& row : forces) archive(row);
     }
 };

@@ -22,7 +22,7 @@ namespace {
 /// More rows in a group than that are solved one part after the other.
 constexpr std::uint32_t mostRows = 64;
 /// Of a push, that trees or other rows leave: less than that is rounding, and nothing can move.
-constexpr double blocked = 1e-8;
+constexpr double blocked = 1e-6;
 
 /// Changes displacements of one mover by a push (kg m or kg m^2).
 void push(State& state, const TurnedMover& m, double impulse) {
@@ -89,19 +89,6 @@ private:
     MechanismRow& row_;
 };
 
-/// What holds a row when the step begins: its coordinate plus `compliance` times this multiplier is
-/// to be `goal`.
-RowHold holdOf(const MechanismRow& row) {
-    if (row.low > 0) return {&MechanismRow::low, row.lower};
-    if (row.high < 0) return {&MechanismRow::high, row.upper};
-    if (row.rigid) return {&MechanismRow::spring, row.rest};
-    if (row.most > 0 && std::abs(row.motor) < row.most)
-        return {&MechanismRow::motor, row.start + row.way};
-    const double stiff = row.hk + row.hb;
-    if (stiff == 0) return {};
-    return {&MechanismRow::spring, (row.hk * row.rest + row.hb * row.start) / stiff, 1 / stiff};
-}
-
 /// Rows in the space of their multipliers. What held in the last step is solved at once; then each
 /// row does what its law says, until nothing changes any more.
 class GroupSweep {
@@ -128,12 +115,34 @@ public:
         }
     }
 
-    void run() {
-        for (MechanismRow& row : rows_) row.change = row.sum();
+    /// `farthest`: rad or m, that a coordinate may go in a sweep. What asks for more asks for what
+    /// cannot be.
+    void run(double farthest) {
+        std::array<std::array<double, 4>, mostRows> before;
+        std::array<double, mostRows> from{};
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            const MechanismRow& row = rows_[k];
+            before[k] = {row.spring, row.motor, row.low, row.high};
+            from[k] = row.now;
+        }
         if (rows_.size() > 1) solveHeld();
         for (int i = 0; i < tuned::mostRowPasses && pass(); ++i) {
         }
-        for (MechanismRow& row : rows_) row.change = row.sum() - row.change;
+        double way = 0;
+        for (std::size_t k = 0; k < rows_.size(); ++k)
+            way = std::max(way, std::abs(rows_[k].now - from[k]));
+        const double share = std::min(1.0, farthest / std::max(way, 1e-300));
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            MechanismRow& row = rows_[k];
+            const auto led = [&](double& multiplier, double was) {
+                if (share < 1) multiplier = was + share * (multiplier - was);
+            };
+            led(row.spring, before[k][0]);
+            led(row.motor, before[k][1]);
+            led(row.low, before[k][2]);
+            led(row.high, before[k][3]);
+            row.change = row.sum() - (before[k][0] + before[k][1] + before[k][2] + before[k][3]);
+        }
     }
 
     /// `row.now`: how far each coordinate is to be moved. Finds what does that, as `row.change`.
@@ -382,7 +391,7 @@ void solveMechanisms(State& state) {
         const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
         for (MechanismRow& row : rows)
             row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
-        GroupSweep(state, group).run();
+        GroupSweep(state, group).run(maxSpeed * static_cast<double>(state.h));
         for (const MechanismRow& row : rows)
             give(
                 state, row, [&](const TurnedMover& m, double change) { push(state, m, change); },

@@ -140,7 +140,30 @@ bool isAwake(const State& state, const Mechanism& m) {
     return state.awake(state.bodySlots.dense(m.a)) || state.awake(state.bodySlots.dense(m.b));
 }
 
+/// Whether it has pushed in vain: something stands in the way that gives as little as it does. Both
+/// would push ever harder, if they began with that.
+bool isVain(const State& state, const MechanismRow& row) {
+    const RowHold hold = holdOf(row);
+    if (!hold.multiplier || hold.compliance > 0) return false;
+    const double now =
+        valueOf(state, state.mechanisms.list[row.mechanism], RowOf(row.number), true);
+    return !(std::abs(now - hold.goal) <= tuned::vainSpeed * static_cast<double>(state.h));
+}
+
 }  // namespace
+
+/// What holds a row when the step begins: its coordinate plus `compliance` times this multiplier is
+/// to be `goal`.
+RowHold holdOf(const MechanismRow& row) {
+    if (row.low > 0) return {&MechanismRow::low, row.lower};
+    if (row.high < 0) return {&MechanismRow::high, row.upper};
+    if (row.rigid) return {&MechanismRow::spring, row.rest};
+    if (row.most > 0 && std::abs(row.motor) < row.most)
+        return {&MechanismRow::motor, row.start + row.way};
+    const double stiff = row.hk + row.hb;
+    if (stiff == 0) return {};
+    return {&MechanismRow::spring, (row.hk * row.rest + row.hb * row.start) / stiff, 1 / stiff};
+}
 
 void startMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
@@ -162,7 +185,7 @@ void startMechanisms(State& state) {
             row.slopes = slopesOf(state, m, number);
             if (!canMove(row.slopes)) continue;
             row.start = valueOf(state, m, number, false);
-            const RowForces& forces = m.forces[row.number];
+            const RowForces forces = m.vain[row.number] != 0 ? RowForces{} : m.forces[row.number];
             row.spring = perForce * static_cast<double>(forces.spring);
             row.motor = perForce * static_cast<double>(forces.motor);
             row.low = perForce * static_cast<double>(forces.lower);
@@ -189,11 +212,15 @@ void recordMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     const double perMultiplier = static_cast<double>(newtonsPerMultiplier(state));
     for (Mechanism& m : all.list)
-        if (isAwake(state, m) || isCut(state, m)) m.forces = {};
+        if (isAwake(state, m) || isCut(state, m)) {
+            m.forces = {};
+            m.vain = {};
+        }
     for (const MechanismRow& row : all.rows) {
         const auto newtons = [&](double multiplier) {
             return static_cast<Real>(perMultiplier * multiplier);
         };
+        all.list[row.mechanism].vain[row.number] = isVain(state, row);
         all.list[row.mechanism].forces[row.number] = {newtons(row.spring), newtons(row.motor),
                                                       newtons(row.low), newtons(row.high)};
     }

@@ -12,6 +12,8 @@ void startMechanisms(State& state);
 void settleMechanisms(State& state);
 /// Once trees are known to be pulled: how these answer the rows.
 void answerMechanisms(State& state);
+/// What holds a row: its coordinate plus `compliance` times this multiplier is to be `goal`.
+RowHold holdOf(const MechanismRow& row);
 /// One sweep.
 void solveMechanisms(State& state);
 /// After the sweeps: leads back what is beyond its limits, or not where it is held.
