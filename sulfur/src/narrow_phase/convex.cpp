@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/settings.hpp"
+#include "core/trigonometry.hpp"
 #include "model/contact_core.hpp"
 #include "narrow_phase/time_of_impact.hpp"
 
@@ -338,7 +339,8 @@ Heading turnedBy(const Movers& movers, std::uint32_t m, Real angle) {
     const Heading h = movers.headingAtReference(m);
     const Real t = movers.bodies[m].turn + angle;
     if (std::abs(t) > largeTurn) {
-        const Real c = std::cos(t), s = std::sin(t);
+        const Point by = unitVector(static_cast<double>(t));
+        const Real c = static_cast<Real>(by[0]), s = static_cast<Real>(by[1]);
         return {h.cosine * c - h.sine * s, h.sine * c + h.cosine * s};
     }
     const Real square = t * t;

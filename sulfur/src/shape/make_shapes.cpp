@@ -276,7 +276,7 @@ private:
             if (turn < straight &&
                 !(surfaceOf(state_, edge.joint, body_) == surfaceOf(state_, next.joint, body_)))
                 return false;
-            turns += std::atan2(cross(u, v), u.dot(v));
+            turns += angleOf({u.dot(v), cross(u, v)});
         }
         return turns < 1.5 * fullTurn;  // once round, not twice
     }
