@@ -358,6 +358,39 @@ TEST(Mechanisms, LimitsHoldUnderBlows) {
     }
 }
 
+TEST(Mechanisms, AWeldInVainThrowsNobody) {
+    for (const double beside : {0.5, 1.0}) {
+        World world;
+        world.add(shapes::floor({-5, 0}, {5, 0}));
+        const Body crate = boxAt(world, {0, 0.49}, {1, 1});  // a centimetre in the floor
+        world.weld(fixedAt(world, {-beside, 0.5}), crate, {-beside, 0.5});
+        for (int i = 0; i < 1000; ++i) {
+            world.step();
+            ASSERT_LT(static_cast<double>(crate.meanVelocity().norm()), 0.5) << beside << ' ' << i;
+        }
+    }
+}
+
+TEST(Mechanisms, EnergyKnowsTheSpringsOfDrives) {
+    World world({.gravity = {0, 0}});
+    const Body a = boxAt(world, {0, 0}), b = boxAt(world, {0, 2});
+    world.distance(a, {0, 0}, b, {0, 2}, {.drive = {.stiffness = 50, .rest = 1}});
+    EXPECT_NEAR(world.energy(), 25, 1e-4);
+    test::run(world, 0.2);
+    EXPECT_LT(world.energy(), 25.01);
+    EXPECT_GT(world.energy(), 23);
+}
+
+TEST(Mechanisms, AMotorAgainstALimitBreaksIt) {
+    World world({.gravity = {0, 0}});
+    const Body arm = boxAt(world, {0.5, 0});
+    const MechanismId hinge =
+        world.hinge(fixedAt(world, {0, 0}), arm, {0, 0},
+                    {.drive = {.upper = Real(0.2), .motorSpeed = 1, .motorMax = 4, .strength = 3}});
+    test::run(world, 0.5);
+    EXPECT_FALSE(world.contains(hinge));
+}
+
 // --- handles ---------------------------------------------------------------------------------
 
 TEST(Mechanisms, GoWithWhatTheyHold) {
