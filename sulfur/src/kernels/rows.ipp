@@ -55,7 +55,7 @@ inline std::uint32_t bits(Mask m) {
 }
 #elif defined(__AVX512F__) && defined(SULFUR_REAL_DOUBLE)
 inline Vec root(Vec v) {
-    return _mm512_sqrt_pd(v);
+    return _mm512_maskz_sqrt_pd(0xff, v);
 }
 inline std::uint32_t bits(Mask m) {
     return _mm512_movepi64_mask(reinterpret_cast<__m512i>(m));
@@ -66,7 +66,7 @@ inline Vec root(Vec v) {
         v[i] = static_cast<SweepReal>(__builtin_sqrt(static_cast<double>(v[i])));
     return v;
 }
-inline std::uint32_t bits(Mask m) {
+inline std::uint32_t bits(const Mask& m) {
     std::uint32_t set = 0;
     for (int i = 0; i < 8; ++i) set |= (m[i] != 0 ? 1u : 0u) << i;
     return set;
