@@ -272,7 +272,7 @@ template <class Visitor, Is<CircleZone> Object>
 void describe(Visitor& v, Object& o) {
     const CircleZone d;
     v.point("centre", o.centre);
-    v.positive("radius", o.radius, d.radius, largestSize);
+    v.number("radius", o.radius, d.radius, 1e-9, largestSize);
 }
 
 template <class Visitor, Is<UniformField> Object>
