@@ -66,7 +66,7 @@ inline Vec root(Vec v) {
         v[i] = static_cast<SweepReal>(__builtin_sqrt(static_cast<double>(v[i])));
     return v;
 }
-inline std::uint32_t bits(const Mask& m) {
+inline std::uint32_t bits(Mask m) {
     std::uint32_t set = 0;
     for (int i = 0; i < 8; ++i) set |= (m[i] != 0 ? 1u : 0u) << i;
     return set;
