@@ -86,37 +86,48 @@ private:
     Point to_{0, 0};
 };
 
-// Rectangles: boxes and jellies.
-class RectangleTool final : public DragTool {
+// A drag from corner to corner.
+class FrameTool : public DragTool {
 public:
-    RectangleTool(Workbench& bench, bool soft) : DragTool(bench), soft_(soft) {}
-
+    using DragTool::DragTool;
     Preview preview() const override {
         if (!dragging() || clicked()) return {};
         return {Preview::Kind::rectangle, from(), to(), 0};
     }
+
+protected:
+    Point size() const { return (to() - from()).cwiseAbs(); }
+    Point centre() const { return clicked() ? to() : Point((from() + to()) / 2); }
+    /// While it is drawn; else what a click does.
+    std::string sizeOr(const char* click, double kilogramsPerArea) const {
+        if (!dragging() || clicked()) return click;
+        return metres(size().x()) + " wide, " + metres(size().y()) + " high, " +
+               kilograms(size().x() * size().y() * kilogramsPerArea);
+    }
+};
+
+// Boxes and jellies.
+class RectangleTool final : public FrameTool {
+public:
+    RectangleTool(Workbench& bench, bool soft) : FrameTool(bench), soft_(soft) {}
+
     std::string hint() const override {
-        const Point size = (to() - from()).cwiseAbs();
-        if (dragging() && !clicked())
-            return metres(size.x()) + " wide, " + metres(size.y()) + " high, " +
-                   kilograms(size.x() * size.y() * massPerArea);
-        return soft_ ? "Click to drop a jelly, or drag its size"
-                     : "Click to drop a box, or drag its size";
+        return sizeOr(soft_ ? "Click to drop a jelly, or drag its size"
+                            : "Click to drop a box, or drag its size",
+                      massPerArea);
     }
 
 private:
     void make(const Pointer&) override {
         const double usual = soft_ ? 0.8 : 0.5;
-        Point size = (to() - from()).cwiseAbs();
-        const Point centre = clicked() ? to() : Point((from() + to()) / 2);
-        if (clicked()) size = {usual, usual};
-        size = size.cwiseMax(smallest).cwiseMin(100.0);
-        const double mass = size.x() * size.y() * massPerArea;
+        Point drawn = clicked() ? Point(usual, usual) : size();
+        drawn = drawn.cwiseMax(smallest).cwiseMin(100.0);
+        const double mass = drawn.x() * drawn.y() * massPerArea;
         if (soft_)
-            add("jelly", jelly(size, mass), centre);
+            add("jelly", jelly(drawn, mass), centre());
         else
-            add("box", sulfur::shapes::BoxOptions{.size = size.cast<Real>(), .mass = real(mass)},
-                centre);
+            add("box", sulfur::shapes::BoxOptions{.size = drawn.cast<Real>(), .mass = real(mass)},
+                centre());
     }
 
     // Springs that let the body sag by two parts in a hundred under its weight, and large ones,
@@ -267,48 +278,39 @@ private:
 };
 
 // Rectangles of many cells: cloth and walls.
-class GridTool final : public DragTool {
+class GridTool final : public FrameTool {
 public:
-    GridTool(Workbench& bench, bool cloth) : DragTool(bench), cloth_(cloth) {}
-    Preview preview() const override {
-        if (!dragging() || clicked()) return {};
-        return {Preview::Kind::rectangle, from(), to(), 0};
-    }
+    GridTool(Workbench& bench, bool cloth) : FrameTool(bench), cloth_(cloth) {}
     std::string hint() const override {
-        const Point size = (to() - from()).cwiseAbs();
-        if (dragging() && !clicked())
-            return metres(size.x()) + " wide, " + metres(size.y()) + " high, " +
-                   kilograms(size.x() * size.y() * (cloth_ ? clothMassPerArea : wallMassPerArea));
-        return cloth_ ? "Click to hang a cloth by its corners, or drag its size"
-                      : "Click to build a wall that crumbles, or drag its size";
+        return sizeOr(cloth_ ? "Click to hang a cloth by its corners, or drag its size"
+                             : "Click to build a wall that crumbles, or drag its size",
+                      cloth_ ? clothMassPerArea : wallMassPerArea);
     }
 
 private:
     void make(const Pointer&) override {
-        Point size = (to() - from()).cwiseAbs();
-        const Point centre = clicked() ? to() : Point((from() + to()) / 2);
-        if (clicked()) size = cloth_ ? Point(1.5, 1.5) : Point(2, 1.5);
-        size = size.cwiseMax(4 * smallest).cwiseMin(20.0);
+        Point drawn = !clicked() ? size() : cloth_ ? Point(1.5, 1.5) : Point(2, 1.5);
+        drawn = drawn.cwiseMax(4 * smallest).cwiseMin(20.0);
         const auto cells = [&](double side, double cell, int least, int most) {
             return std::clamp(static_cast<int>(std::lround(side / cell)), least, most);
         };
-        const double area = size.x() * size.y();
+        const double area = drawn.x() * drawn.y();
         if (cloth_) {
             sulfur::shapes::ClothOptions options;
-            options.size = size.cast<Real>();
-            options.columns = cells(size.x(), 0.13, 4, 24);
-            options.rows = cells(size.y(), 0.13, 4, 24);
+            options.size = drawn.cast<Real>();
+            options.columns = cells(drawn.x(), 0.13, 4, 24);
+            options.rows = cells(drawn.y(), 0.13, 4, 24);
             options.mass = real(area * clothMassPerArea);
-            add("cloth", options, centre);
+            add("cloth", options, centre());
         } else {
             sulfur::shapes::WallOptions options;
-            options.size = size.cast<Real>();
-            options.columns = cells(size.x(), 0.4, 1, 20);
-            options.rows = cells(size.y(), 0.4, 1, 20);
+            options.size = drawn.cast<Real>();
+            options.columns = cells(drawn.x(), 0.4, 1, 20);
+            options.rows = cells(drawn.y(), 0.4, 1, 20);
             options.mass = real(area * wallMassPerArea);
             // It stands, and bears being put down from a hand's breadth.
             options.strength = real(std::max(1500.0, wallStrength * area * wallMassPerArea));
-            add("wall", options, centre);
+            add("wall", options, centre());
         }
     }
 

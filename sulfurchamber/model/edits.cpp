@@ -280,7 +280,7 @@ void Document::change(std::span<const BodyId> bodies, const std::function<void(P
 void Document::changePiece(BodyId body, const std::function<void(Prefab&)>& change) {
     const Pose pose = world_->pose(body);
     Prefab prefab;
-    prefab.blueprint = blueprintNow(*world_, body, pose.position);
+    prefab.blueprint = sulfur::scene::blueprintNow(*world_, body, pose.position);
     const sulfur::Blueprint before = prefab.blueprint;
     change(prefab);
     follow(*world_, body, before, prefab.blueprint);
@@ -505,7 +505,8 @@ void Document::setFactors(const Constants& wanted) {
             follow(*world_, body, scaled(plan, constants_), scaled(plan, next));
             continue;
         }
-        sulfur::Blueprint now = blueprintNow(*world_, body, world_->centreOfMass(body));
+        sulfur::Blueprint now =
+            sulfur::scene::blueprintNow(*world_, body, world_->centreOfMass(body));
         sulfur::Blueprint after = scaled(now, quotient);
         if (!(constants_.friction > 0)) after.material = scaled(sulfur::Material{}, next);
         follow(*world_, body, now, after);

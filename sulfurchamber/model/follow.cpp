@@ -1,7 +1,6 @@
 #include "follow.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace sulfurchamber {
 namespace {
@@ -128,34 +127,6 @@ BodyId follow(World& world, BodyId body, const Blueprint& before, const Blueprin
     if (!canBeSet(world, body, before, after)) return replace(world, body, after);
     set(world, body, before, after);
     return body;
-}
-
-Blueprint blueprintNow(const World& world, BodyId body, const Point& origin) {
-    Blueprint plan;
-    plan.name = world.name(body);
-    plan.kind = world.kind(body);
-    plan.material = world.material(body);
-    plan.filter = world.filter(body);
-    plan.sensor = world.sensor(body);
-    plan.selfCollision = world.selfCollision(body);
-    std::map<ParticleId, std::uint32_t> places;
-    for (const ParticleId id : world.particles(body)) {
-        const auto info = world.info(id);
-        places.emplace(id, static_cast<std::uint32_t>(plan.particles.size()));
-        const Point place = info.position - origin;
-        plan.particles.push_back({place.cast<sulfur::Real>(), info.mass, info.radius, info.pinned});
-    }
-    for (const JointId id : world.joints(body)) {
-        const auto info = world.info(id);
-        plan.joints.push_back({places.at(info.a), places.at(info.b), info.stiffness, info.damping,
-                               info.restLength, info.radius, info.strength, std::nullopt});
-        if (!(world.material(id) == plan.material))
-            plan.joints.back().material = world.material(id);
-    }
-    for (const auto& info : world.angles(body))
-        plan.angles.push_back({places.at(info.a), places.at(info.b), places.at(info.c),
-                               info.stiffness, info.damping, info.restAngle});
-    return plan;
 }
 
 }  // namespace sulfurchamber

@@ -13,9 +13,4 @@ namespace sulfurchamber {
 sulfur::BodyId follow(sulfur::World& world, sulfur::BodyId body, const sulfur::Blueprint& before,
                       const sulfur::Blueprint& after);
 
-/// The plan of a body as it is now, at rest as it stands: for pieces, which have no other. Places
-/// are relative to `origin`.
-sulfur::Blueprint blueprintNow(const sulfur::World& world, sulfur::BodyId body,
-                               const sulfur::Point& origin);
-
 }  // namespace sulfurchamber

@@ -190,39 +190,41 @@ void setMaterial(Prefab& prefab, const sulfur::Material& material) {
     if (!recipe) prefab.generator = {};
 }
 
+template <class Change>
+void changeMaterial(Prefab& prefab, Change&& change) {
+    auto material = prefab.blueprint.material;
+    change(material);
+    setMaterial(prefab, material);
+}
 std::optional<double> sliding(const Prefab& prefab) {
     return static_cast<double>(prefab.blueprint.material.kineticFriction);
 }
 void setSliding(Prefab& prefab, double value) {
-    auto material = prefab.blueprint.material;
-    material.kineticFriction = toReal(value);
-    material.staticFriction = std::max(material.staticFriction, material.kineticFriction);
-    setMaterial(prefab, material);
+    changeMaterial(prefab, [&](sulfur::Material& m) {
+        m.kineticFriction = toReal(value);
+        m.staticFriction = std::max(m.staticFriction, m.kineticFriction);
+    });
 }
 std::optional<double> sticking(const Prefab& prefab) {
     return static_cast<double>(prefab.blueprint.material.staticFriction);
 }
 void setSticking(Prefab& prefab, double value) {
-    auto material = prefab.blueprint.material;
-    material.staticFriction = toReal(value);
-    material.kineticFriction = std::min(material.staticFriction, material.kineticFriction);
-    setMaterial(prefab, material);
+    changeMaterial(prefab, [&](sulfur::Material& m) {
+        m.staticFriction = toReal(value);
+        m.kineticFriction = std::min(m.staticFriction, m.kineticFriction);
+    });
 }
 std::optional<double> restitution(const Prefab& prefab) {
     return static_cast<double>(prefab.blueprint.material.restitution);
 }
 void setRestitution(Prefab& prefab, double value) {
-    auto material = prefab.blueprint.material;
-    material.restitution = toReal(value);
-    setMaterial(prefab, material);
+    changeMaterial(prefab, [&](sulfur::Material& m) { m.restitution = toReal(value); });
 }
 std::optional<double> surfaceSpeed(const Prefab& prefab) {
     return static_cast<double>(prefab.blueprint.material.surfaceSpeed);
 }
 void setSurfaceSpeed(Prefab& prefab, double value) {
-    auto material = prefab.blueprint.material;
-    material.surfaceSpeed = toReal(value);
-    setMaterial(prefab, material);
+    changeMaterial(prefab, [&](sulfur::Material& m) { m.surfaceSpeed = toReal(value); });
 }
 
 // --- the recipe's own numbers ----------------------------------------------------------------

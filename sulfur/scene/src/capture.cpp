@@ -8,6 +8,12 @@ namespace sulfur::scene {
 
 namespace {
 
+/// Of a joint, if it shows another surface than a body.
+std::optional<Material> ownMaterial(const World& world, JointId joint, BodyId body) {
+    const Material& own = world.material(joint);
+    return own == world.material(body) ? std::nullopt : std::optional(own);
+}
+
 class Capture {
 public:
     Capture(const World& world, const Scene& base, const Instance& instance)
@@ -79,7 +85,9 @@ private:
         placement.sensor.reset();
         if (rest == nullptr) placement.pose = {world_.centreOfMass(body), 0};
         Prefab prefab;
-        prefab.blueprint = blueprintNow(body, rest, placement.pose.position);
+        prefab.blueprint = blueprintNow(world_, body, placement.pose.position);
+        for (std::size_t k = 0; rest != nullptr && k < rest->particles.size(); ++k)
+            prefab.blueprint.particles[k].position = rest->particles[k].position;
         prefab.blueprint.name = scene_.freeName(placement.id);
         placement.blueprint = prefab.blueprint.name;
         scene_.blueprints.push_back(std::move(prefab));
@@ -92,46 +100,10 @@ private:
         }
     }
 
-    Blueprint blueprintNow(BodyId body, const Blueprint* rest, const Point& origin) const {
-        Blueprint plan;
-        plan.kind = world_.kind(body);
-        plan.material = world_.material(body);
-        plan.filter = world_.filter(body);
-        plan.sensor = world_.sensor(body);
-        plan.selfCollision = world_.selfCollision(body);
-        plan.skin = world_.skin(body);
-        std::map<ParticleId, std::uint32_t> places;
-        for (const ParticleId id : world_.particles(body)) {
-            const ParticleInfo info = world_.info(id);
-            const auto place = static_cast<std::uint32_t>(plan.particles.size());
-            places.emplace(id, place);
-            const Vec2 position = rest != nullptr ? rest->particles[place].position
-                                                  : Vec2((info.position - origin).cast<Real>());
-            plan.particles.push_back({position, info.mass, info.radius, info.pinned});
-        }
-        for (const JointId id : world_.joints(body)) {
-            const JointInfo info = world_.info(id);
-            plan.joints.push_back({places.at(info.a), places.at(info.b), info.stiffness,
-                                   info.damping, info.restLength, info.radius, info.strength,
-                                   ownMaterial(id, body)});
-        }
-        for (const AngleInfo& info : world_.angles(body))
-            plan.angles.push_back({places.at(info.a), places.at(info.b), places.at(info.c),
-                                   info.stiffness, info.damping, info.restAngle});
-        if (plan.skin && plan.skin->uv.size() != plan.particles.size()) plan.skin.reset();
-        return plan;
-    }
-
-    /// Of a joint, if it shows another surface than a body.
-    std::optional<Material> ownMaterial(JointId joint, BodyId body) const {
-        const Material& own = world_.material(joint);
-        return own == world_.material(body) ? std::nullopt : std::optional(own);
-    }
-
     /// Whether adding `plan` would make a body like this one, wherever its particles are.
     bool describes(const Blueprint& plan, BodyId body) const {
         const Blueprint now = plan.particles.size() == world_.particles(body).size()
-                                  ? blueprintNow(body, &plan, Point(0, 0))
+                                  ? blueprintNow(world_, body, Point(0, 0))
                                   : Blueprint{};
         if (plan.kind != now.kind || !(plan.material == now.material) ||
             !(plan.filter == now.filter) || plan.sensor != now.sensor ||
@@ -183,9 +155,9 @@ private:
             connection.extra = old->second->extra;
         connection.a = refs_.at(info.a);
         connection.b = refs_.at(info.b);
-        connection.options = {info.stiffness,  info.damping,
-                              info.restLength, info.radius,
-                              info.strength,   ownMaterial(joint, world_.info(info.a).body)};
+        connection.options = {
+            info.stiffness, info.damping,  info.restLength,
+            info.radius,    info.strength, ownMaterial(world_, joint, world_.info(info.a).body)};
         scene_.connections.push_back(std::move(connection));
     }
 
@@ -255,6 +227,35 @@ private:
 };
 
 }  // namespace
+
+Blueprint blueprintNow(const World& world, BodyId body, const Point& origin) {
+    Blueprint plan;
+    plan.name = world.name(body);
+    plan.kind = world.kind(body);
+    plan.material = world.material(body);
+    plan.filter = world.filter(body);
+    plan.sensor = world.sensor(body);
+    plan.selfCollision = world.selfCollision(body);
+    plan.skin = world.skin(body);
+    std::map<ParticleId, std::uint32_t> places;
+    for (const ParticleId id : world.particles(body)) {
+        const ParticleInfo info = world.info(id);
+        places.emplace(id, static_cast<std::uint32_t>(plan.particles.size()));
+        const Point place = info.position - origin;
+        plan.particles.push_back({place.cast<Real>(), info.mass, info.radius, info.pinned});
+    }
+    for (const JointId id : world.joints(body)) {
+        const JointInfo info = world.info(id);
+        plan.joints.push_back({places.at(info.a), places.at(info.b), info.stiffness, info.damping,
+                               info.restLength, info.radius, info.strength,
+                               ownMaterial(world, id, body)});
+    }
+    for (const AngleInfo& info : world.angles(body))
+        plan.angles.push_back({places.at(info.a), places.at(info.b), places.at(info.c),
+                               info.stiffness, info.damping, info.restAngle});
+    if (plan.skin && plan.skin->uv.size() != plan.particles.size()) plan.skin.reset();
+    return plan;
+}
 
 Scene capture(const World& world, const Scene& base, const Instance& instance) {
     return Capture(world, base, instance).run();

@@ -32,8 +32,11 @@ Instance instantiate(const Scene& scene, World& world);
 /// The state of a running world as a scene. Bodies of `instance` keep their id, and their prefab
 /// while it still describes them; bodies that came later, broke or were changed get explicit
 /// blueprints of their own. `base` gives title, sections and all other unknown members.
-/// Left out are attachments to a joint between bodies and those of a particle to its own body,
-/// which scenes cannot say.
+/// Left out are mechanisms, attachments to a joint between bodies and those of a particle to its
+/// own body, which scenes cannot say.
 Scene capture(const World& world, const Scene& base = {}, const Instance& instance = {});
+
+/// A body as it is now as a blueprint, with its name, its particles in their places less `origin`.
+Blueprint blueprintNow(const World& world, BodyId body, const Point& origin);
 
 }  // namespace sulfur::scene
