@@ -12,9 +12,11 @@ namespace sulfur {
 
 /// What acts along the coordinate of a mechanism: the angle of a hinge, the place on a slider, a
 /// distance. Its unit is the radian or the metre, that of its forces N m or N. All of them act
-/// together, and each is implicit (backward Euler): none makes a world unstable, however stiff it
-/// is, but the amplitude of a spring without damping falls as exp(-h w^2 t / 2) after t seconds, in
-/// steps of h seconds, at w rad/s. Scene files do not hold mechanisms.
+/// together, and each is implicit (backward Euler), so that it may be as stiff as it likes; but the
+/// amplitude of a spring without damping falls as exp(-h w^2 t / 2) after t seconds, in steps of h
+/// seconds, at w rad/s. Drives that contradict each other, such as two rigid ones that want
+/// different angles of the same bodies, push with what they have, and may throw these bodies. Scene
+/// files do not hold mechanisms.
 struct Drive {
     Real lower = -infinite;  ///< rad or m, the least value
     Real upper = infinite;   ///< rad or m, the largest one, not less than `lower`

@@ -11,6 +11,7 @@
 #include <sulfur/fields.hpp>
 #include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
+#include <sulfur/info.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
 #include <sulfur/mechanisms.hpp>
@@ -21,3 +22,4 @@
 #include <sulfur/thread_pool.hpp>
 #include <sulfur/version.hpp>
 #include <sulfur/world.hpp>
+#include <sulfur/world_settings.hpp>

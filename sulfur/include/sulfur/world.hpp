@@ -2,7 +2,6 @@
 /// The world: owns everything, one step() is one tick.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -16,108 +15,18 @@
 #include <sulfur/fields.hpp>
 #include <sulfur/grab.hpp>
 #include <sulfur/ids.hpp>
+#include <sulfur/info.hpp>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
 #include <sulfur/mechanisms.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/statistics.hpp>
 #include <sulfur/tasks.hpp>
+#include <sulfur/world_settings.hpp>
 #include <utility>
 #include <vector>
 
 namespace sulfur {
-
-/// What the damper of an elastic joint brakes.
-enum class Damper : std::uint8_t {
-    axial,  ///< stretching only: a body turns freely
-    full,   ///< all relative motion of its ends, also turning, as equation (1) of the paper has it
-};
-
-/// How touching surfaces brake each other.
-enum class Friction : std::uint8_t {
-    /// Coulomb's: what sticks stays where it is until static friction is exceeded, then slides
-    /// against kinetic friction.
-    coulomb,
-    /// The paper's (section 3.3): a force against the sliding velocity and proportional to it. The
-    /// kinetic coefficients are read as N s/m; nothing ever sticks, and discs do not roll.
-    sliding,
-};
-
-/// What a world is made with.
-struct WorldSettings {
-    Vec2 gravity{0, Real(-9.81)};  ///< m/s^2
-    Real airFriction = 0;  ///< 1/s, 0 to the tick rate: acceleration -airFriction * velocity
-    int tickRate = 500;    ///< Hz, 60 to 10000; below 480 a tick takes several equal steps
-    bool sleeping = true;  ///< whether islands at rest fall asleep
-    Damper damper = Damper::axial;          ///< of all elastic joints
-    Friction friction = Friction::coulomb;  ///< of all contacts
-    bool tellPersisting = false;            ///< whether Events::contactsPersisted is filled
-    int sweeps = 4;  ///< 1 to 100 passes over the constraints in a step: at most over contacts
-                     ///< alone, at least beside joints, where contacts may ask for twice as many
-    /// m/s, 0 to 2000: what moves slower for half a second falls asleep; 0: nothing does. When not
-    /// given 0.005 under a gravity of 1 to 100 m/s^2 and without any; under less or more in
-    /// proportion to that, so that nothing falls asleep where it turns around in the air. (So it
-    /// is also for bodies on which little of gravity acts, see World::setGravityScale.)
-    std::optional<Real> sleepSpeed = std::nullopt;
-    /// m/s, 0 to 2000: what meets slower does not rebound, so that what lies comes to rest. When
-    /// not given 0.1, and under little or much gravity in the same proportion.
-    std::optional<Real> reboundSpeed = std::nullopt;
-};
-
-/// What a particle is at the moment.
-struct ParticleInfo {
-    BodyId body = {};      ///< whose it is
-    Point position{0, 0};  ///< metres
-    Vec2 velocity{0, 0};   ///< m/s; see World::velocity
-    Real mass = 0;         ///< kg
-    Real radius = 0;       ///< m
-    bool pinned = false;   ///< whether it is held where it is
-    double angle = 0;      ///< rad, -pi to pi: how far a disc that rolls has turned, else 0
-    double spin = 0;       ///< rad/s, of a disc that rolls, else 0
-};
-
-/// What a joint is at the moment.
-struct JointInfo {
-    BodyId body = {};     ///< null for a joint between bodies
-    ParticleId a = {};    ///< one end
-    ParticleId b = {};    ///< the other end
-    Real restLength = 0;  ///< m
-    Real stiffness = 0;   ///< N/m
-    Real damping = 0;     ///< N s/m
-    Real radius = 0;      ///< m
-    Real strength = 0;    ///< N
-    Real force = 0;       ///< N in the last tick, positive when it pulls
-};
-
-/// What an angular joint is at the moment; see AngularJointSpec.
-struct AngleInfo {
-    ParticleId a = {};   ///< one neighbour
-    ParticleId b = {};   ///< the corner
-    ParticleId c = {};   ///< the other neighbour
-    Real stiffness = 0;  ///< N m/rad
-    Real damping = 0;    ///< N m s/rad
-    Real restAngle = 0;  ///< radians
-    Real angle = 0;      ///< radians, -pi to pi: the turn from a to b to that from b to c
-    Real torque = 0;     ///< N m in the last tick, positive where it makes the angle larger
-};
-
-/// What an attachment is: its particle is held at the sum of weight_i times the place of support_i.
-struct AttachmentInfo {
-    ParticleId particle = {};                 ///< what is held
-    std::uint32_t count = 0;                  ///< of supports, 1 to 3
-    std::array<ParticleId, 3> supports = {};  ///< the first `count` are valid, the others null
-    std::array<Real, 3> weights{0, 0, 0};     ///< their sum is 1; 0 beyond `count`
-};
-
-/// What a contact of the last tick was, or of a sleeper's last tick awake, with what impacts gave.
-struct ContactInfo {
-    BodyId a = {};      ///< the body whose particle touches
-    BodyId b = {};      ///< the body whose capsule or disc is touched
-    Point point{0, 0};  ///< metres
-    Vec2 normal{0, 0};  ///< unit, from b towards a
-    Real impulse = 0;   ///< N s along the normal in that tick
-    Real friction = 0;  ///< N s along the normal turned by a right angle counter-clockwise
-};
 
 /// Options of a joint between two particles that exist already.
 struct ConnectOptions {

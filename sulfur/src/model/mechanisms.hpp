@@ -75,6 +75,7 @@ struct Mechanism {
     std::array<BodyId, 2> own;         // bodies of a particle: a pin, or places of fixed bodies
     Real pinStrength = infinite;       // N
     std::uint8_t turns = 1;            // a slider's b
+    std::uint8_t apart = 0;            // its bodies are not to collide
     std::uint8_t vetoes = 0;           // its bodies collide again when it is gone
     std::uint8_t atLower = 0, atUpper = 0;  // in the last step
     std::array<std::uint8_t, 3> vain{};     // rows that begin the next step without these
@@ -105,6 +106,7 @@ struct Mechanism {
         archive(own);
         archive(pinStrength);
         archive(turns);
+        archive(apart);
         archive(vetoes);
         archive(atLower);
         archive(atUpper);
@@ -158,6 +160,7 @@ struct MechanismRow {
     double now = 0;     // rad or m, in this sweep
     double change = 0;  // of the multipliers, in this sweep
     RowHold hold;       // when the step began
+    bool vain = false;  // it has pushed against what gives as little as it does
 
     double sum() const { return spring + motor + low + high; }
 };

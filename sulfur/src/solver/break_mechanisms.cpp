@@ -12,10 +12,16 @@ namespace sulfur::detail {
 
 namespace {
 
-/// The two bodies may collide again, if it was the mechanism that forbade it.
+/// The two bodies may collide again, if it was the mechanism that forbade it and no other one of
+/// theirs wants that too.
 void allowCollision(State& state, const Mechanism& m) {
     if (m.vetoes == 0) return;
     const auto pair = BodyPair::of(m.a, m.b);
+    for (Mechanism& other : state.mechanisms.list) {
+        if (other.apart == 0 || BodyPair::of(other.a, other.b) != pair) continue;
+        other.vetoes = 1;
+        return;
+    }
     const auto at = std::lower_bound(state.vetoes.begin(), state.vetoes.end(), pair);
     if (at == state.vetoes.end() || *at != pair) return;
     state.vetoes.erase(at);

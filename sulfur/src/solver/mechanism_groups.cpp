@@ -148,13 +148,18 @@ public:
     /// `row.now`: how far each coordinate is to be moved. Finds what does that, as `row.change`.
     void lead() {
         for (MechanismRow& row : rows_) row.change = 0;
-        for (int i = 0; i < tuned::mostRowPasses; ++i)
+        bool changed = true;
+        for (int i = 0; i < tuned::mostRowPasses && changed; ++i) {
+            changed = false;
             for (std::size_t k = 0; k < rows_.size(); ++k) {
                 if (!(rows_[k].mobility > 0)) continue;
                 const double more = rows_[k].now / rows_[k].mobility;
                 rows_[k].change += more;
                 for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now -= matrix(j, k) * more;
+                changed |= std::abs(more) > tuned::settledRow * std::abs(rows_[k].change);
             }
+            changed &= rows_.size() > 1;
+        }
     }
 
 private:
@@ -231,20 +236,24 @@ void shiftNode(State& state, std::uint32_t cluster, std::uint32_t particle,
     }
 }
 
-/// How far a coordinate is from where its drive allows it, and has to go in this step.
+/// How far a row's coordinate has to go in this step to be where its drive allows it.
 double wayToMend(const State& state, const MechanismRow& row) {
-    const Mechanism& m = state.mechanisms.list[row.mechanism];
-    const double now = valueOf(state, m, RowOf(row.number), true);
-    double goal = now;
-    if (row.number != 0) {
-        goal = 0;
-    } else {
-        if (row.rigid) goal = static_cast<double>(m.drive.rest);
-        goal = std::clamp(goal, static_cast<double>(m.drive.lower),
-                          static_cast<double>(m.drive.upper));
+    double goal = 0;
+    if (row.number == 0) {
+        const Drive& drive = state.mechanisms.list[row.mechanism].drive;
+        goal = std::clamp(row.rigid ? static_cast<double>(drive.rest) : row.now,
+                          static_cast<double>(drive.lower), static_cast<double>(drive.upper));
     }
     const double most = closingSpeed * static_cast<double>(state.h);
-    return std::clamp(tuned::recoveryShare * (goal - now), -most, most);
+    return std::clamp(tuned::recoveryShare * (goal - row.now), -most, most);
+}
+
+/// Whether something stands in its way that gives as little as it does. Both would push ever
+/// harder, if they began with that.
+bool isVain(const State& state, const MechanismRow& row) {
+    const RowHold hold = holdOf(row);
+    if (!hold.multiplier || hold.compliance > 0) return false;
+    return !(std::abs(row.now - hold.goal) <= tuned::vainSpeed * static_cast<double>(state.h));
 }
 
 /// What of a unit of the row arrives at a node of a tree.
@@ -315,31 +324,32 @@ double response(const State& state, const MechanismRow& to, const MechanismRow& 
 void groupRows(State& state) {
     Mechanisms& all = state.mechanisms;
     const auto count = static_cast<std::uint32_t>(all.rows.size());
-    const auto clusters = static_cast<std::uint32_t>(state.clusters.list.size()),
-               particles = static_cast<std::uint32_t>(state.particles.size());
-    DisjointSets sets(count, &state.arena);
-    std::pmr::vector<std::uint32_t> firstAt(clusters + particles + state.trees.list.size(), none,
-                                            &state.arena);
+    using Pushes = std::tuple<int, std::uint32_t, std::uint32_t>;  // what kind of thing, which, row
+    std::pmr::vector<Pushes> pushes(&state.arena);
     for (std::uint32_t i = 0; i < count; ++i)
         for (const TurnedMover& m : all.rows[i].slopes) {
             if (!(m.inverseMass + m.inverseInertia > 0)) continue;
             const auto tree = treeOf(state, m);
-            const auto at = tree != none        ? clusters + particles + tree
-                            : m.cluster != none ? m.cluster
-                                                : clusters + m.particle;
-            if (firstAt[at] == none)
-                firstAt[at] = i;
+            if (tree != none)
+                pushes.emplace_back(0, tree, i);
             else
-                sets.unite(firstAt[at], i);
+                pushes.emplace_back(m.cluster != none ? 1 : 2,
+                                    m.cluster != none ? m.cluster : m.particle, i);
         }
+    std::sort(pushes.begin(), pushes.end());
+    DisjointSets sets(count, &state.arena);
+    for (std::size_t k = 1; k < pushes.size(); ++k) {
+        const auto& [kind, thing, row] = pushes[k];
+        const auto& [kindBefore, thingBefore, rowBefore] = pushes[k - 1];
+        if (kind == kindBefore && thing == thingBefore) sets.unite(rowBefore, row);
+    }
     // The first row of a group comes before all groups that begin later.
-    std::pmr::vector<std::uint32_t> firstOf(count, none, &state.arena), order(count, &state.arena);
+    std::pmr::vector<std::uint32_t> firstOf(count, none, &state.arena);
     for (std::uint32_t i = 0; i < count; ++i) {
         auto& first = firstOf[sets.find(i)];
         if (first == none) first = i;
-        order[i] = first;
+        all.rows[i].group = first;
     }
-    for (std::uint32_t i = 0; i < count; ++i) all.rows[i].group = order[i];
     std::sort(all.rows.begin(), all.rows.end(), [](const MechanismRow& a, const MechanismRow& b) {
         return std::tuple(a.group, a.mechanism, a.number) <
                std::tuple(b.group, b.mechanism, b.number);
@@ -405,6 +415,8 @@ void leadMechanisms(State& state) {
         const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
         bool any = false;
         for (MechanismRow& row : rows) {
+            row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
+            row.vain = isVain(state, row);
             row.now = wayToMend(state, row);
             any |= row.now != 0;
         }

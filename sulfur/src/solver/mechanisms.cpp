@@ -70,10 +70,10 @@ Drive holding() {
     drive.stiffness = infinite;
     return drive;
 }
-const Drive holds0 = holding();
+const Drive atZero = holding();
 
 const Drive& driveOf(const Mechanism& m, std::uint32_t number) {
-    return number == 0 ? m.drive : holds0;
+    return number == 0 ? m.drive : atZero;
 }
 
 bool hasRow(const Mechanism& m, RowOf row) {
@@ -140,20 +140,8 @@ bool isAwake(const State& state, const Mechanism& m) {
     return state.awake(state.bodySlots.dense(m.a)) || state.awake(state.bodySlots.dense(m.b));
 }
 
-/// Whether it has pushed in vain: something stands in the way that gives as little as it does. Both
-/// would push ever harder, if they began with that.
-bool isVain(const State& state, const MechanismRow& row) {
-    const RowHold hold = holdOf(row);
-    if (!hold.multiplier || hold.compliance > 0) return false;
-    const double now =
-        valueOf(state, state.mechanisms.list[row.mechanism], RowOf(row.number), true);
-    return !(std::abs(now - hold.goal) <= tuned::vainSpeed * static_cast<double>(state.h));
-}
-
 }  // namespace
 
-/// What holds a row when the step begins: its coordinate plus `compliance` times this multiplier is
-/// to be `goal`.
 RowHold holdOf(const MechanismRow& row) {
     if (row.low > 0) return {&MechanismRow::low, row.lower};
     if (row.high < 0) return {&MechanismRow::high, row.upper};
@@ -220,7 +208,7 @@ void recordMechanisms(State& state) {
         const auto newtons = [&](double multiplier) {
             return static_cast<Real>(perMultiplier * multiplier);
         };
-        all.list[row.mechanism].vain[row.number] = isVain(state, row);
+        all.list[row.mechanism].vain[row.number] = row.vain;
         all.list[row.mechanism].forces[row.number] = {newtons(row.spring), newtons(row.motor),
                                                       newtons(row.low), newtons(row.high)};
     }

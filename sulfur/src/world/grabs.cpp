@@ -14,6 +14,20 @@ using detail::Grab;
 using detail::indexOf;
 using detail::State;
 
+namespace detail {
+
+Real movableMass(const State& state, std::uint32_t body) {
+    const auto& record = state.bodies[body];
+    double sum = 0;
+    for (std::uint32_t k = 0; k < record.particles.size(); ++k) {
+        const auto i = record.firstParticle + k;
+        if (!state.particles.pinned[i]) sum += static_cast<double>(state.particles.mass[i]);
+    }
+    return static_cast<Real>(sum);
+}
+
+}  // namespace detail
+
 namespace {
 
 void validate(const GrabOptions& options) {
@@ -30,17 +44,6 @@ void validateTarget(const Point& target) {
                              "grab: target");
 }
 
-/// What physics moves of a body, kg.
-Real movableMass(const State& state, std::uint32_t body) {
-    const auto& record = state.bodies[body];
-    double sum = 0;
-    for (std::uint32_t k = 0; k < record.particles.size(); ++k) {
-        const auto i = record.firstParticle + k;
-        if (!state.particles.pinned[i]) sum += static_cast<double>(state.particles.mass[i]);
-    }
-    return static_cast<Real>(sum);
-}
-
 /// `held` says what to hold, as an attachment does; its own particle means nothing.
 GrabId addGrab(State& state, const detail::Attachment& held, const Point& target,
                const GrabOptions& options) {
@@ -50,7 +53,7 @@ GrabId addGrab(State& state, const detail::Attachment& held, const Point& target
     if (state.bodies[body].kind != BodyKind::dynamic)
         throw Error(ErrorCode::degenerate,
                     "a fixed or kinematic body cannot be grabbed; allowed is a dynamic one");
-    const Real mass = movableMass(state, body);
+    const Real mass = detail::movableMass(state, body);
     const Real omega = static_cast<Real>(detail::fullTurn) * options.frequency;
     Grab grab;
     grab.count = held.count;

@@ -22,6 +22,18 @@ void setParticleVelocity(State& state, std::uint32_t particle, const Point& velo
 /// attachment's own particle and id are left open.
 Attachment supportsFor(const State& state, std::uint32_t body, Vec2 point);
 
+/// What physics moves of a body, kg.
+Real movableMass(const State& state, std::uint32_t body);
+
+/// Throws unless the numbers of a drive are in their ranges.
+void validate(const Drive& drive);
+/// Throws unless it is above 0, or `infinite`.
+void requireStrength(Real strength, const char* what);
+/// Throws Error{staleHandle} when it is gone.
+const Mechanism& knownMechanism(const State& state, MechanismId id);
+/// Wakes both bodies, as far as they are there.
+void wakeBoth(State& state, const Mechanism& mechanism);
+
 /// Wakes the bodies of both ends of a joint and what lies on them.
 void wakeEnds(State& state, std::uint32_t joint);
 /// Wakes the bodies of both ends, and makes the next tick notice changed joints.

@@ -1,14 +1,9 @@
-// World: mechanisms between bodies.
-#include <algorithm>
-#include <array>
+// World: mechanisms that there are.
 #include <cmath>
+#include <string>
 
 #include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
-#include "core/limits.hpp"
-#include "core/room.hpp"
-#include "core/trigonometry.hpp"
-#include "solver/compact.hpp"
 #include "solver/coordinates.hpp"
 #include "solver/mechanisms.hpp"
 #include "world/impl.hpp"
@@ -16,21 +11,19 @@
 namespace sulfur {
 
 using detail::Mechanism;
-using detail::MechanismArm;
-using detail::MechanismPoint;
 using detail::RowOf;
 using detail::State;
 
-namespace {
+namespace detail {
 
 constexpr double stiffest = 1e12;  // also of damping
 
 void requireStrength(Real strength, const char* what) {
     if (strength == infinite) return;
-    detail::requirePositive(static_cast<double>(strength), what);
+    requirePositive(static_cast<double>(strength), what);
 }
 
-void validateDrive(const Drive& d) {
+void validate(const Drive& d) {
     if (std::isnan(d.lower) || std::isnan(d.upper) || d.lower > d.upper || d.lower == infinite ||
         d.upper == -infinite)
         throw Error(ErrorCode::outOfRange,
@@ -38,130 +31,19 @@ void validateDrive(const Drive& d) {
                         std::to_string(static_cast<double>(d.upper)) +
                         "; allowed is a lower one that is not above the upper one");
     if (d.stiffness != infinite)
-        detail::requireRange(static_cast<double>(d.stiffness), 0, stiffest, "drive: stiffness");
-    detail::requireRange(static_cast<double>(d.damping), 0, stiffest, "drive: damping");
-    detail::requireRange(static_cast<double>(d.rest), -1e6, 1e6, "drive: rest");
-    detail::requireRange(static_cast<double>(d.motorSpeed), -1e6, 1e6, "drive: motor speed");
-    detail::requireNonNegativeOrInfinite(static_cast<double>(d.motorMax), "drive: motor maximum");
+        requireRange(static_cast<double>(d.stiffness), 0, stiffest, "drive: stiffness");
+    requireRange(static_cast<double>(d.damping), 0, stiffest, "drive: damping");
+    requireRange(static_cast<double>(d.rest), -1e6, 1e6, "drive: rest");
+    requireRange(static_cast<double>(d.motorSpeed), -1e6, 1e6, "drive: motor speed");
+    requireNonNegativeOrInfinite(static_cast<double>(d.motorMax), "drive: motor maximum");
     if (d.motorTarget)
-        detail::requireRange(static_cast<double>(*d.motorTarget), -1e6, 1e6, "drive: motor target");
+        requireRange(static_cast<double>(*d.motorTarget), -1e6, 1e6, "drive: motor target");
     requireStrength(d.strength, "drive: strength");
 }
 
-/// Whom a mechanism is about to join.
-struct Couple {
-    std::uint32_t a, b;  // dense
-};
-
-std::uint32_t indexOfEnd(const State& state, BodyId id, const char* which) {
-    try {
-        return indexOf(state, id);
-    } catch (const Error& e) {
-        throw Error(e.code(), std::string(which) + ": " + e.what());
-    }
-}
-
-Couple coupleOf(const State& state, BodyId a, BodyId b) {
-    const Couple both{indexOfEnd(state, a, "the first body"),
-                      indexOfEnd(state, b, "the second body")};
-    if (a == b)
-        throw Error(ErrorCode::degenerate,
-                    "a mechanism between a body and itself; allowed are two bodies");
-    const auto moves = [&](std::uint32_t i) { return state.bodies[i].kind == BodyKind::dynamic; };
-    if (!moves(both.a) && !moves(both.b))
-        throw Error(ErrorCode::degenerate,
-                    "a mechanism between two bodies that physics does not move; at least one must "
-                    "be dynamic");
-    return both;
-}
-
-/// How large a body is, m.
-double sizeOf(const State& state, std::uint32_t body) {
-    const auto& record = state.bodies[body];
-    Vec2 low = state.particles.rest[record.firstParticle], high = low;
-    for (std::uint32_t k = 0; k < record.particles.size(); ++k) {
-        const Vec2& rest = state.particles.rest[record.firstParticle + k];
-        low = low.cwiseMin(rest);
-        high = high.cwiseMax(rest);
-    }
-    return static_cast<double>((high - low).norm());
-}
-
-/// A point of a body, which is given in the world.
-struct Found {
-    MechanismPoint point;
-    Vec2 local{0, 0};
-    bool isParticle = false;  // it is the first support
-    bool holds = true;        // the particles can hold a point there
-};
-
-Found find(const State& state, std::uint32_t body, const Point& at, const Pose& pose) {
-    detail::requireWithin(at, detail::maxCoordinate, "point");
-    Found found;
-    found.local =
-        detail::turnedBack(detail::unitVector(pose.angle), at - pose.position).cast<Real>();
-    const detail::Attachment held = detail::supportsFor(state, body, found.local);
-    const auto& rest = state.particles.rest;
-    const double near = 1e-4 * (sizeOf(state, body) + 1e-3);
-    const Vec2 first = rest[held.support[0]];
-    found.isParticle = static_cast<double>((first - found.local).norm()) <= near;
-    if (found.isParticle) {
-        found.local = first;
-        found.point.count = 1;
-        found.point.support[0] = state.particles.id[held.support[0]];
-        found.point.weight[0] = 1;
-        return found;
-    }
-    Vec2 reached(0, 0);
-    found.point.count = held.count;
-    for (std::uint32_t k = 0; k < held.count; ++k) {
-        found.point.support[k] = state.particles.id[held.support[k]];
-        found.point.weight[k] = held.weight[k];
-        reached += held.weight[k] * rest[held.support[k]];
-        found.holds &= std::abs(static_cast<double>(held.weight[k])) <= detail::farthestSupport;
-    }
-    found.holds &= static_cast<double>((reached - found.local).norm()) <= near;
-    return found;
-}
-
-[[noreturn]] void refusePoint(const char* which) {
-    throw Error(ErrorCode::degenerate,
-                std::string("the particles of ") + which +
-                    " cannot hold that point; allowed are places of its particles (of a ball: its "
-                    "centre), on the line between two of them, or within some fifty sizes of a "
-                    "body that is no line");
-}
-
-/// The line that shows how a body turns: from the particle nearest to a point to the farthest one
-/// to which a joint of the body leads from there.
-MechanismArm armOf(const State& state, std::uint32_t body, const Vec2& local) {
-    const auto& record = state.bodies[body];
-    const auto& rest = state.particles.rest;
-    std::uint32_t from = record.firstParticle;
-    for (std::uint32_t i = from; i < record.firstParticle + record.particles.size(); ++i)
-        if ((rest[i] - local).squaredNorm() < (rest[from] - local).squaredNorm()) from = i;
-    std::uint32_t to = from;
-    const auto lengthTo = [&](std::uint32_t i) { return (rest[i] - rest[from]).squaredNorm(); };
-    for (const JointId id : record.joints) {
-        const auto j = state.jointSlots.dense(id);
-        for (const auto& [one, other] : {std::pair(state.joints.a[j], state.joints.b[j]),
-                                         std::pair(state.joints.b[j], state.joints.a[j])})
-            if (one == from && lengthTo(other) > lengthTo(to)) to = other;
-    }
-    return {state.particles.id[from], state.particles.id[to]};
-}
-
-/// What physics moves of a body, kg.
-double massOf(const State& state, std::uint32_t body) {
-    const auto& record = state.bodies[body];
-    double sum = 0;
-    for (std::uint32_t k = 0; k < record.particles.size(); ++k)
-        sum += static_cast<double>(state.particles.mass[record.firstParticle + k]);
-    return sum;
-}
-
-void requireKnown(const State& state, MechanismId id) {
-    if (state.mechanisms.slots.contains(id)) return;
+const Mechanism& knownMechanism(const State& state, MechanismId id) {
+    if (state.mechanisms.slots.contains(id))
+        return state.mechanisms.list[state.mechanisms.slots.dense(id)];
     throw Error(ErrorCode::staleHandle,
                 "the mechanism handle " + std::to_string(id.index) + ":" +
                     std::to_string(id.generation) +
@@ -169,293 +51,29 @@ void requireKnown(const State& state, MechanismId id) {
                     "whose bodies are still in this world");
 }
 
-const Mechanism& known(const State& state, MechanismId id) {
-    requireKnown(state, id);
-    return state.mechanisms.list[state.mechanisms.slots.dense(id)];
-}
-
 void wakeBoth(State& state, const Mechanism& m) {
     for (const BodyId body : {m.a, m.b})
-        if (state.bodySlots.contains(body)) detail::wakeBody(state, state.bodySlots.dense(body));
+        if (state.bodySlots.contains(body)) wakeBody(state, state.bodySlots.dense(body));
 }
 
-/// Adds mechanisms: what several calls of World make together goes again if one of them throws.
-class MechanismMaker {
-public:
-    MechanismMaker(World& world, State& state, BodyId a, BodyId b)
-        : world_(world), state_(state), couple_(coupleOf(state_, a, b)) {
-        m_.a = a;
-        m_.b = b;
-        detail::makeRoom(state_.mechanisms.list, 1);
-        state_.mechanisms.slots.makeRoom(1);
-        // Rigid components may be derived first, so that coordinates are those that steps see.
-        poseA_ = world.pose(a);
-        poseB_ = world.pose(b);
-    }
-    MechanismMaker(const MechanismMaker&) = delete;
-    MechanismMaker& operator=(const MechanismMaker&) = delete;
-    ~MechanismMaker() {
-        if (done_) return;
-        // With the bodies of its own go the attachments that hold them.
-        for (const BodyId own : m_.own)
-            if (own) detail::removeBody(state_, state_.bodySlots.dense(own));
-    }
-
-    Found a(const Point& at) const { return find(state_, couple_.a, at, poseA_); }
-    Found b(const Point& at) const { return find(state_, couple_.b, at, poseB_); }
-
-    void addPin(const Point& at) {
-        const Found onA = a(at), onB = b(at);
-        if (onB.isParticle && onA.holds && moves(couple_.b))
-            return attach(0, onB.point.support[0], m_.a, onA.local);
-        if (onA.isParticle && onB.holds && moves(couple_.a))
-            return attach(0, onA.point.support[0], m_.b, onB.local);
-        // What stands still holds any point, by a body of its own there.
-        const bool fixedA = state_.bodies[couple_.a].kind == BodyKind::fixed,
-                   fixedB = state_.bodies[couple_.b].kind == BodyKind::fixed;
-        if (!fixedA && !onA.holds) refusePoint("the first body");
-        if (!fixedB && !onB.holds) refusePoint("the second body");
-        const ParticleId pin =
-            addOwn(at, fixedA || fixedB ? BodyKind::fixed : BodyKind::dynamic, pinMass());
-        if (fixedA || fixedB) {
-            const Found& other = fixedA ? onB : onA;
-            if (other.isParticle) return attach(0, other.point.support[0], m_.own[0], {0, 0});
-            return attach(0, pin, fixedA ? m_.b : m_.a, other.local);
-        }
-        attach(0, pin, m_.a, onA.local);
-        attach(1, pin, m_.b, onB.local);
-    }
-
-    void addArms(const Point& at) {
-        m_.arms = {armOf(state_, couple_.a, a(at).local), armOf(state_, couple_.b, b(at).local)};
-    }
-
-    /// Of a body (dense). What stands still holds any point, by a body of its own there.
-    void addPoint(std::size_t k, std::uint32_t body, const Point& at, const char* which) {
-        const Found found = find(state_, body, at, world_.pose(state_.bodies[body].id));
-        m_.points[k] = found.point;
-        if (found.holds) return;
-        if (state_.bodies[body].kind != BodyKind::fixed) refusePoint(which);
-        m_.points[k] = {};
-        m_.points[k].count = 1;
-        m_.points[k].weight[0] = 1;
-        m_.points[k].support[0] = addOwn(at, BodyKind::fixed, 1);
-    }
-    void addPointOfA(std::size_t k, const Point& at) {
-        addPoint(k, couple_.a, at, "the first body");
-    }
-    void addPointOfB(std::size_t k, const Point& at) {
-        addPoint(k, couple_.b, at, "the second body");
-    }
-
-    void forbidCollision() {
-        if (!world_.collision(m_.a, m_.b)) return;
-        world_.setCollision(m_.a, m_.b, false);
-        m_.vetoes = 1;
-    }
-
-    MechanismId finish(bool collide) {
-        if (!collide) forbidCollision();
-        auto& all = state_.mechanisms;
-        m_.id = all.slots.insert(static_cast<std::uint32_t>(all.list.size()));
-        all.list.push_back(m_);
-        done_ = true;
-        wakeBoth(state_, m_);
-        detail::bodyChanged(state_);
-        return m_.id;
-    }
-
-    Mechanism& mechanism() { return m_; }
-    const State& state() const { return state_; }
-    double sizeOfA() const { return sizeOf(state_, couple_.a); }
-
-private:
-    bool moves(std::uint32_t body) const { return state_.bodies[body].kind == BodyKind::dynamic; }
-    /// A real pin is light beside what it holds.
-    Real pinMass() const {
-        double least = detail::maxMass;
-        for (const auto body : {couple_.a, couple_.b})
-            if (moves(body)) least = std::min(least, massOf(state_, body));
-        return static_cast<Real>(std::max(detail::tuned::pinShare * least, detail::minMass));
-    }
-    ParticleId addOwn(const Point& at, BodyKind kind, Real mass) {
-        Blueprint plan{.name = "pin"};
-        plan.kind = kind;
-        plan.particles.push_back({.position = {0, 0}, .mass = mass});
-        BodyId& own = m_.own[0] ? m_.own[1] : m_.own[0];
-        own = world_.add(plan, {.position = at});
-        return world_.particles(own).front();
-    }
-    void attach(std::size_t k, ParticleId particle, BodyId body, const Vec2& local) {
-        m_.pins[k] = world_.attach(particle, body, local);
-    }
-
-    World& world_;
-    State& state_;
-    Couple couple_;
-    Pose poseA_, poseB_;
-    Mechanism m_;
-    bool done_ = false;
-};
-
-}  // namespace
-
-MechanismId World::hinge(BodyId a, BodyId b, Point at, const HingeOptions& options) {
-    validateDrive(options.drive);
-    requireStrength(options.strength, "hinge: strength");
-    MechanismMaker maker(*this, impl_->changing(), a, b);
-    Mechanism& m = maker.mechanism();
-    m.kind = MechanismKind::hinge;
-    m.drive = options.drive;
-    m.pinStrength = options.strength;
-    maker.addArms(at);
-    if (options.pin) maker.addPin(at);
-    m.zero = valueOf(maker.state(), m, RowOf::drive, false);
-    return maker.finish(options.collide);
-}
-
-MechanismId World::weld(BodyId a, BodyId b, Point at, const WeldOptions& options) {
-    Drive drive;
-    drive.stiffness = options.stiffness;
-    drive.damping = options.damping;
-    drive.strength = options.torqueStrength;
-    validateDrive(drive);
-    requireStrength(options.strength, "weld: strength");
-    MechanismMaker maker(*this, impl_->changing(), a, b);
-    Mechanism& m = maker.mechanism();
-    m.kind = MechanismKind::weld;
-    m.drive = drive;
-    m.pinStrength = options.strength;
-    maker.addArms(at);
-    maker.addPin(at);
-    m.zero = valueOf(maker.state(), m, RowOf::drive, false);
-    return maker.finish(options.collide);
-}
-
-MechanismId World::slider(BodyId a, BodyId b, Point at, Vec2 axis, const SliderOptions& options) {
-    validateDrive(options.drive);
-    detail::requireFinite(axis, "slider: axis");
-    const double length = axis.cast<double>().norm();
-    if (!(length > 0))
-        throw Error(ErrorCode::degenerate, "slider: the axis is zero; allowed is any other vector");
-    MechanismMaker maker(*this, impl_->changing(), a, b);
-    Mechanism& m = maker.mechanism();
-    m.kind = MechanismKind::slider;
-    m.drive = options.drive;
-    m.turns = options.turns ? 1 : 0;
-    const double size = std::max(maker.sizeOfA(), 1e-3);
-    const Point end = at + size / length * axis.cast<double>();
-    maker.addPointOfB(0, at);
-    maker.addPointOfA(1, at);
-    maker.addPointOfA(2, end);
-    if (!options.turns) {
-        maker.addArms(at);
-        m.zeroAngle = valueOf(maker.state(), m, RowOf::angle, false);
-    }
-    m.zero = valueOf(maker.state(), m, RowOf::drive, false);
-    return maker.finish(options.collide);
-}
-
-WheelIds World::wheel(BodyId body, BodyId wheel, Point at, Vec2 axis, const WheelOptions& options) {
-    validateDrive(options.spring);
-    validateDrive(options.motor);
-    WheelIds ids;
-    ids.spring = slider(body, wheel, at, axis, {options.spring, options.collide, true});
-    try {
-        ids.motor = hinge(body, wheel, at, {options.motor, true, false, infinite});
-    } catch (...) {
-        remove(ids.spring);
-        throw;
-    }
-    return ids;
-}
-
-MechanismId World::distance(BodyId a, Point atA, BodyId b, Point atB,
-                            const DistanceOptions& options) {
-    validateDrive(options.drive);
-    if (!(options.drive.upper > 0))
-        throw Error(ErrorCode::outOfRange,
-                    "distance: the upper limit is " +
-                        std::to_string(static_cast<double>(options.drive.upper)) +
-                        "; allowed is more than 0, and a hinge for points that meet");
-    MechanismMaker maker(*this, impl_->changing(), a, b);
-    Mechanism& m = maker.mechanism();
-    m.kind = MechanismKind::distance;
-    m.drive = options.drive;
-    maker.addPointOfA(0, atA);
-    maker.addPointOfB(1, atB);
-    return maker.finish(options.collide);
-}
-
-MechanismId World::pulley(BodyId a, Point atA, Point overA, BodyId b, Point atB, Point overB,
-                          BodyId frame, const PulleyOptions& options) {
-    detail::requireRange(static_cast<double>(options.ratio), 1e-6, 1e6, "pulley: ratio");
-    requireStrength(options.strength, "pulley: strength");
-    MechanismMaker maker(*this, impl_->changing(), a, b);
-    const State& state = maker.state();
-    const auto holder = indexOfEnd(state, frame, "the frame");
-    Mechanism& m = maker.mechanism();
-    m.kind = MechanismKind::pulley;
-    m.ratio = options.ratio;
-    maker.addPoint(0, holder, overA, "the frame");
-    maker.addPointOfA(1, atA);
-    maker.addPoint(2, holder, overB, "the frame");
-    maker.addPointOfB(3, atB);
-    const double whole = valueOf(state, m, RowOf::drive, false);
-    m.drive.upper = options.length.value_or(static_cast<Real>(whole));
-    m.drive.strength = options.strength;
-    validateDrive(m.drive);
-    return maker.finish(true);
-}
-
-MechanismId World::gear(MechanismId first, MechanismId second, Real ratio) {
-    State& state = impl_->changing();
-    detail::requireFinite(static_cast<double>(ratio), "gear: ratio");
-    if (std::abs(static_cast<double>(ratio)) < 1e-6 || std::abs(static_cast<double>(ratio)) > 1e6)
-        throw Error(ErrorCode::outOfRange, "gear: ratio is " +
-                                               std::to_string(static_cast<double>(ratio)) +
-                                               "; allowed is 1e-6 to 1e6, or the same below 0");
-    Mechanism m;
-    m.kind = MechanismKind::gear;
-    for (const MechanismId part : {first, second})
-        if (known(state, part).kind == MechanismKind::gear)
-            throw Error(ErrorCode::degenerate,
-                        "gear: a part is a gear; allowed are all other mechanisms");
-    if (first == second)
-        throw Error(ErrorCode::degenerate,
-                    "gear: both parts are one mechanism; allowed are two of them");
-    m.parts = {first, second};
-    m.a = known(state, first).b;
-    m.b = known(state, second).b;
-    m.ratio = ratio;
-    m.drive.stiffness = infinite;
-    auto& all = state.mechanisms;
-    detail::makeRoom(all.list, 1);
-    all.slots.makeRoom(1);
-    m.zero = valueOf(state, m, RowOf::drive, false);
-    m.id = all.slots.insert(static_cast<std::uint32_t>(all.list.size()));
-    all.list.push_back(m);
-    wakeBoth(state, m);
-    detail::bodyChanged(state);
-    return m.id;
-}
+}  // namespace detail
 
 void World::setDrive(MechanismId id, const Drive& drive) {
     State& state = impl_->changing();
-    requireKnown(state, id);
-    validateDrive(drive);
-    Mechanism& m = state.mechanisms.list[state.mechanisms.slots.dense(id)];
-    if (m.kind == MechanismKind::distance && !(drive.upper > 0))
+    const auto kind = detail::knownMechanism(state, id).kind;
+    detail::validate(drive);
+    if (kind == MechanismKind::distance && !(drive.upper > 0))
         throw Error(ErrorCode::outOfRange, "drive: the upper limit of a distance is " +
                                                std::to_string(static_cast<double>(drive.upper)) +
                                                "; allowed is more than 0");
+    Mechanism& m = state.mechanisms.list[state.mechanisms.slots.dense(id)];
     m.drive = drive;
-    wakeBoth(state, m);
+    detail::wakeBoth(state, m);
 }
 
 void World::remove(MechanismId id) {
     State& state = impl_->changing();
-    requireKnown(state, id);
+    detail::knownMechanism(state, id);
     detail::dropMechanism(state, state.mechanisms.slots.dense(id));
     detail::forgetMechanisms(state);
 }
@@ -472,7 +90,7 @@ std::vector<MechanismId> World::mechanisms() const {
 
 MechanismInfo World::info(MechanismId id) const {
     const State& state = impl_->state();
-    const Mechanism& m = known(state, id);
+    const Mechanism& m = detail::knownMechanism(state, id);
     MechanismInfo info;
     info.kind = m.kind;
     info.a = m.a;

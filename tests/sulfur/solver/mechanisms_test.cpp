@@ -415,6 +415,21 @@ TEST(Mechanisms, GoWithWhatTheyHold) {
     world.step();
 }
 
+TEST(Mechanisms, KeepTheirBodiesApartUntilTheLastIsGone) {
+    World world;
+    const Body a = boxAt(world, {0, 0}), b = boxAt(world, {1, 0});
+    const MechanismId first = world.hinge(a, b, {0.5, 0}),
+                      second = world.distance(a, {0, 0}, b, {1, 0}, {.collide = false});
+    world.remove(first);
+    EXPECT_FALSE(world.collision(a, b));
+    world.remove(second);
+    EXPECT_TRUE(world.collision(a, b));
+    // What the caller has forbidden stays so.
+    world.setCollision(a, b, false);
+    world.remove(world.hinge(a, b, {0.5, 0}));
+    EXPECT_FALSE(world.collision(a, b));
+}
+
 TEST(Mechanisms, SnapshotsKnowThem) {
     World world;
     const Body frame = fixedAt(world, {0, 0}), arm = boxAt(world, {0.5, 0});
@@ -469,6 +484,12 @@ TEST(Mechanisms, RefuseWhatCannotBe) {
     refused([&] { world.setDrive(MechanismId{}, {}); }, ErrorCode::staleHandle, "mechanism");
     refused([&] { world.gear(MechanismId{}, MechanismId{}, 1); }, ErrorCode::staleHandle,
             "mechanism");
+    refused(
+        [&] {
+            world.pulley(box, {0.5, 0}, {0, 3}, rod, {5, 5}, {1, 3}, BodyId{});
+        },
+        ErrorCode::staleHandle, "frame");
+    EXPECT_TRUE(world.collision(frame, box));
     EXPECT_EQ(world.hash(), hash);
     EXPECT_EQ(world.bodies().size(), bodies);
     EXPECT_EQ(world.mechanisms().size(), 0u);
