@@ -226,7 +226,7 @@ const Mistake wrongFields[] = {
     {R"({"type": "uniform", "zone": {"low": [0, 0]}})", "\"high\""},
     {R"({"type": "uniform", "zone": {"low": [0, 0], "high": [1, 0]}})", "extent"},
     {R"({"type": "wind", "zone": {"centre": [0, 0]}})", "\"radius\""},
-    {R"({"type": "wind", "zone": {"centre": [0, 0], "radius": 0}})", "more than 0"},
+    {R"({"type": "wind", "zone": {"centre": [0, 0], "radius": 0}})", "1e-09 to 2000"},
     {R"({"type": "wind", "drag": 501})", "tickRate"},
     {R"({"type": "radial"})", "\"centre\""},
     {R"({"type": "radial", "centre": [0, 0], "falloff": 5})", "0 to 4"},
