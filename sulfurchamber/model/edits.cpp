@@ -1,7 +1,6 @@
 // What changes a document: each function changes the plan and the world in the same moment.
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "document_steps.hpp"
 #include "follow.hpp"
@@ -24,18 +23,12 @@ using sulfur::scene::Prefab;
 
 constexpr double sameShape = 1e-3;  // metres by which a body may differ from its blueprint's shape
 
-Point turned(const Point& point, double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    return {c * point.x() - s * point.y(), s * point.x() + c * point.y()};
-}
-
 // Whether the particles are where the blueprint has them at this pose.
 bool hasItsShape(const World& world, BodyId body, const sulfur::Blueprint& plan, const Pose& pose) {
     const auto particles = world.particles(body);
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Point planned =
-            pose.position + turned(plan.particles[i].position.cast<double>(), pose.angle);
+        const Point planned = pose.position + Eigen::Rotation2Dd(pose.angle) *
+                                                  plan.particles[i].position.cast<double>();
         if ((world.position(particles[i]) - planned).norm() > sameShape) return false;
     }
     return true;
@@ -205,11 +198,11 @@ void Document::place(BodyId body, const Pose& pose) {
     Placement& placement = plan_.body(id);
     placement.pose = pose;
     if (!placement.state) return;
-    const double turn = pose.angle - before.angle;
+    const Eigen::Rotation2Dd turned(pose.angle - before.angle);
     for (Point& place : placement.state->positions)
-        place = pose.position + turned(place - before.position, turn);
+        place = pose.position + turned * (place - before.position);
     for (Vec2& velocity : placement.state->velocities)
-        velocity = turned(velocity.cast<double>(), turn).cast<Real>();
+        velocity = (turned * velocity.cast<double>()).cast<Real>();
 }
 
 Bounds worldBounds(const Document& document) {
@@ -226,7 +219,8 @@ Bounds worldBounds(const Document& document) {
             continue;
         }
         for (const auto& particle : plan.prefab(body.blueprint).blueprint.particles)
-            include(body.pose.position + turned(particle.position.cast<double>(), body.pose.angle));
+            include(body.pose.position +
+                    Eigen::Rotation2Dd(body.pose.angle) * particle.position.cast<double>());
     }
     if (!all) all = Bounds{};
     const Point room = all->size().cwiseMax(leastRoom);
@@ -305,156 +299,6 @@ void Document::setPinned(ParticleId particle, bool pinned) {
     });
     const BodyId body = world_->info(particle).body;
     if (moved_) bringPlanHere({&body, 1});
-}
-
-// --- joints ----------------------------------------------------------------------------------
-
-JointId Document::connect(ParticleId a, ParticleId b, sulfur::ConnectOptions options) {
-    requireRoom(0, 1);
-    const auto refA = refOf(a);
-    const auto refB = refOf(b);
-    if (!options.restLength)
-        options.restLength = static_cast<Real>((world_->position(a) - world_->position(b)).norm());
-    sulfur::ConnectOptions live = options;
-    live.stiffness = scaled(live.stiffness, constants_);
-    const JointId joint = world_->connect(a, b, live);
-    ++revision_;
-    if (!refA || !refB) return joint;
-    sulfur::scene::Connection connection;
-    connection.a = *refA;
-    connection.b = *refB;
-    connection.options = options;
-    plan_.connect(std::move(connection));
-    const BodyId body = world_->info(a).body;
-    if (moved_) bringPlanHere({&body, 1});
-    return joint;
-}
-
-void Document::attach(ParticleId particle, BodyId body) {
-    const auto ref = refOf(particle);
-    const std::string id = idOf(body);
-    const Pose pose = world_->pose(body);
-    const Point local = turned(world_->position(particle) - pose.position, -pose.angle);
-    world_->attach(particle, body, local.cast<Real>());
-    ++revision_;
-    if (!ref || id.empty()) return;
-    plan_.scene().attachments.push_back({*ref, id, local.cast<Real>(), {}});
-    if (moved_) bringPlanHere({&body, 1});
-}
-
-void Document::letPass(BodyId a, BodyId b) {
-    const std::string idA = idOf(a);
-    const std::string idB = idOf(b);
-    world_->setCollision(a, b, false);
-    if (!idA.empty() && !idB.empty()) plan_.scene().vetoes.push_back({idA, idB});
-}
-
-void Document::join(ParticleId a, ParticleId b, const sulfur::JointSpec& joint) {
-    const auto refA = refOf(a);
-    const auto refB = refOf(b);
-    if (a == b) throw std::runtime_error("a joint needs two particles");
-    if (!refA || !refB) throw std::runtime_error("pieces cannot be joined; reset the scene first");
-    requireRoom(0, 1);
-    if (refA->body == refB->body) {
-        sulfur::JointSpec made = joint;
-        made.a = refA->particle;
-        made.b = refB->particle;
-        const BodyId body = world_->info(a).body;
-        change({&body, 1}, [&](Prefab& prefab) {
-            prefab.generator = {};
-            prefab.blueprint.joints.push_back(made);
-        });
-        return;
-    }
-    const auto single = [&](const ParticleRef& ref) {
-        return plan_.blueprint(ref.body).particles.size() == 1;
-    };
-    if (single(*refB)) {
-        merge(refA->body, refB->body, refA->particle, joint);
-    } else if (single(*refA)) {
-        merge(refB->body, refA->body, refB->particle, joint);
-    } else {
-        sulfur::ConnectOptions options;
-        options.stiffness = joint.stiffness;
-        options.damping = joint.damping;
-        options.strength = joint.strength;
-        options.radius = joint.radius;
-        connect(a, b, options);
-    }
-}
-
-// The single particle becomes the last one of the other body. Whatever held it holds that.
-void Document::merge(const std::string& into, const std::string& single, std::uint32_t other,
-                     const sulfur::JointSpec& joint) {
-    const std::array<BodyId, 2> both{bodyOf(into), bodyOf(single)};
-    if (moved_) bringPlanHere(both);
-    auto particle = plan_.blueprint(single).particles[0];
-    const Point place = world_->position(world_->particles(both[1])[0]);
-    const Pose pose = plan_.body(into).pose;
-    particle.position = turned(place - pose.position, -pose.angle).cast<Real>();
-    const auto last = static_cast<std::uint32_t>(plan_.blueprint(into).particles.size());
-    auto& state = plan_.body(into).state;
-    if (state) {
-        state->positions.push_back(place);
-        state->velocities.emplace_back(0, 0);
-    }
-    sulfur::JointSpec made = joint;
-    made.a = other;
-    made.b = last;
-    const sulfur::Blueprint before = scaled(plan_.blueprint(into), constants_);
-    plan_.change({into}, [&](Prefab& prefab) {
-        prefab.generator = {};
-        prefab.blueprint.particles.push_back(particle);
-        prefab.blueprint.joints.push_back(made);
-    });
-    for (auto& connection : plan_.scene().connections)
-        for (ParticleRef* end : {&connection.a, &connection.b})
-            if (end->body == single) *end = {into, last};
-    for (auto& attachment : plan_.scene().attachments)
-        if (attachment.particle.body == single) attachment.particle = {into, last};
-    takeOver([&] {
-        follow(*world_, both[0], before, scaled(plan_.blueprint(into), constants_));
-        world_->remove(both[1]);
-        plan_.remove({single});
-    });
-}
-
-void Document::remove(JointId joint) {
-    const auto info = world_->info(joint);
-    const auto a = refOf(info.a);
-    const auto b = refOf(info.b);
-    world_->remove(joint);
-    ++revision_;
-    if (!a || !b) return;
-    const auto joins = [](std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) {
-        return (p == r && q == s) || (p == s && q == r);
-    };
-    if (info.body) {
-        plan_.change({a->body}, [&](Prefab& prefab) {
-            auto& joints = prefab.blueprint.joints;
-            const auto found = std::find_if(joints.begin(), joints.end(), [&](const auto& spec) {
-                return joins(spec.a, spec.b, a->particle, b->particle);
-            });
-            if (found == joints.end()) return;
-            prefab.generator = {};
-            joints.erase(found);
-            std::erase_if(prefab.blueprint.angles, [&](const auto& angle) {
-                return joins(angle.a, angle.b, a->particle, b->particle) ||
-                       joins(angle.b, angle.c, a->particle, b->particle);
-            });
-        });
-        return;
-    }
-    const auto same = [](const ParticleRef& x, const ParticleRef& y) {
-        return x.body == y.body && x.particle == y.particle;
-    };
-    const auto& connections = plan_.scene().connections;
-    for (std::size_t i = 0; i < connections.size(); ++i)
-        if ((same(connections[i].a, *a) && same(connections[i].b, *b)) ||
-            (same(connections[i].a, *b) && same(connections[i].b, *a))) {
-            plan_.remove(i);
-            return;
-        }
 }
 
 // --- constants -------------------------------------------------------------------------------
