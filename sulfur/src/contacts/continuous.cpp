@@ -50,7 +50,11 @@ public:
         if (pairs_.empty()) return;
         unheld_.assign(core_.ways.begin(), core_.ways.end());
         held_.assign(movers_.size(), 0);
+        std::size_t kept = 0;
+        const std::size_t most = tuned::keptPairs * (core_.awakeMovers.size() + tuned::fewMovers);
         for (round_ = 1; round_ <= mostKeepingRounds && !pairs_.empty(); ++round_) {
+            if (kept >= most) leaveToWalls();
+            kept += priceOfPairs();
             state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             moved_.clear();
             for (const auto pair : pairs_) hold(core_.pairs[pair]);
@@ -60,6 +64,26 @@ public:
     }
 
 private:
+    /// Pairs of single corners and sides take several times as long as convex ones.
+    std::size_t priceOfPairs() const {
+        const auto loose = std::count_if(pairs_.begin(), pairs_.end(), [&](std::uint32_t pair) {
+            return core_.pairs[pair].isManifold == 0;
+        });
+        return pairs_.size() + tuned::loosePair * static_cast<std::size_t>(loose);
+    }
+
+    /// Where there is no work left, what stands fast or is driven still holds everybody back.
+    void leaveToWalls() {
+        std::erase_if(pairs_, [&](std::uint32_t pair) {
+            const Pair& p = core_.pairs[pair];
+            return isDynamic(p.a) && isDynamic(p.b);
+        });
+    }
+    bool isDynamic(std::uint32_t chunk) const {
+        const auto slot = core_.shapes.chunks[chunk].body;
+        return state_.bodies[state_.bodySlots.denseOf(slot)].kind == BodyKind::dynamic;
+    }
+
     /// Whoever was struck goes as blown from that moment on.
     void takeBlowsOff() {
         for (const Blow& blow : core_.blows) {

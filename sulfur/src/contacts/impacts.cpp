@@ -77,9 +77,13 @@ public:
         if (meetings_.empty()) return;
         struck_.assign(movers_.size(), {});
         bool any = true;
-        for (int round = 0; round < mostRounds && any; ++round) {
+        std::size_t asked = 0;
+        const std::size_t most =
+            tuned::askedMeetings * (core_.awakeMovers.size() + tuned::fewMovers);
+        for (int round = 0; round < mostRounds && any && asked < most; ++round) {
             any = false;
             orderByMoment();
+            asked += due_.size();
             for (const Due& due : due_) any |= strike(meetings_[due.meeting]);
         }
         std::sort(core_.blows.begin(), core_.blows.end(),

@@ -80,6 +80,16 @@ bool doCross(const Thick& s, const Thick& t) {
            side(t.a, t.b, s.a) * side(t.a, t.b, s.b) < 0;
 }
 
+/// Whether test(surface) for any of those that are compared with all of another outline: of a long
+/// one some, evenly spread.
+template <class Test>
+bool anyCompared(const Outline& outline, Test&& test) {
+    const std::size_t every = outline.size() / (tuned::mostCompared + 1) + 1;
+    for (std::size_t k = 0; k < outline.size(); k += every)
+        if (test(outline[k])) return true;
+    return false;
+}
+
 /// Deeper than their surfaces are thick: an end of one is within the other's outline, or two lines
 /// cross: the ends of one would be held off the other on both sides of it. Two discs, when each has
 /// the other's centre in it.
@@ -87,15 +97,14 @@ bool areInEachOther(const Outline& one, const Outline& other) {
     if (one.size() == 1 && other.size() == 1 && one[0].disc && other[0].disc)
         return (one[0].a - other[0].a).norm() < std::min(one[0].radius, other[0].radius);
     const auto holds = [](const Outline& outer, const Outline& inner) {
-        return std::any_of(inner.begin(), inner.end(), [&](const Thick& t) {
-            return encloses(outer, t.a) || encloses(outer, t.b);
-        });
+        return anyCompared(
+            inner, [&](const Thick& t) { return encloses(outer, t.a) || encloses(outer, t.b); });
     };
     if (holds(one, other) || holds(other, one)) return true;
-    for (const Thick& s : one)
-        for (const Thick& t : other)
-            if (!s.disc && !t.disc && doCross(s, t)) return true;
-    return false;
+    return anyCompared(one, [&](const Thick& s) {
+        return std::any_of(other.begin(), other.end(),
+                           [&](const Thick& t) { return !s.disc && !t.disc && doCross(s, t); });
+    });
 }
 
 double distanceToSegment(const Point& p, const Thick& t) {
@@ -114,20 +123,21 @@ bool areNear(const Thick& s, const Thick& t, double share) {
 
 /// Whether the surfaces still overlap by a good part of their thickness.
 bool overlap(const Outline& one, const Outline& other) {
-    for (const Thick& s : one)
-        for (const Thick& t : other)
-            if (areNear(s, t, tolerated)) return true;
-    return false;
+    return anyCompared(one, [&](const Thick& s) {
+        return std::any_of(other.begin(), other.end(),
+                           [&](const Thick& t) { return areNear(s, t, tolerated); });
+    });
 }
 
 /// Whether lines that have no inside lie in each other: each corner would be pushed out on whatever
 /// side it happens to be.
 bool areEntangled(const Outline& one, const Outline& other) {
     const auto hasInside = [](const Thick& t) { return t.disc || t.outward != 0; };
-    for (const Thick& s : one)
-        for (const Thick& t : other)
-            if (!hasInside(s) && !hasInside(t) && areNear(s, t, entangled)) return true;
-    return false;
+    return anyCompared(one, [&](const Thick& s) {
+        return std::any_of(other.begin(), other.end(), [&](const Thick& t) {
+            return !hasInside(s) && !hasInside(t) && areNear(s, t, entangled);
+        });
+    });
 }
 
 /// A way out: the first body moves by `depth` along `direction` against the second.
@@ -155,12 +165,13 @@ WayOut shortestWayOut(const Outline& one, const Outline& other) {
     };
     consider(one.front().a - other.front().a);
     for (const auto& [body, sign] : {std::pair(&one, -1.0), std::pair(&other, 1.0)})
-        for (const Thick& t : *body) {
-            if (t.disc) continue;
+        anyCompared(*body, [&, sign = sign](const Thick& t) {
+            if (t.disc) return false;
             const Point right = sign * Point(t.b[1] - t.a[1], t.a[0] - t.b[0]);
             if (t.outward >= 0) consider(right);
             if (t.outward <= 0) consider(-right);
-        }
+            return false;
+        });
     if (best.depth == std::numeric_limits<double>::max()) consider(Point(0, 1));
     return best;
 }

@@ -1,11 +1,14 @@
 // A row for each corner that is near a side.
+#include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
+#include "core/settings.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/loose.hpp"
 
@@ -33,6 +36,7 @@ public:
         }
         LooseLook& look = core_.looseLook;
         lookLoosely(state_, a_, b_, known, look);
+        if (look.near.size() > tuned::crowdedTouches && isCrowdOfRows()) keepNearest(look.near);
         fresh_.clear();
         for (const Nearness& n : look.near) see(n);
         dropUnseen();
@@ -43,6 +47,19 @@ public:
     }
 
 private:
+    bool isCrowdOfRows() const {
+        return core_.rows.size() >
+               tuned::crowdedRows * (core_.awakeMovers.size() + tuned::fewMovers);
+    }
+    static void keepNearest(std::vector<Nearness>& near) {
+        const auto place = [](const Nearness& n) {
+            return std::tuple(n.far, n.corner, n.side, n.end);
+        };
+        std::sort(near.begin(), near.end(),
+                  [&](const Nearness& a, const Nearness& b) { return place(a) < place(b); });
+        near.resize(tuned::crowdedTouches);
+    }
+
     void see(const Nearness& n) {
         for (auto t = pair_.firstTouch; t != none; t = core_.touches[t].next) {
             Touch& touch = core_.touches[t];

@@ -227,13 +227,15 @@ void updateBoxes(State& state) {
     };
     for (const auto c : core.newChunks) renew(c);
     core.newChunks.clear();
-    const auto hasRoom = [](const Chunk& chunk) {
-        return chunk.crowded != 0 && chunk.owned < tuned::mostPairs;
+    // Who waits for room asks now and then, because all around him do.
+    const auto asks = [&](std::uint32_t c, const Chunk& chunk) {
+        return chunk.crowded != 0 && chunk.owned < tuned::mostPairs &&
+               (stepNumber(state) + c) % tuned::rounds == 0;
     };
     const Chunk* const chunks = core.shapes.chunks.data();
     const double* const ahead = core.ahead.data();
     for (const auto c : core.awakeChunks)
-        if (ahead[chunks[c].frame] >= chunks[c].leaveAt || hasRoom(chunks[c])) renew(c);
+        if (ahead[chunks[c].frame] >= chunks[c].leaveAt || asks(c, chunks[c])) renew(c);
 }
 
 void lookAtPairs(State& state) {

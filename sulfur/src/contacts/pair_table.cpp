@@ -110,6 +110,20 @@ std::uint32_t makePair(State& state, std::uint32_t first, std::uint32_t second,
     return slot;
 }
 
+bool isDynamic(const State& state, const Chunk& chunk) {
+    return state.bodies[state.bodySlots.denseOf(chunk.body)].kind == BodyKind::dynamic;
+}
+
+/// How many pairs the owner of one of these two may have before. What is fixed or driven finds room
+/// beside a crowd of what moves.
+std::uint32_t mostPairsBefore(const State& state, const Chunk& a, const Chunk& b) {
+    const ContactCore& core = state.core;
+    if (!isDynamic(state, a) || !isDynamic(state, b)) return tuned::mostPairs;
+    const std::size_t chunks = core.awakeChunks.size() + tuned::fewMovers;
+    const bool isCrowd = core.watches.size() > tuned::crowdedPairs * chunks;
+    return isCrowd ? tuned::crowdedPairs : tuned::mostPairs - tuned::crowdedPairs;
+}
+
 bool meet(const Chunk& a, const Chunk& b) {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
            b.low[1] <= a.high[1];
@@ -259,7 +273,7 @@ void updatePairs(State& state, std::uint32_t index) {
     }
     const bool wasCrowded = std::exchange(chunks[index].crowded, 0) != 0;
     const Chunk& own = chunks[index];
-    core.grid.forEachIn(chunks, own.low, own.high, [&](std::uint32_t other) {
+    const auto meetOther = [&](std::uint32_t other) {
         if (std::binary_search(known.begin(), known.end(), other)) return;
         if (other == index) {
             // The parts of one chunk may touch each other, where they can move.
@@ -269,7 +283,7 @@ void updatePairs(State& state, std::uint32_t index) {
             return;
         }
         const auto owner = ownerOf(chunks, index, other);
-        if (chunks[owner].owned >= tuned::mostPairs) {
+        if (chunks[owner].owned >= mostPairsBefore(state, own, chunks[other])) {
             chunks[owner].crowded = 1;
             return;
         }
@@ -277,6 +291,15 @@ void updatePairs(State& state, std::uint32_t index) {
         // What had to wait for its pair may be in the other already.
         if (wasCrowded || chunks[other].crowded != 0)
             core.leading.push_back(core.pairs[pair].encounter);
+    };
+    std::uint32_t level = none, met = 0;
+    core.grid.forEachWhile(chunks, own.low, own.high, [&](std::uint32_t other) {
+        meetOther(other);
+        if (chunks[other].level != std::exchange(level, chunks[other].level)) met = 0;
+        // Smaller ones are not many for each of them.
+        if (level < own.level || ++met < tuned::mostMet) return true;
+        chunks[index].crowded = 1;
+        return false;
     });
 }
 

@@ -128,8 +128,34 @@ inline constexpr int momentRounds = 2 * rounds;
 /// Pairs that a chunk has with larger ones, so that what is put into one place has a price in
 /// memory and time. Where nothing overlaps, boxes meet far fewer.
 inline constexpr std::uint32_t mostPairs = rounds * rounds;
+/// Chunks of one size, not smaller than itself, that a chunk looks at to find these.
+inline constexpr std::uint32_t mostMet = 4 * mostPairs;
 /// Rounds in which what is fast is held back from one another.
 inline constexpr int keepingRounds = rounds;
+
+// What a step may cost, so that no scene stops the game. Each is a number for every mover that is
+// awake (a particle or rigid component that contacts push), and nothing below it is cut short.
+
+/// Movers that even the smallest world counts as: what is few may take longer.
+inline constexpr std::uint32_t fewMovers = rounds * rounds;
+/// Pairs for each chunk, and rows for each mover. Where all have more, they are a crowd: a chunk
+/// then has as many with what moves, and a look makes `crowdedTouches`, the nearest ones. Piles
+/// have about six pairs and three rows.
+inline constexpr std::uint32_t crowdedPairs = 2 * rounds, crowdedRows = 2 * rounds,
+                               crowdedTouches = rounds / 2;
+/// Rows that are swept, in all sweeps of a tick, and in a step of several. A pile of three rows for
+/// each mover takes 60.
+inline constexpr std::uint32_t sweptRows = 256, sweptRowsOfStep = 96;
+/// The same of the sweeps that follow while links stay strained; a link counts as `rowsOfLink`.
+inline constexpr std::uint32_t strainedRows = 320, rowsOfLink = rounds;
+/// Surfaces of a body that was put into another one which are compared with all of the other.
+inline constexpr std::uint32_t mostCompared = rounds * rounds;
+/// Meetings that impacts look at, and pairs that continuous collision does; one of corners and
+/// sides counts as so many more.
+inline constexpr std::uint32_t askedMeetings = 4 * rounds, keptPairs = 2 * rounds, loosePair = 4;
+/// Of networks, for each node: products of blocks, of the steps and of the sweeps in a tick. A node
+/// and a pass over it count as `productsOfNode`. Sweeps that come after that wait for the last one.
+inline constexpr std::uint64_t networkProducts = 2048, productsOfNode = rounds;
 
 // Loads.
 
@@ -232,6 +258,9 @@ inline constexpr double projectedTurn = 0.3;
 inline constexpr std::uint64_t mostProducts = 4000;
 /// Smaller than this, relative to what moves there, nothing can: the link is redundant.
 inline constexpr double redundantPivot = 1e-13;
+/// Steps of a tree that may pull along directions of their end, and steps in which it then goes
+/// through what is left: they brake, so that they need not be short.
+inline constexpr std::uint32_t mostFallbacks = rounds, coarseSteps = rounds;
 /// Times in a sweep that contacts of a tree which would have to pull are let go.
 inline constexpr int mostReleases = 4;
 /// Compliance of a contact, as a share of the tree's own mobility: where a link points along the

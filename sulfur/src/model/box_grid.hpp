@@ -26,6 +26,15 @@ public:
     template <class Function>
     void forEachIn(const std::vector<Chunk>& chunks, const std::array<double, 2>& low,
                    const std::array<double, 2>& high, Function&& f) const {
+        forEachWhile(chunks, low, high, [&](std::uint32_t c) {
+            f(c);
+            return true;
+        });
+    }
+    /// The same, but that no more of a level are shown once f has returned false.
+    template <class Function>
+    void forEachWhile(const std::vector<Chunk>& chunks, const std::array<double, 2>& low,
+                      const std::array<double, 2>& high, Function&& f) const {
         for (std::uint32_t level = 0; level < levels; ++level)
             if (count_[level] > 0) lookIn(chunks, level, low, high, f);
     }
@@ -132,7 +141,7 @@ private:
         const double wide = (high[0] - low[0]) * perM + 2, tall = (high[1] - low[1]) * perM + 2;
         if (wide * tall > static_cast<double>(used_)) {
             for (const Cell& cell : cells_)
-                if (cell.level == level) lookThrough(chunks, cell.first, low, high, f);
+                if (cell.level == level && !lookThrough(chunks, cell.first, low, high, f)) return;
             return;
         }
         const auto cellAt = [&](double at) {
@@ -143,7 +152,7 @@ private:
         for (auto y = y0; y <= y1; ++y)
             for (auto x = x0; x <= x1; ++x) {
                 const Cell& cell = cells_[find(level, x, y)];
-                lookThrough(chunks, cell.first, low, high, f);
+                if (!lookThrough(chunks, cell.first, low, high, f)) return;
             }
     }
     /// Calls look(first chunk, course) for the cells whose boxes the course may meet: column by
@@ -181,14 +190,15 @@ private:
         }
     }
     template <class Function>
-    static void lookThrough(const std::vector<Chunk>& chunks, std::uint32_t first,
+    static bool lookThrough(const std::vector<Chunk>& chunks, std::uint32_t first,
                             const std::array<double, 2>& low, const std::array<double, 2>& high,
                             Function&& f) {
         for (auto c = first; c != none;) {
             const auto next = chunks[c].nextInCell;
-            if (meets(chunks[c], low, high)) f(c);
+            if (meets(chunks[c], low, high) && !f(c)) return false;
             c = next;
         }
+        return true;
     }
 
     std::vector<Cell> cells_ = std::vector<Cell>(64);

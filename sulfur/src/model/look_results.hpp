@@ -14,6 +14,7 @@ namespace sulfur::detail {
 struct Nearness {
     std::uint32_t corner = none, side = none, end = 0;
     std::int32_t outward = 0;  // +1 or -1: the side of the way from a to b on which the corner is
+    Real far = 0;              // m, from its line or end when the step begins
 };
 
 /// Where a corner is, from the origin of a look, and where it goes in this step.

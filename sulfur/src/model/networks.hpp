@@ -110,6 +110,8 @@ struct NetworkFactor {
     std::vector<NetworkRow> rows;
     std::vector<std::uint32_t> pressing;  // touches that are in it
     std::uint64_t tick = 0;
+    std::uint64_t work = 0;  // products of blocks, in the sweeps of this step
+    bool waits = false;      // for the last sweep, because there is no work left
     /// Of each node: the sum of what the links have given in the sweeps, kg m and kg m^2.
     std::vector<Eigen::Vector3d> given;
 };

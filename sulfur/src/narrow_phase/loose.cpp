@@ -232,7 +232,7 @@ private:
             }
             const Real beside = besides(p, a, b, outward, height, thickness);
             if (beside <= 0)
-                before.push_back({corner, s, height < 0 ? 1u : 0u, outward});
+                before.push_back({corner, s, height < 0 ? 1u : 0u, outward, far});
             else
                 entrance = std::min(
                     entrance, std::max(std::min(beside, besidesAt(p, a, b, 0)), far - thickness));
@@ -251,7 +251,7 @@ private:
         });
         for (const Nearness& n : before)
             if (behind ? n.side == nearestSide : n.end == 0)
-                result_.near.push_back({n.corner, n.side, 0, n.outward});
+                result_.near.push_back({n.corner, n.side, 0, n.outward, n.far});
         enter(entrance, !before.empty());
     }
 
@@ -319,7 +319,8 @@ private:
         entrance_ = std::min(entrance_, std::max(within, Real(0.25) * finest_));
         if (turns <= 0 || nearestSide == none) return;
         if (nearestSide < other.firstSide || nearestSide >= other.firstSide + other.sides) return;
-        result_.near.push_back({corner, nearestSide, 0, shapes_.sides[nearestSide].outward});
+        result_.near.push_back(
+            {corner, nearestSide, 0, shapes_.sides[nearestSide].outward, nearest});
     }
     template <class Function>
     void forEachOutlineSide(std::uint32_t body, Function&& f) const {
@@ -390,7 +391,7 @@ private:
                                far - thickness),
                       isHeld(c) || isHeld(corner));
             else
-                result_.near.push_back({c, side, end, 0});
+                result_.near.push_back({c, side, end, 0, far});
         }
     }
 

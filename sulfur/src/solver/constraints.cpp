@@ -38,6 +38,30 @@ bool sweepsJoints(const State& state) {
            std::any_of(work.lonelyTrees.begin(), work.lonelyTrees.end(), isTouched);
 }
 
+/// How many sweeps over rows a step has work for, when they may take so many rows for each mover.
+int sweepsFor(const State& state, std::uint32_t rowsOfMover, std::size_t rows, int most) {
+    const ContactCore& core = state.core;
+    const std::size_t all = rowsOfMover * (core.awakeMovers.size() + tuned::fewMovers);
+    return static_cast<int>(std::min(all / std::max<std::size_t>(rows, 1), std::size_t(most)));
+}
+int sweepsFor(const State& state, int most) {
+    const std::uint32_t rows =
+        std::max(tuned::sweptRows / stepsPerTick(state.settings.tickRate), tuned::sweptRowsOfStep);
+    return std::max(sweepsFor(state, rows, state.core.rows.size(), most), 2);
+}
+/// The same of sweeps for strain, which solve trees too.
+int sweepsForStrain(const State& state) {
+    const auto nodesOf = [&](const std::vector<std::uint32_t>& trees) {
+        std::size_t sum = 0;
+        for (const auto i : trees) sum += state.trees.list[i].last - state.trees.list[i].first;
+        return sum;
+    };
+    const std::size_t nodes = nodesOf(state.trees.touchedAlone) + nodesOf(state.work.lines);
+    const std::uint32_t steps = stepsPerTick(state.settings.tickRate);
+    return sweepsFor(state, tuned::strainedRows / steps,
+                     state.core.rows.size() + tuned::rowsOfLink * nodes, mostForStrain);
+}
+
 /// Of the last step of a tick.
 void countRows(State& state) {
     Statistics& statistics = state.statistics;
@@ -68,7 +92,8 @@ void sweepAll(State& state) {
     const bool withJoints = sweepsJoints(state);
     const bool alone = !withJoints && state.triangles.pressed.empty();
     const int sweeps = state.settings.sweeps;
-    const int least = alone ? 1 : sweeps, most = withJoints ? mostTimes * sweeps : sweeps;
+    const int wanted = withJoints ? mostTimes * sweeps : sweeps;
+    const int most = sweepsFor(state, wanted), least = alone ? 1 : std::min(sweeps, most);
     listTied(state);
     giveMotion(state);
     bool stirred = true;
@@ -80,7 +105,8 @@ void sweepAll(State& state) {
         sweepRigid(state, number);
     }
     double before = 0;
-    for (int i = 0; i < mostForStrain; ++i) {
+    const int mostOfStrain = sweepsForStrain(state);
+    for (int i = 0; i < mostOfStrain; ++i) {
         const double strain = strainOfTrees(state);
         if (strain <= mostStrain) break;
         if (i % trial == 0) {
@@ -90,6 +116,7 @@ void sweepAll(State& state) {
         sweepContacts(state, most);
         sweepRigid(state, 1);
     }
+    finishNetworks(state);
 }
 
 }  // namespace

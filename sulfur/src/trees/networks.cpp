@@ -147,6 +147,16 @@ bool analyseNetwork(State& state, const Tree& tree) {
     return pattern.products() <= tuned::mostProducts * pattern.size();
 }
 
+std::uint64_t priceOf(const State& state, const Tree& tree) {
+    const BlockPattern& pattern = state.trees.factors[tree.network].pattern;
+    return tuned::productsOfNode * pattern.size() + pattern.products();
+}
+
+std::uint64_t productsOfStep(const State& state, const Tree& tree) {
+    const std::uint64_t nodes = tree.last - tree.first;
+    return tuned::networkProducts * nodes / stepsPerTick(state.settings.tickRate);
+}
+
 void prepareNetworks(State& state) {
     Trees& trees = state.trees;
     trees.factors.clear();

@@ -68,12 +68,19 @@ public:
     void remember();
     void share(std::span<const Freedoms> given);
     void sweep();
+    /// Sweeps once more what has waited.
+    void finish();
     double strain();
 
 private:
     State& state_;
     const Tree& tree_;
 };
+
+/// Products of blocks that a factorisation of a network takes, with its passes.
+std::uint64_t priceOf(const State& state, const Tree& tree);
+/// So many for each step, of the number for each node and tick.
+std::uint64_t productsOfStep(const State& state, const Tree& tree);
 
 /// The force of an attachment or hinge, N on its first end.
 inline Vec2& forceOf(State& state, const NetworkLink& link) {

@@ -7,6 +7,7 @@
 // the step. What contacts push on pulls along its directions at the end, which brakes. Where that
 // does not converge, the nodes fly and are projected from there, pass after pass, to near places at
 // which the links hold (Goldenthal et al. 2007).
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -95,10 +96,12 @@ private:
     /// Newton's method, or projections. Returns whether what is left can be tolerated.
     bool converge(Way way) {
         const bool projects = way == Way::projects;
-        const int most = projects ? tuned::projectionPasses : tuned::networkPasses;
+        const int mostFactors = factorsOfStep();
+        const int most =
+            projects ? std::min(tuned::projectionPasses, mostFactors) : tuned::networkPasses;
         double last = 0, best = std::numeric_limits<double>::infinity();
         bool fresh = false;
-        int stalled = 0;
+        int stalled = 0, factors = 0;
         for (int pass = 0;; ++pass) {
             const double worst = equations_.evaluate();
             if (fresh && worst > best / 2) ++stalled;
@@ -116,12 +119,24 @@ private:
             const bool stale = tree_.factorStep != tick() || equations_.hasTurned();
             const bool slow = pass > 0 && isSlow(worst, last, tuned::networkTolerance);
             fresh = projects || pass == 0 ? stale || slow : slow && !fresh;
-            if (fresh) factorise();
+            fresh = fresh && factors < mostFactors;
+            if (fresh) {
+                factorise();
+                ++factors;
+            }
             correct();
             last = worst;
         }
         equations_.takeBest(best <= tuned::uselessError);
         return best <= (way == Way::keeps ? tuned::networkTolerable : tuned::brakingTolerable);
+    }
+
+    /// How many times a step has work for.
+    int factorsOfStep() const {
+        const std::uint64_t all = productsOfStep(state_, tree_);
+        const std::uint64_t most = all / priceOf(state_, tree_);
+        return static_cast<int>(
+            std::clamp<std::uint64_t>(most, tuned::factorPasses, tuned::projectionPasses));
     }
 
     /// Makes the matrix of the links as they are.

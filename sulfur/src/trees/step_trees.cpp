@@ -54,7 +54,7 @@ public:
         }
         store();
         state_.statistics.chainSteps += tree_.steps;
-        tree_.lastStep = tick() / tree_.steps;
+        tree_.lastStep = step_;
         if (outcome.calm() && tree_.steps > 1) tree_.steps /= 2;
     }
 
@@ -119,13 +119,19 @@ private:
         for (std::size_t i = 0; i < count_; ++i) motion_[i] = nodes_[i].start;
         for (std::size_t i = 1; i < count_; ++i) prepareLink(links_[i], step);
         Outcome whole;
+        std::uint32_t fallbacks = 0;
         for (std::uint32_t s = 0; s < steps && (whole.good() || steps == mostSteps); ++s) {
+            if (fallbacks == tuned::mostFallbacks) {
+                whole.add(goOnCoarsely(steps - s, step));
+                break;
+            }
             const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
             if (steps == mostSteps) before_ = motion_;
             Outcome one = makeStep(kick, step, s == 0, false);
             if (steps == mostSteps && !torn_ && !one.tolerable()) {
                 motion_ = before_;
                 one = makeStep(kick, step, s == 0, true);
+                ++fallbacks;
             }
             finishStep(step);
             whole.add(one);
@@ -133,6 +139,18 @@ private:
         return whole;
     }
 
+    /// What the `left` shortest steps would be, in fewer ones that brake.
+    Outcome goOnCoarsely(std::uint32_t left, double step) {
+        const std::uint32_t steps = std::min(left, tuned::coarseSteps);
+        const double coarse = left * step / steps;
+        Outcome whole;
+        for (std::size_t i = 1; i < count_; ++i) stretchStep(links_[i], coarse);
+        for (std::uint32_t s = 0; s < steps; ++s) {
+            whole.add(makeStep(s == 0 ? (step + coarse) / 2 : coarse, coarse, false, true));
+            finishStep(coarse);
+        }
+        return whole;
+    }
     Outcome makeStep(double kick, double step, bool first, bool fallback) {
         step_ = step;
         predictNodes(state_, nodes_, kick, step, motion_);
@@ -149,10 +167,13 @@ private:
         return outcome;
     }
 
-    void prepareLink(LinkData& link, double step) {
+    void stretchStep(LinkData& link, double step) {
         const double perPush = step / resistance(state_, step);
         link.elastic.hk = link.stiffness * step * perPush;
         link.elastic.hb = link.damping * perPush;
+    }
+    void prepareLink(LinkData& link, double step) {
+        stretchStep(link, step);
         link.impulse = {0, 0};
         link.lambda = {-link.guess * step * step, 0};
     }
@@ -179,7 +200,7 @@ private:
 
     void beginStep(double kick, double step, bool first) {
         const double perNewton = kick * step / resistance(state_, kick);
-        const bool shortest = step <= tick() / mostSteps;
+        const bool shortest = tree_.steps == mostSteps;
         torn_ = false;
         for (std::size_t i = 1; i < count_; ++i) {
             LinkData& link = links_[i];

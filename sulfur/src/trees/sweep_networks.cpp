@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory_resource>
+#include <utility>
 
 #include "contacts/touch_rows.hpp"
 #include "core/settings.hpp"
@@ -41,6 +42,8 @@ public:
         work_.moved.assign(count_, Freedoms::Zero());
         for (std::size_t l = 0; l < links_; ++l) met(l) = valueOf(l);
         factor_.given.assign(count_, Freedoms::Zero());
+        factor_.work = 0;
+        factor_.waits = false;
     }
 
     /// Takes away by how much links have grown longer by blows, along the directions of the step.
@@ -62,7 +65,8 @@ public:
         move();
     }
 
-    void sweep() {
+    /// Up to so many passes, unless there is no work left.
+    void sweep(int mostPasses = tuned::networkPasses) {
         work_.moved.assign(count_, Freedoms::Zero());
         work_.wanted.assign(links_, {0, 0});
         const auto first = state_.trees.linkLambda.begin() + tree_.firstLink;
@@ -78,7 +82,8 @@ public:
                 best = std::max(worst, tuned::sweptTolerance);
                 keepBest();
             }
-            if (done || pass == tuned::networkPasses || !(worst < 1e2 * best)) break;
+            factor_.work += tuned::productsOfNode * count_;
+            if (done || pass == mostPasses || !(worst < 1e2 * best)) break;
             if (pass == 0 ? isStale() : isSlow(worst, last, tuned::sweptTolerance)) factorise();
             last = worst;
             solve();
@@ -234,6 +239,7 @@ private:
         factor_.tick = state_.tick;
         factor_.pressing = work_.pressing;
         factoriseNetwork(state_, tree_, {factor_.rows, work_.contacts}, factor_.swept);
+        factor_.work += priceOf(state_, tree_);
         ++state_.statistics.networkFactors;
     }
 
@@ -398,7 +404,14 @@ void NetworkSweeper::share(std::span<const Freedoms> given) {
 }
 
 void NetworkSweeper::sweep() {
-    SweptNetwork(state_, tree_).sweep();
+    NetworkFactor& factor = state_.trees.factors[tree_.network];
+    factor.waits = factor.work > productsOfStep(state_, tree_);
+    if (!factor.waits) SweptNetwork(state_, tree_).sweep();
+}
+
+void NetworkSweeper::finish() {
+    if (std::exchange(state_.trees.factors[tree_.network].waits, false))
+        SweptNetwork(state_, tree_).sweep(tuned::factorPasses);
 }
 
 double NetworkSweeper::strain() {

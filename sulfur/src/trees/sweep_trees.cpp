@@ -135,6 +135,11 @@ void sweepTrees(State& state, int number) {
             sweep(i);
 }
 
+void finishNetworks(State& state) {
+    for (const auto i : state.trees.touchedAlone)
+        if (state.trees.list[i].network != none) NetworkSweeper(state, i).finish();
+}
+
 double strainOfTrees(State& state) {
     double most = 0;
     const auto look = [&](std::uint32_t tree) {

@@ -31,6 +31,8 @@ void answerOfTree(State& state, std::uint32_t tree, std::span<Eigen::Vector3d> g
 /// One sweep: every line through a mesh is solved as a whole, and every touched tree that the
 /// `number`-th sweep over rows has stirred; the first one solves all.
 void sweepTrees(State& state, int number);
+/// Networks for whose sweeps there was no work left get the last one.
+void finishNetworks(State& state);
 /// By what share of its length a link is wrong, at most, in trees that contacts pull on.
 double strainOfTrees(State& state);
 /// Multipliers of the sweeps to the joints.

@@ -43,6 +43,44 @@ TEST(Crowded, PairsAndMemoryOfACrowdAreBounded) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// Where all are in each other, each has a quarter of the pairs that it might have.
+TEST(Crowded, ACrowdHasFewPairs) {
+    constexpr std::size_t count = 480, few = 64;
+    World world;
+    world.add(shapes::floor({-9, 0}, {9, 0}));
+    addAtOnePoint(world, shapes::ball(), count);
+    for (int i = 0; i < 40; ++i) {
+        world.step();
+        ASSERT_LE(world.statistics().candidates, 16 * (2 * count + few)) << i;
+    }
+}
+
+/// What is so fast that everything may meet everything has a bounded number of rows, and of pairs
+/// whose ways are looked at.
+TEST(Crowded, TheFastestTangleHasABoundedPrice) {
+    World world({.gravity = {0, -1e6}});
+    world.add(shapes::floor({-3, 0}, {3, 0}));
+    for (int i = 0; i < 10; ++i)
+        world.add(shapes::rope({.from = {Real(-1.5), 0}, .to = {Real(1.5), 0}, .links = 40}),
+                  {Point(0, 0.3 + 0.2 * i), 0});
+    for (int i = 0; i < 40; ++i) {
+        world.step();
+        const Statistics& now = world.statistics();
+        ASSERT_LE(now.contacts, 32 * now.particles) << i;
+        ASSERT_LE(now.fastPairs, 16 * (now.particles + 64) + now.candidates) << i;
+    }
+    EXPECT_EQ(world.validate(), "");
+}
+
+/// Who is in a crowd finds room for the floor.
+TEST(Crowded, ACrowdStandsOnTheFloor) {
+    World world;
+    world.add(shapes::ground({.points = {{-6, 40}, {-6, 0}, {6, 0}, {6, 40}}}));
+    const auto balls = addAtOnePoint(world, shapes::ball(), 200);
+    test::run(world, 4);
+    for (const Body& ball : balls) EXPECT_GT(world.position(ball[0])[1], 0);
+}
+
 TEST(Crowded, ALargeBodyTouchesAllThatLieOnIt) {
     World world;
     world.add(shapes::floor({-60, 0}, {60, 0}));
