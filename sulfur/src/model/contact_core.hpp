@@ -193,7 +193,7 @@ struct ContactCore {
     std::uint32_t newRows = 0;           // manifolds, in this step
     std::vector<Resurfaced> resurfaced;  // rows that the caller has changed in this step
     bool answersBounce = false;          // some of them bounce
-    // Bodies, slots, with contacts that do not act in this step.
+    // Bodies, slots, with contacts that did not act in the last step.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> passedBy;
     std::vector<Blow> blows;
     std::vector<Knock> knocks;          // of this step

@@ -54,6 +54,7 @@ void archiveAll(Archive& a, State& state) {
     for (Cluster& c : state.clusters.list)
         if (isDisc(c)) a(c.headingBefore);
     a(state.discTurns);
+    a(state.core.passedBy);
     a(state.gravityScaled);
     a(state.damped);
     a(state.angles);
@@ -153,6 +154,7 @@ std::uint64_t World::hash() const {
     detail::archiveSlowSpeeds(hasher, state.settings);
     detail::archiveBodyMotion(hasher, state);
     if (!state.discTurns.empty()) hasher(state.discTurns);
+    if (!state.core.passedBy.empty()) hasher(state.core.passedBy);
     if (state.angles.size() > 0) hasher(state.angles);
     if (!state.influences.empty()) {
         hasher(state.influences.fields);

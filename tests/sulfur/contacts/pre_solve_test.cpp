@@ -486,5 +486,23 @@ TEST(PreSolve, WorldsGoOnFromSnapshotsWithTheSameCallbacks) {
     }
 }
 
+/// Who does not act on each other is one island all the same, in a restored world too.
+TEST(PreSolve, ARestoredWorldKnowsWhoHasPassedThroughWhom) {
+    const auto passes = [](const PreSolveContact&, Material&) { return false; };
+    World world({.gravity = {0, 0}}), twin;
+    const Body one = world.add(shapes::box()), other = world.add(shapes::box(), {{0.99, 0}, 0});
+    world.setVelocity(one, Vec2(1, 0));
+    world.setPreSolve(passes);
+    twin.setPreSolve(passes);
+    test::run(world, 0.02);
+    twin.restore(world.snapshot());
+    ASSERT_EQ(world.hash(), twin.hash());
+    for (World* each : {&world, &twin}) {
+        EXPECT_TRUE(each->putToSleep(one));
+        EXPECT_TRUE(each->asleep(other));
+    }
+    EXPECT_EQ(world.hash(), twin.hash());
+}
+
 }  // namespace
 }  // namespace sulfur
