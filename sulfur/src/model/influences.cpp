@@ -15,6 +15,7 @@ std::string validateHandles(const Slots<Id>& slots, const List& list, const char
 }  // namespace
 
 std::string Influences::validate() const {
+    if (!fieldSlots.sound() || !grabSlots.sound()) return "handles of influences that fit no list";
     for (std::size_t i = 0; i < grabs.size(); ++i) {
         const Grab& grab = grabs[i];
         if (grab.count < 1 || grab.count > grab.support.size())
