@@ -31,6 +31,7 @@ struct ChainRules {
     double gravityX, gravityY;  // m/s^2
     double airFriction;         // 1/s
     double tick;                // s
+    double late;                // s, for which forces act longer in the first step of a tick
     double maxSpeed;            // m/s, of each component
     double maxForce;            // N; what carries more begins from nothing
     double closingSpeed;        // m/s

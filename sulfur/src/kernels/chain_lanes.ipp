@@ -215,7 +215,10 @@ public:
         const double step = rules_.tick / batch_.steps;
         prepare(step);
         for (std::uint32_t s = 0; s < batch_.steps && bits(good_) != 0; ++s) {
-            predict(s == 0 ? (lastStep() + all(step)) / all(2) : all(step), step);
+            if (s == 0)
+                predict(step + rules_.late, (lastStep() + all(step)) / all(2), step);
+            else
+                predict(step, all(step), step);
             good_ &= beginStep(step);
             good_ &= converge();
             judge();
@@ -297,17 +300,16 @@ private:
     /// The same as resistance() in motion.hpp.
     double resistance(double step) const { return 1 + step * rules_.airFriction / 2; }
 
-    void predict(Lanes kick, double step) {
-        Lanes keep = all(1), push = kick;
-        if (rules_.airFriction != 0) {
-            const Lanes half = kick * all(rules_.airFriction) / all(2);
-            keep = (all(1) - half) / (all(1) + half);
-            push = kick / (all(1) + half);
-        }
+    /// Forces act for `kick` seconds, gravity for others.
+    void predict(double kick, Lanes gravity, double step) {
+        const double half = kick * rules_.airFriction / 2;
+        const Lanes keep = all((1 - half) / (1 + half)), push = all(kick / (1 + half));
+        const Lanes longer = gravity - all(kick);
+        const Pairs falls{longer * all(rules_.gravityX), longer * all(rules_.gravityY)};
         const Lanes most = all(rules_.maxSpeed);
         for (std::size_t i = firstMoving; i < count(); ++i) {
             Node& n = node(i);
-            const Pairs kicked = keep * n.velocity + push * n.acceleration;
+            const Pairs kicked = keep * n.velocity + push * n.acceleration + falls;
             n.velocity = where(n.inverseMass > all(0),
                                {limited(most, kicked.x), limited(most, kicked.y)}, n.velocity);
             n.displacement = all(step) * n.velocity;

@@ -77,6 +77,7 @@ ChainRules rulesOf(const State& state) {
             .gravityY = gravity[1],
             .airFriction = static_cast<double>(state.settings.airFriction),
             .tick = static_cast<double>(state.h),
+            .late = (state.lastStep - static_cast<double>(state.h)) / 2,
             .maxSpeed = maxSpeed,
             .maxForce = maxForce,
             .closingSpeed = closingSpeed,

@@ -65,17 +65,23 @@ void loadNode(const State& state, const TreeNode& node, NodeData& data) {
     }
 }
 
-void predictNodes(const State& state, const std::vector<NodeData>& nodes, double kick, double step,
-                  std::vector<Motion>& motion) {
-    const double half = kick * static_cast<double>(state.settings.airFriction) / 2;
-    const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
+NodeKick firstKick(const State& state, const Tree& tree, double step) {
+    return {step + (state.lastStep - tickOf(state)) / 2, (tree.lastStep + step) / 2};
+}
+
+void predictNodes(const State& state, const std::vector<NodeData>& nodes, NodeKick kick,
+                  double step, std::vector<Motion>& motion) {
+    const double half = kick.forces * static_cast<double>(state.settings.airFriction) / 2;
+    const double keep = (1 - half) / (1 + half), push = kick.forces / (1 + half);
+    const Point falls = (kick.gravity - kick.forces) * state.settings.gravity.cast<double>();
     const double limit = maxSpeed;
     for (std::size_t i = 0; i < motion.size(); ++i) {
         Motion& m = motion[i];
         const NodeData& data = nodes[i];
         if (data.inverseMass > 0)
-            m.velocity =
-                (keep * m.velocity + push * data.acceleration).cwiseMax(-limit).cwiseMin(limit);
+            m.velocity = (keep * m.velocity + push * data.acceleration + falls)
+                             .cwiseMax(-limit)
+                             .cwiseMin(limit);
         if (data.inverseInertia > 0)
             m.spin = std::clamp(keep * m.spin + push * data.angular, -data.mostSpin, data.mostSpin);
         m.displacement = step * m.velocity;

@@ -13,6 +13,7 @@
 
 #include "core/limits.hpp"
 #include "particles/motion.hpp"
+#include "trees/node_motion.hpp"
 #include "trees/step_judgement.hpp"
 
 namespace sulfur::detail {
@@ -127,9 +128,9 @@ private:
         prepare(step);
         Outcome whole;
         for (std::uint32_t s = 0; s < steps && enough(whole); ++s) {
-            const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
+            const NodeKick kick = s == 0 ? firstKick(state_, tree_, step) : NodeKick{step, step};
             predict(kick, step);
-            if (!beginStep(kick, step, s == 0) || (steps == mostSteps && torn_)) {
+            if (!beginStep(kick.forces, step, s == 0) || (steps == mostSteps && torn_)) {
                 whole.converged = false;
                 break;
             }
@@ -162,13 +163,15 @@ private:
         }
     }
 
-    void predict(double kick, double step) {
-        const double half = kick * static_cast<double>(state_.settings.airFriction) / 2;
-        const double keep = (1 - half) / (1 + half), push = kick / (1 + half);
+    void predict(NodeKick kick, double step) {
+        const double half = kick.forces * static_cast<double>(state_.settings.airFriction) / 2;
+        const double keep = (1 - half) / (1 + half), push = kick.forces / (1 + half);
+        const Pair falls =
+            pairOf((kick.gravity - kick.forces) * state_.settings.gravity.cast<double>());
         for (std::size_t i = 0; i < count_; ++i) {
             ChainNode& n = nodes_[i];
             if (n.inverseMass > 0)
-                n.velocity = limitedTo(maxSpeed, keep * n.velocity + push * n.acceleration);
+                n.velocity = limitedTo(maxSpeed, keep * n.velocity + push * n.acceleration + falls);
             n.displacement = step * n.velocity;
         }
     }

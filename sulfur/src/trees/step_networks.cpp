@@ -79,7 +79,7 @@ private:
     bool tryWay(Way way) {
         equations_.begin(way);
         for (std::size_t i = 0; i < nodes_.size(); ++i) motion_[i] = nodes_[i].start;
-        predictNodes(state_, nodes_, (tree_.lastStep + tick()) / 2, tick(), motion_);
+        predictNodes(state_, nodes_, firstKick(state_, tree_, tick()), tick(), motion_);
         scratch_.predicted.resize(nodes_.size());
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             Motion& m = motion_[i];

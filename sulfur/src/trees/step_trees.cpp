@@ -125,7 +125,7 @@ private:
                 whole.add(goOnCoarsely(steps - s, step));
                 break;
             }
-            const double kick = s == 0 ? (tree_.lastStep + step) / 2 : step;
+            const NodeKick kick = s == 0 ? firstKick(state_, tree_, step) : NodeKick{step, step};
             if (steps == mostSteps) before_ = motion_;
             Outcome one = makeStep(kick, step, s == 0, false);
             if (steps == mostSteps && !torn_ && !one.tolerable()) {
@@ -146,15 +146,16 @@ private:
         Outcome whole;
         for (std::size_t i = 1; i < count_; ++i) stretchStep(links_[i], coarse);
         for (std::uint32_t s = 0; s < steps; ++s) {
-            whole.add(makeStep(s == 0 ? (step + coarse) / 2 : coarse, coarse, false, true));
+            const NodeKick kick{coarse, s == 0 ? (step + coarse) / 2 : coarse};
+            whole.add(makeStep(kick, coarse, false, true));
             finishStep(coarse);
         }
         return whole;
     }
-    Outcome makeStep(double kick, double step, bool first, bool fallback) {
+    Outcome makeStep(NodeKick kick, double step, bool first, bool fallback) {
         step_ = step;
         predictNodes(state_, nodes_, kick, step, motion_);
-        beginStep(kick, step, first);
+        beginStep(kick.forces, step, first);
         fallback |= torn_;
         if (fallback) ++state_.statistics.chainFallbacks;
         if (fallback)
