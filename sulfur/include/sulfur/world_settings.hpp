@@ -36,9 +36,10 @@ struct WorldSettings {
     int sweeps = 4;  ///< 1 to 100 passes over the constraints in a step: at most over contacts
                      ///< alone, at least beside joints, where contacts may ask for twice as many
     /// m/s, 0 to 2000: what moves slower for half a second falls asleep; 0: nothing does. When not
-    /// given 0.005 under a gravity of 1 to 100 m/s^2 and without any; under less or more in
-    /// proportion to that, so that nothing falls asleep where it turns around in the air. (So it
-    /// is also for bodies on which little of gravity acts, see World::setGravityScale.)
+    /// given 0.005 under a gravity of 1 to 100 m/s^2; under less or more in proportion to that, so
+    /// that nothing falls asleep where it turns around in the air. Without any gravity 0.005 where
+    /// air friction or damping slows what moves, else 0.00005, because it drifts on for ever. (So
+    /// it is also for bodies on which little of gravity acts, see World::setGravityScale.)
     std::optional<Real> sleepSpeed = std::nullopt;
     /// m/s, 0 to 2000: what meets slower does not rebound, so that what lies comes to rest. When
     /// not given 0.1, and under little or much gravity in the same proportion.

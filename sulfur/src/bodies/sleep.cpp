@@ -1,5 +1,4 @@
 // Falling asleep and waking up, of one body and of what sleeps with it.
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "bodies/sleep.hpp"
@@ -7,16 +6,10 @@
 
 namespace sulfur::detail {
 
-namespace {
-
-using Bounds = Eigen::AlignedBox<double, 2>;
-
-/// Of all that a body touches with in the next `duration` seconds; joints between bodies and what
-/// acts on it are left out.
-Bounds boundsOf(const State& state, std::uint32_t index, double duration) {
+BodyBounds boundsOf(const State& state, std::uint32_t index, double duration) {
     const BodyRecord& body = state.bodies[index];
     const Particles& p = state.particles;
-    Bounds bounds;
+    BodyBounds bounds;
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
         const double around = static_cast<double>(p.reach[i]);
@@ -28,8 +21,6 @@ Bounds boundsOf(const State& state, std::uint32_t index, double duration) {
     }
     return bounds;
 }
-
-}  // namespace
 
 void restoreInverseMass(State& state, std::uint32_t index) {
     const BodyRecord& body = state.bodies[index];
@@ -67,7 +58,7 @@ void wakeBody(State& state, std::uint32_t index) {
 }
 
 void wakeNear(State& state, std::uint32_t index) {
-    const Bounds own = boundsOf(state, index, 0);
+    const BodyBounds own = boundsOf(state, index, 0);
     for (std::uint32_t i = 0; i < state.bodies.size(); ++i)
         if (state.bodies[i].asleep && boundsOf(state, i, 0).intersects(own)) wakeBody(state, i);
 }

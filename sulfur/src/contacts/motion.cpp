@@ -233,9 +233,14 @@ void updateBoxes(State& state) {
                (stepNumber(state) + c) % tuned::rounds == 0;
     };
     const Chunk* const chunks = core.shapes.chunks.data();
-    const double* const ahead = core.ahead.data();
-    for (const auto c : core.awakeChunks)
-        if (ahead[chunks[c].frame] >= chunks[c].leaveAt || asks(c, chunks[c])) renew(c);
+    const double *const ahead = core.ahead.data(), *const odometer = core.movers.odometer.data();
+    // Sleepers wake a step before they are touched, so that they must be met by then.
+    const double early = state.work.sleepers > 0 ? 1 : 0;
+    for (const auto c : core.awakeChunks) {
+        const auto frame = chunks[c].frame;
+        const double reached = ahead[frame] + early * (ahead[frame] - odometer[frame]);
+        if (reached >= chunks[c].leaveAt || asks(c, chunks[c])) renew(c);
+    }
 }
 
 void lookAtPairs(State& state) {

@@ -3,6 +3,7 @@
 // An island is what is near each other or tied together. Who is near somebody awake is awake: what
 // sleeps never takes an impulse as if it were fixed.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "bodies/mechanism_bodies.hpp"
@@ -45,10 +46,11 @@ bool spinsInPlace(const State& state, const Cluster& c, double restingSpeed) {
 /// bodies: the lists are of those before.
 bool measureRest(State& state) {
     if (state.structure.stale) return false;
-    const double slow = slowSpeedsOf(state.settings).resting;
-    const auto restingSpeedOf = [&](std::uint32_t body) {
-        if (!state.gravityScaled) return slow;
-        return restingSpeedUnder(state.settings, slow, state.bodies[body].gravityScale);
+    const double slow = restingSpeedUnder(state.settings, 1, false);
+    const auto restingSpeedOf = [&](std::uint32_t index) {
+        if (!state.gravityScaled && !state.damped) return slow;
+        const BodyRecord& body = state.bodies[index];
+        return restingSpeedUnder(state.settings, body.gravityScale, isDamped(body));
     };
     const auto isMoved = [&](std::uint32_t body) { state.bodies[body].restingTime = -state.h; };
     for (const auto index : state.work.awakeClusters) {
@@ -195,6 +197,37 @@ void wakeTouching(State& state, std::uint32_t index) {
          tie != linked.end() && tie->first == slot; ++tie)
         wakeSlot(tie->second);
     wakeBody(state, index);
+}
+
+void wakeInTheWay(State& state) {
+    const auto sleeps = [](const BodyRecord& body) { return body.asleep; };
+    const ContactCore& core = state.core;
+    if (state.fresh.empty() && core.struck.empty()) return;
+    if (std::none_of(state.bodies.begin(), state.bodies.end(), sleeps)) return;
+    bringMembers(state);
+    std::pmr::vector<std::uint32_t> movers(&state.arena), inTheWay(&state.arena);
+    for (const auto i : state.fresh)
+        if (!state.particles.velocity[i].isZero()) movers.push_back(state.particles.body[i]);
+    for (const auto pair : core.struck)
+        for (const auto chunk : {core.pairs[pair].a, core.pairs[pair].b}) {
+            if (chunk == none) continue;  // the pair has ended since
+            const auto body = state.bodySlots.denseOf(core.shapes.chunks[chunk].body);
+            if (body != none && isDynamic(state, body)) movers.push_back(body);
+        }
+    std::sort(movers.begin(), movers.end());
+    movers.erase(std::unique(movers.begin(), movers.end()), movers.end());
+    for (const auto index : movers) {
+        const BodyBounds way = boundsOf(state, index, static_cast<double>(state.h));
+        const std::array<double, 2> low{way.min()[0], way.min()[1]},
+            high{way.max()[0], way.max()[1]};
+        core.grid.forEachIn(core.shapes.chunks, low, high, [&](std::uint32_t c) {
+            const auto other = state.bodySlots.denseOf(core.shapes.chunks[c].body);
+            if (other != none && state.bodies[other].asleep &&
+                boundsOf(state, other, 0).intersects(way))
+                inTheWay.push_back(other);
+        });
+    }
+    for (const auto body : inTheWay) wakeBody(state, body);
 }
 
 void updateSleep(State& state) {

@@ -63,6 +63,9 @@ void endMotion(State& state);
 void exportContacts(const State& state, std::vector<ContactLoad>& contacts, bool sleepers);
 /// The same of one body, by dense index, with sleepers.
 void exportContactsOf(const State& state, std::uint32_t body, std::vector<ContactLoad>& contacts);
+/// Sleepers wake that lie in the way, in this step, of what the caller or an impact of the last
+/// step has set in motion.
+void wakeInTheWay(State& state);
 /// Bodies that something comes near wake; those at rest fall asleep.
 void updateSleep(State& state);
 

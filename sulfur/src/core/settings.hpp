@@ -35,6 +35,9 @@ inline constexpr double leastGravity = 1, mostGravity = 100;
 
 /// m/s: what moves slower for long enough falls asleep.
 inline constexpr double restingSpeed = 0.005;
+/// As a share of that, where neither gravity nor air holds what moves: it drifts on for ever, and
+/// sleep would take its momentum.
+inline constexpr double driftingShare = 0.01;
 /// m/s: what slips slower is held by static friction, so that noise of a tick does not let go of
 /// what rests.
 inline constexpr double creepSpeed = restingSpeed / 5;

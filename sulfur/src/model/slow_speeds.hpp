@@ -11,7 +11,6 @@ namespace sulfur::detail {
 
 /// m/s; see core/settings.hpp, where the values for ordinary gravity are.
 struct SlowSpeeds {
-    double resting = 0;
     Real creep = 0, restingPush = 0, settledChange = 0, sticking = 0, rebound = 0, vain = 0;
 };
 
@@ -28,8 +27,6 @@ inline SlowSpeeds slowSpeedsOf(const WorldSettings& settings) {
     const double slowness = slownessUnder(static_cast<double>(settings.gravity.norm()));
     const auto scaled = [&](double speed) { return static_cast<Real>(slowness * speed); };
     SlowSpeeds slow;
-    slow.resting = settings.sleepSpeed ? static_cast<double>(*settings.sleepSpeed)
-                                       : slowness * tuned::restingSpeed;
     slow.creep = scaled(tuned::creepSpeed);
     slow.restingPush = scaled(tuned::restingPush);
     slow.settledChange = scaled(tuned::settledChange);
@@ -39,11 +36,15 @@ inline SlowSpeeds slowSpeedsOf(const WorldSettings& settings) {
     return slow;
 }
 
-/// m/s: the same as SlowSpeeds::resting, of a body on which so much of gravity acts.
-inline double restingSpeedUnder(const WorldSettings& settings, double resting, Real gravityScale) {
-    if (settings.sleepSpeed) return resting;
-    const auto gravity = static_cast<double>(std::abs(gravityScale) * settings.gravity.norm());
-    return std::min(resting, slownessUnder(gravity) * tuned::restingSpeed);
+/// m/s: what is slower for long enough falls asleep, of a body on which so much of gravity acts.
+inline double restingSpeedUnder(const WorldSettings& settings, Real gravityScale, bool damped) {
+    if (settings.sleepSpeed) return static_cast<double>(*settings.sleepSpeed);
+    const double all = static_cast<double>(settings.gravity.norm());
+    const double own = static_cast<double>(std::abs(gravityScale)) * all;
+    const bool drifts = own == 0 && !damped && settings.airFriction == 0;
+    const double slowness =
+        drifts ? tuned::driftingShare : std::min(slownessUnder(all), slownessUnder(own));
+    return slowness * tuned::restingSpeed;
 }
 
 }  // namespace sulfur::detail

@@ -103,6 +103,7 @@ void breakage(State& state) {
 
 void runStages(State& state) {
     state.arena.reset();
+    wakeInTheWay(state);
     // Stages that derive anew what has changed ask for all members.
     if (isChanged(state)) bringMembers(state);
     timed(state, Stage::changes, applyChanges);
