@@ -156,8 +156,8 @@ inline constexpr std::uint32_t mostCompared = rounds * rounds;
 /// Meetings that impacts look at, and pairs that continuous collision does; one of corners and
 /// sides counts as so many more.
 inline constexpr std::uint32_t askedMeetings = 4 * rounds, keptPairs = 2 * rounds, loosePair = 4;
-/// Of networks, for each node: products of blocks, of the steps and of the sweeps in a tick. A node
-/// and a pass over it count as `productsOfNode`. Sweeps that come after that wait for the last one.
+/// Of networks, for each node: products of blocks, of a step and of its sweeps. A node and a pass
+/// over it count as `productsOfNode`. Sweeps that come after that wait for the last one.
 inline constexpr std::uint64_t networkProducts = 2048, productsOfNode = rounds;
 
 // Loads.

@@ -152,9 +152,9 @@ std::uint64_t priceOf(const State& state, const Tree& tree) {
     return tuned::productsOfNode * pattern.size() + pattern.products();
 }
 
-std::uint64_t productsOfStep(const State& state, const Tree& tree) {
+std::uint64_t productsOfStep(const Tree& tree) {
     const std::uint64_t nodes = tree.last - tree.first;
-    return tuned::networkProducts * nodes / stepsPerTick(state.settings.tickRate);
+    return tuned::networkProducts * nodes;
 }
 
 void prepareNetworks(State& state) {

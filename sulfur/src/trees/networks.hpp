@@ -79,8 +79,8 @@ private:
 
 /// Products of blocks that a factorisation of a network takes, with its passes.
 std::uint64_t priceOf(const State& state, const Tree& tree);
-/// So many for each step, of the number for each node and tick.
-std::uint64_t productsOfStep(const State& state, const Tree& tree);
+/// How many a step may take.
+std::uint64_t productsOfStep(const Tree& tree);
 
 /// The force of an attachment or hinge, N on its first end.
 inline Vec2& forceOf(State& state, const NetworkLink& link) {

@@ -133,7 +133,7 @@ private:
 
     /// How many times a step has work for.
     int factorsOfStep() const {
-        const std::uint64_t all = productsOfStep(state_, tree_);
+        const std::uint64_t all = productsOfStep(tree_);
         const std::uint64_t most = all / priceOf(state_, tree_);
         return static_cast<int>(
             std::clamp<std::uint64_t>(most, tuned::factorPasses, tuned::projectionPasses));

@@ -405,7 +405,7 @@ void NetworkSweeper::share(std::span<const Freedoms> given) {
 
 void NetworkSweeper::sweep() {
     NetworkFactor& factor = state_.trees.factors[tree_.network];
-    factor.waits = factor.work > productsOfStep(state_, tree_);
+    factor.waits = factor.work > productsOfStep(tree_);
     if (!factor.waits) SweptNetwork(state_, tree_).sweep();
 }
 
