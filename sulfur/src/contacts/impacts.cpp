@@ -70,7 +70,8 @@ public:
           slow_(slowSpeedsOf(state.settings).rebound * h_),
           meetings_(&state.arena),
           due_(&state.arena),
-          struck_(&state.arena) {}
+          struck_(&state.arena),
+          squashed_(&state.arena) {}
 
     void run() {
         collect();
@@ -127,6 +128,7 @@ private:
     void collect() {
         const RowKernels& kernels = rowKernels();
         const bool anyBounces = core_.bouncingPairs > 0 || core_.answersBounce;
+        if (anyBounces) noteSquashed();
         const Real fall = largestGravityScale() * state_.settings.gravity.norm();
         const Real slow = slow_ + h_ * h_ * fall;
         if (!anyBounces && 2 * core_.farthest < slow) return;
@@ -161,6 +163,19 @@ private:
                 },
                 [&](RowPlace place, std::uint32_t pair) { addTouch(place, pair); });
         }
+    }
+
+    /// What is pressed flat does not bounce: its triangles push with what sweeps leave of an error,
+    /// and a rebound from that would be energy from nothing.
+    void noteSquashed() {
+        if (state_.triangles.pressed.empty()) return;
+        squashed_.assign(state_.particles.size(), 0);
+        for (const PressedTriangle& t : state_.triangles.pressed)
+            for (const Grip& corner : t.corners) squashed_[corner.particle] = 1;
+    }
+    bool isSquashed(std::uint32_t corner) const {
+        if (squashed_.empty()) return false;
+        return squashed_[state_.particleSlots.denseOf(core_.shapes.corners[corner].particle)] != 0;
     }
 
     void addManifold(RowPlace place, std::uint32_t pair) {
@@ -203,12 +218,14 @@ private:
         Meeting m;
         m.pair = pair;
         m.points = 1;
-        m.restitution = core_.pairs[pair].restitution;
+        const Side& side = core_.shapes.sides[touch.side];
+        if (!isSquashed(touch.corner) && !isSquashed(side.a) && !isSquashed(side.b))
+            m.restitution = core_.pairs[pair].restitution;
         m.staticFriction = t.staticFriction[l];
         m.kineticFriction = t.kineticFriction[l];
         const Vec2 n(t.normalX[l], t.normalY[l]), tangent(-n[1], n[0]);
         m.knock[0] = {particlesOf(core_.shapes, touch.corner, touch.side), n, 0, 0};
-        const Vec2 side(t.sideX[l], t.sideY[l]), rod = t.rod[l] * side, lean = t.lean[l] * side;
+        const Vec2 along(t.sideX[l], t.sideY[l]), rod = t.rod[l] * along, lean = t.lean[l] * along;
         Strike& s = m.normal[0];
         s.body = {t.p[l], t.a[l], t.b[l]};
         s.linear = {n, -t.weightA[l] * n + lean, -t.weightB[l] * n - lean};
@@ -449,7 +466,8 @@ private:
         Real moment = 0;            // the latest of all, as a share of the step
         std::optional<bool> alone;  // whether it moves alone, once somebody has asked
     };
-    std::pmr::vector<Struck> struck_;  // by mover
+    std::pmr::vector<Struck> struck_;          // by mover
+    std::pmr::vector<std::uint8_t> squashed_;  // by particle, dense; none where nothing is
 };
 
 }  // namespace
