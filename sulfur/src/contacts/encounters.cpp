@@ -74,16 +74,27 @@ bool shouldCollide(State& state, const Encounter& encounter) {
     return answer;
 }
 
-}  // namespace
-
-bool areTouching(const ContactCore& core, BodyId a, BodyId b) {
-    if (core.buckets.empty()) return false;
+/// Of two bodies, or null where they are not near each other.
+const Encounter* encounterOf(const ContactCore& core, BodyId a, BodyId b) {
+    if (core.buckets.empty()) return nullptr;
     const BodyPair pair = BodyPair::of(a, b);
     for (auto e = core.buckets[bucketOf(core, pair.a, pair.b)]; e != none;
          e = core.encounters[e].nextInBucket)
         if (core.encounters[e].a == pair.a && core.encounters[e].b == pair.b)
-            return core.encounters[e].touching != 0;
-    return false;
+            return &core.encounters[e];
+    return nullptr;
+}
+
+}  // namespace
+
+bool areTouching(const ContactCore& core, BodyId a, BodyId b) {
+    const Encounter* encounter = encounterOf(core, a, b);
+    return encounter && encounter->touching != 0;
+}
+
+bool passThrough(const ContactCore& core, BodyId a, BodyId b) {
+    const Encounter* encounter = encounterOf(core, a, b);
+    return encounter && encounter->rowless == Encounter::letPass;
 }
 
 void enterEncounter(State& state, std::uint32_t index) {

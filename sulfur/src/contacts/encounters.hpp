@@ -11,6 +11,8 @@ struct State;
 
 /// Whether two bodies, or two parts of one, touched at the end of the last tick.
 bool areTouching(const ContactCore& core, BodyId a, BodyId b);
+/// Whether two bodies pass through each other because the caller has said so when they came near.
+bool passThrough(const ContactCore& core, BodyId a, BodyId b);
 /// A new pair of chunks joins the encounter of its bodies, or begins one.
 void enterEncounter(State& state, std::uint32_t pair);
 /// A pair that ends leaves it.

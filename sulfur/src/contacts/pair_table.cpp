@@ -51,10 +51,9 @@ bool isVetoed(const State& state, BodyId a, BodyId b) {
 bool mayTouch(const State& state, const Chunk& a, const Chunk& b) {
     const BodyRecord& first = state.bodies[state.bodySlots.denseOf(a.body)];
     const BodyRecord& second = state.bodies[state.bodySlots.denseOf(b.body)];
-    if (first.kind != BodyKind::dynamic && second.kind != BodyKind::dynamic) return false;
-    if (first.sensor || second.sensor) return false;
-    if (a.body == b.body) return first.selfCollision && a.frame != b.frame;
-    return mayCollide(first.filter, second.filter) && !isVetoed(state, first.id, second.id);
+    if (a.body != b.body) return mayTouch(state, first, second);
+    return first.kind == BodyKind::dynamic && !first.sensor && first.selfCollision &&
+           a.frame != b.frame;
 }
 
 bool areLinked(const ContactCore& core, std::uint32_t a, std::uint32_t b) {
@@ -261,6 +260,12 @@ void findKnown(State& state, std::uint32_t index, std::vector<std::uint32_t>& kn
 }
 
 }  // namespace
+
+bool mayTouch(const State& state, const BodyRecord& a, const BodyRecord& b) {
+    if (a.kind != BodyKind::dynamic && b.kind != BodyKind::dynamic) return false;
+    if (a.sensor || b.sensor) return false;
+    return mayCollide(a.filter, b.filter) && !isVetoed(state, a.id, b.id);
+}
 
 void updatePairs(State& state, std::uint32_t index) {
     ContactCore& core = state.core;

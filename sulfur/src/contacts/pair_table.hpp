@@ -7,10 +7,13 @@
 namespace sulfur::detail {
 
 struct State;
+struct BodyRecord;
 struct ContactCore;
 struct PairWatch;
 struct Motion3;
 
+/// Whether their kinds, filters and vetoes let two different bodies touch.
+bool mayTouch(const State& state, const BodyRecord& a, const BodyRecord& b);
 /// Makes pairs with all whose boxes have come to meet that of a chunk, and ends those that have
 /// parted.
 void updatePairs(State& state, std::uint32_t chunk);

@@ -8,6 +8,8 @@
 
 #include "bodies/mechanism_bodies.hpp"
 #include "bodies/sleep.hpp"
+#include "contacts/encounters.hpp"
+#include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/settings.hpp"
@@ -222,7 +224,9 @@ void wakeInTheWay(State& state) {
             high{way.max()[0], way.max()[1]};
         core.grid.forEachIn(core.shapes.chunks, low, high, [&](std::uint32_t c) {
             const auto other = state.bodySlots.denseOf(core.shapes.chunks[c].body);
-            if (other != none && state.bodies[other].asleep &&
+            if (other == none || !state.bodies[other].asleep) return;
+            const BodyRecord &mover = state.bodies[index], &sleeper = state.bodies[other];
+            if (mayTouch(state, mover, sleeper) && !passThrough(core, mover.id, sleeper.id) &&
                 boundsOf(state, other, 0).intersects(way))
                 inTheWay.push_back(other);
         });
