@@ -48,6 +48,95 @@ TEST(RandomScenes, ASeedIsAlwaysTheSame) {
     EXPECT_NE(asCode(sceneOf(1)), asCode(sceneOf(11)));
 }
 
+/// What is soft on one side and in a rope that is divided into more steps on the other.
+TEST(ScenesThatBroke, SpringsGiveBothSidesTheSame) {
+    const Scene scene{
+        .rate = 500,
+        .ticks = 4,
+        .things = {{.kind = Kind::elasticRope,
+                    .size = 2.4,
+                    .mass = 46,
+                    .variant = 0.051,
+                    .frequency = 35},
+                   {.kind = Kind::elasticRope,
+                    .size = 0.15,
+                    .variant = 0.52,
+                    .frequency = 741,
+                    .place = {-2.647, -0.109},
+                    .velocity = {5.6, -0.73}}},
+        .ties = {{.kind = Tie::Kind::rod, .a = 1, .alongA = 0.5126, .alongB = 0.877}}};
+    EXPECT_EQ(textOf(judge(scene, {Law::momentum, Law::angularMomentum})), "");
+}
+
+/// Sleepers that are struck in the tick in which the caller throws something at them.
+TEST(ScenesThatBroke, WhoIsMetAtOnceIsAwake) {
+    const Thing crate{
+        .kind = Kind::crate, .size = 0.11, .variant = 0.093, .place = {-0.0718, 0.0585}};
+    const Thing ball{.size = 0.059, .place = {-0.0618, 0.1309}, .velocity = {33, -70}};
+    for (const int rate : {60, 240, 500, 2000}) {
+        const Scene scene{
+            .rate = rate, .ticks = 5, .sleeping = true, .calm = 2, .things = {crate, ball}};
+        EXPECT_EQ(textOf(judge(scene, {Law::momentum, Law::angularMomentum})), "") << rate;
+    }
+}
+
+/// A row of sleepers that do not touch: each is struck by the one before.
+TEST(ScenesThatBroke, WhoIsMetByWhatWasJustStruckIsAwake) {
+    const Scene scene{
+        .rate = 500,
+        .ticks = 12,
+        .sleeping = true,
+        .calm = 2,
+        .things = {{.kind = Kind::crate, .size = 0.22, .variant = 0.33, .angle = -1.73},
+                   {.kind = Kind::crate,
+                    .size = 0.25,
+                    .mass = 100,
+                    .variant = 0.56,
+                    .place = {0.0996, -0.2432}},
+                   {.kind = Kind::crate,
+                    .size = 0.22,
+                    .mass = 510,
+                    .variant = 0.36,
+                    .place = {0.178, -0.4447},
+                    .velocity = {0, 16}}}};
+    EXPECT_EQ(textOf(judge(scene, {Law::momentum, Law::angularMomentum, Law::energy})), "");
+}
+
+/// Without gravity and air nothing rests that moves, however slowly.
+TEST(ScenesThatBroke, WhatDriftsGoesOn) {
+    const Scene scene{
+        .rate = 60,
+        .ticks = 200,
+        .sleeping = true,
+        .things = {{.kind = Kind::rod,
+                    .size = 0.23,
+                    .mass = 81,
+                    .variant = 0.93,
+                    .place = {-0.0063, -0.0655},
+                    .angle = 2.865},
+                   {.size = 0.225, .place = {-0.0155, -0.2065}, .velocity = {0.0084, 0.039}}}};
+    EXPECT_EQ(textOf(judge(scene, {Law::momentum, Law::sleeping})), "");
+}
+
+/// A crate that bounces falls onto a blob so soft that it is pressed flat on the floor.
+TEST(ScenesThatBroke, WhatIsPressedFlatGivesNoEnergy) {
+    const Scene scene{.rate = 500,
+                      .ticks = 400,
+                      .gravity = 10,
+                      .room = 0.71,
+                      .things = {{.kind = Kind::blob,
+                                  .size = 0.21,
+                                  .variant = 0.23,
+                                  .frequency = 15.8,
+                                  .place = {-0.3348, -0.0871}},
+                                 {.kind = Kind::crate,
+                                  .size = 0.2,
+                                  .variant = 0.8,
+                                  .restitution = 0.677,
+                                  .place = {-0.3543, 0.1387}}}};
+    EXPECT_EQ(textOf(judge(scene, {Law::energy, Law::walls})), "");
+}
+
 /// The referee sees what is there: two crates that pass each other far away keep everything.
 TEST(RandomScenes, WhatOnlyFliesBreaksNoLaw) {
     for (const int rate : {60, 500, 2000}) {

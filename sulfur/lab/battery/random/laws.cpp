@@ -126,7 +126,8 @@ private:
         const double fall = 2 * scene_.gravity * 2 * scene_.room;
         const double bound =
             squeezed * std::pow(1 + restitution, 3) * std::sqrt(first * first + fall);
-        hold(Law::speed, staged_.fastest() / bound, 1);
+        const double fastest = staged_.fastest();
+        hold(Law::speed, fastest == 0 ? 0 : fastest / bound, 1);
     }
     void judgeRest() {
         const auto second = static_cast<long>(scene_.ticks - scene_.rate);
