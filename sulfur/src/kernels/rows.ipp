@@ -99,7 +99,7 @@ inline void split(SweepReal* low, SweepReal* high, Vec v) {
 
 /// Four numbers of each of eight bodies, lane by lane. `from`: the first of them, by lane.
 template <class From>
-inline void gatherFour(From from, Vec& p, Vec& q, Vec& r, Vec& s) {
+[[gnu::always_inline]] inline void gatherFour(From from, Vec& p, Vec& q, Vec& r, Vec& s) {
     p = joined(from(0), from(4));
     q = joined(from(1), from(5));
     r = joined(from(2), from(6));
@@ -107,7 +107,7 @@ inline void gatherFour(From from, Vec& p, Vec& q, Vec& r, Vec& s) {
     interleave4(p, q, r, s);
 }
 template <class To>
-inline void scatterFour(To to, Vec p, Vec q, Vec r, Vec s) {
+[[gnu::always_inline]] inline void scatterFour(To to, Vec p, Vec q, Vec r, Vec s) {
     interleave4(p, q, r, s);
     split(to(0), to(4), p);
     split(to(1), to(5), q);
@@ -305,11 +305,14 @@ inline bool isStirred(const std::uint32_t* at, const SweepSettings& settings) {
 /// Notes which bodies rows have stirred, by lanes; what nothing pushes stays as it was.
 inline void stir(const std::uint32_t* at, Vec mass, Vec inertia, Mask changed,
                  const SweepSettings& settings) {
-    const Mask pushed = mass + inertia > Vec{};
+    const std::uint32_t lanes = bits(changed & (mass + inertia > Vec{}));
     std::uint8_t* const stirred = settings.stirred;  // bytes alias the settings
     const std::uint8_t number = settings.number;
-    for (auto lanes = bits(changed & pushed); lanes != 0; lanes &= lanes - 1)
-        stirred[at[__builtin_ctz(lanes)]] = number;
+    // Without branches, because nobody can foretell which lanes do.
+    for (std::size_t l = 0; l < rowLanes; ++l) {
+        std::uint8_t& last = stirred[at[l]];
+        last = static_cast<std::uint8_t>(last ^ ((last ^ number) & (0 - (lanes >> l & 1))));
+    }
 }
 
 /// Moves the bodies of a block out of each other, by a share of what is beyond the slop.
@@ -331,8 +334,8 @@ inline void moveApart(SolverBody* bodies, const ManifoldBlock& block, Vec massA,
 }
 
 template <bool anew, bool begins>
-inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, ManifoldBlock& block,
-                       const SweepSettings& settings) {
+[[gnu::always_inline]] inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions,
+                                              ManifoldBlock& block, const SweepSettings& settings) {
     Placed placeA, placeB;  // of the first sweep since motion was predicted
     if constexpr (anew) {
         placeA = gatherPlaced(bodies, block.a);
@@ -791,8 +794,8 @@ inline Jacobian tangentOf(const TouchBlock& t) {
 }
 
 template <bool anew, bool begins>
-inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions, TouchBlock& t,
-                       const SweepSettings& settings) {
+[[gnu::always_inline]] inline bool sweepBlock(SolverBody* bodies, const Prediction* predictions,
+                                              TouchBlock& t, const SweepSettings& settings) {
     const Jacobian tangent = tangentOf(t), normal = normalOf(t);
     if constexpr (anew) {
         Bodies p = gather(predictions, t.p), a = gather(predictions, t.a),
