@@ -128,10 +128,8 @@ private:
                 for (auto lanes = passing(kernels, list, k); lanes != 0; lanes &= lanes - 1)
                     add(list.shapes[k].pair[std::countr_zero(lanes)]);
         }
-        // One test for both, without a branch between them: most pairs are answered by it.
         for (const PairWatch& w : core_.watches)
-            if ((w.limit != PairWatch::never) & (w.isManifold == 0 || waysOfFrames(w) > leastOf(w)))
-                collect(w);
+            if (w.isManifold == 0 || reachesLimit(w)) collect(w);
         std::sort(pairs_.begin(), pairs_.end());
     }
     /// By lanes; those without a row have the world on both sides.
@@ -139,6 +137,13 @@ private:
                           std::size_t block) const {
         return kernels.passingManifolds(movers_.bodies.data(), core_.ways.data(),
                                         list.blocks[block], list.shapes[block], fast);
+    }
+    /// Whether two convex chunks without a row may have come as near as mayPass() asks for: mostly
+    /// not. (Their ways count twice, so that rounding does not matter.)
+    bool reachesLimit(const PairWatch& w) const {
+        const double odometers = movers_.odometer[w.a] + movers_.odometer[w.b];
+        const Real ways = core_.lengths[w.a] + core_.lengths[w.b];
+        return !(odometers + 2 * static_cast<double>(ways) < w.limit);
     }
     void collect(const PairWatch& w) {
         const Real least = leastOf(w);
