@@ -112,28 +112,31 @@ private:
         std::pmr::vector<std::uint32_t> placeOf(core_.movers.size(), outside, &state_.arena);
         for (const auto m : core_.awakeMovers)
             placeOf[m] = index_[state_.bodySlots.denseOf(core_.movers.body[m])];
-        // Nobody can foretell which lanes act: those that do not link what has no place.
+        // A mover takes the leader of its set for its place: mostly both have the same one already.
+        // (One test, because nobody can foretell which rows act.)
+        const auto linkMovers = [&](bool acts, std::uint32_t a, std::uint32_t b) {
+            std::uint32_t &one = placeOf[a], &other = placeOf[b];
+            if (!acts | (one == other)) return;
+            sets_.unite(one, other);
+            one = other = sets_.find(one);
+        };
         const auto forEachLane = [&](const auto& list, auto kernel, auto&& f) {
             for (const auto& block : list.blocks) {
                 const std::uint32_t lanes = kernel(block);
-                for (std::uint32_t l = 0; l < rowLanes; ++l)
-                    f(block, l, [&](std::uint32_t m) {
-                        const auto place = placeOf[m];
-                        return (lanes >> l & 1) != 0 ? place : outside;
-                    });
+                for (std::uint32_t l = 0; l < rowLanes; ++l) f(block, l, (lanes >> l & 1) != 0);
             }
         };
         const RowKernels& kernels = rowKernels();
         for (const auto c : core_.rows.inUse()) {
             forEachLane(core_.rows.manifolds[c], kernels.actingManifolds,
-                        [&](const ManifoldBlock& r, std::uint32_t l, auto&& place) {
-                            sets_.unite(place(r.a[l]), place(r.b[l]));
+                        [&](const ManifoldBlock& r, std::uint32_t l, bool acts) {
+                            linkMovers(acts, r.a[l], r.b[l]);
                         });
             forEachLane(core_.rows.touches[c], kernels.actingTouches,
-                        [&](const TouchBlock& t, std::uint32_t l, auto&& place) {
-                            sets_.unite(place(t.p[l]), place(t.a[l]));
+                        [&](const TouchBlock& t, std::uint32_t l, bool acts) {
+                            linkMovers(acts, t.p[l], t.a[l]);
                             // b is the world where a has both ends.
-                            if (t.b[l] != 0) sets_.unite(place(t.p[l]), place(t.b[l]));
+                            linkMovers(acts && t.b[l] != 0, t.p[l], t.b[l]);
                         });
         }
     }
