@@ -109,17 +109,17 @@ void markMoved(ContactCore& core) {
     const std::uint8_t* moved = core.moved.data();
     const auto markIn = [&](auto& list, auto&& hasMoved) {
         for (std::size_t k = 0; k < list.blocks.size(); ++k) {
-            std::uint64_t any = 0;
-            for (std::size_t l = 0; l < rowLanes; ++l) any |= hasMoved(list.blocks[k], l);
-            list.dirty[k / 64] |= any << k % 64;
+            std::size_t l = 0;
+            while (l < rowLanes && !hasMoved(list.blocks[k], l)) ++l;
+            if (l < rowLanes) list.dirty[k / 64] |= std::uint64_t{1} << k % 64;
         }
     };
     for (const auto c : core.rows.inUse()) {
         markIn(core.rows.manifolds[c], [&](const ManifoldBlock& r, std::size_t l) {
-            return static_cast<std::uint64_t>(moved[r.a[l]] | moved[r.b[l]]);
+            return (moved[r.a[l]] | moved[r.b[l]]) != 0;
         });
         markIn(core.rows.touches[c], [&](const TouchBlock& r, std::size_t l) {
-            return static_cast<std::uint64_t>(moved[r.p[l]] | moved[r.a[l]] | moved[r.b[l]]);
+            return (moved[r.p[l]] | moved[r.a[l]] | moved[r.b[l]]) != 0;
         });
     }
 }
@@ -353,11 +353,11 @@ namespace {
 /// What rows have given a body since it last told. What rounding keeps back is given the next time,
 /// so that no momentum is lost.
 inline void giveTo(Vec2& displacement, const Motion3& more, Motion3& given) {
-    const Real x = displacement[0], y = displacement[1];
-    displacement[0] = x + more.x;
-    displacement[1] = y + more.y;
-    given.x += displacement[0] - x;
-    given.y += displacement[1] - y;
+    // (Written at once, because it is soon read at once.)
+    const Vec2 before = displacement, now = before + Vec2(more.x, more.y);
+    displacement = now;
+    given.x += now[0] - before[0];
+    given.y += now[1] - before[1];
 }
 inline bool isNothing(const Motion3& m) {
     return std::abs(m.x) + std::abs(m.y) + std::abs(m.turn) == 0;
