@@ -18,6 +18,8 @@ namespace {
 /// second or more; what remains is given up, so that time slows down instead.
 constexpr std::int64_t tickBudgetNs = 40'000'000;
 constexpr std::int64_t statisticsWindowNs = 500'000'000;
+/// What seems to last longer is no frame: the clock has leapt, or the machine has slept.
+constexpr std::int64_t longestWindowNs = 10'000'000'000;
 /// So many contexts that are lost before they have drawn a frame are enough.
 constexpr int mostLossesInARow = 5;
 
@@ -166,7 +168,8 @@ void BackendPlatform::measure(std::int64_t frameStart, std::int64_t ticksEnd,
     window_.frames += 1;
     window_.ticks += statistics_.ticksLastFrame;
     const std::int64_t length = drawEnd - window_.start;
-    if (length < statisticsWindowNs) return;
+    if (length < 0 || length > longestWindowNs) window_ = {.start = drawEnd};
+    if (length < statisticsWindowNs || length > longestWindowNs) return;
     constexpr double nsPerMs = 1e6;
     statistics_.framesPerSecond = window_.frames * 1e9 / static_cast<double>(length);
     statistics_.tickMilliseconds =
