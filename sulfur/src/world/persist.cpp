@@ -13,7 +13,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x42735f7266756c53u;  // "Slfr_sB", little-endian
+constexpr std::uint64_t snapshotMark = 0x43735f7266756c53u;  // "Slfr_sC", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/limits.hpp"
 #include "solver/coordinates.hpp"
@@ -216,8 +218,11 @@ std::string validateNetwork(const State& state, const Tree& tree) {
 std::string validateTrees(const State& state) {
     const Trees& trees = state.trees;
     const auto exists = [](std::uint32_t i, std::size_t count) { return i == none || i < count; };
+    std::uint32_t networks = 0;
     for (std::size_t t = 0; t < trees.list.size(); ++t) {
         const Tree& tree = trees.list[t];
+        if (tree.network != none && tree.network != networks++)
+            return problem("network under another number", t);
         if (tree.first >= tree.last || tree.last > trees.nodes.size() || tree.steps < 1)
             return problem("tree without nodes", t);
         if (tree.network != none)
@@ -261,8 +266,67 @@ std::string validateSleepers(const State& state) {
     return {};
 }
 
-std::string validateContacts(const State& state) {
+using SlotPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+bool within(const std::vector<std::uint32_t>& list, std::size_t count) {
+    return std::all_of(list.begin(), list.end(), [&](std::uint32_t i) { return i < count; });
+}
+bool within(const SlotPairs& list, std::size_t firsts, std::size_t seconds) {
+    return std::all_of(list.begin(), list.end(), [&](const auto& pair) {
+        return pair.first < firsts && pair.second < seconds;
+    });
+}
+
+std::string validateVetoes(const State& state) {
     return std::is_sorted(state.vetoes.begin(), state.vetoes.end()) ? "" : "vetoes out of order";
+}
+
+/// Lists that name bodies and particles by their slots.
+std::string validateSlotLists(const State& state) {
+    const ContactCore& core = state.core;
+    const std::size_t bodies = state.bodySlots.slots(), particles = state.particleSlots.slots();
+    if (!within(core.passedBy, bodies, bodies) || !within(core.linkedBodies, bodies, bodies) ||
+        !within(core.linked, particles, bodies) || !within(core.staleShapes, bodies) ||
+        !within(state.placed, bodies) || !within(state.turned, bodies))
+        return "a list of bodies that there are not";
+    const Movers& movers = core.movers;
+    if (!evenlyLong(movers) || !within(movers.free, movers.size()))
+        return "arrays of movers of different lengths";
+    for (std::size_t m = 0; m < movers.size(); ++m)
+        if ((movers.body[m] != none && movers.body[m] >= bodies) ||
+            (movers.particle[m] != none && movers.particle[m] >= particles))
+            return problem("mover of a body that there is not", m);
+    for (std::size_t c = 0; c < core.shapes.chunks.size(); ++c) {
+        const Chunk& chunk = core.shapes.chunks[c];
+        if (chunk.body != none && (chunk.body >= bodies || chunk.frame >= movers.size()))
+            return problem("shape of a body that there is not", c);
+    }
+    return {};
+}
+
+/// Lists that name pairs and what belongs to them.
+std::string validatePairLists(const State& state) {
+    const ContactCore& core = state.core;
+    const std::size_t pairs = core.pairs.size(), encounters = core.encounters.size();
+    if (!within(core.freePairs, pairs) || !within(core.struck, pairs) ||
+        !within(core.freeTouches, core.touches.size()) ||
+        !within(core.freeEncounters, encounters) || !within(core.changedEncounters, encounters) ||
+        !within(core.struckEncounters, encounters) || !within(core.leading, encounters))
+        return "a list of contacts that there are not";
+    if (core.rooms.size() != core.watches.size()) return "rooms of other pairs";
+    const std::size_t movers = core.movers.size(), chunks = core.shapes.chunks.size();
+    for (std::size_t w = 0; w < core.watches.size(); ++w) {
+        const PairWatch& watch = core.watches[w];
+        if (watch.pair >= pairs || watch.a >= movers || watch.b >= movers)
+            return problem("watch over a pair that there is not", w);
+    }
+    for (std::size_t i = 0; i < pairs; ++i) {
+        const Pair& pair = core.pairs[i];
+        if (pair.a != none &&
+            (pair.a >= chunks || pair.b >= chunks || pair.encounter >= encounters))
+            return problem("pair of shapes that there are not", i);
+    }
+    return {};
 }
 
 /// What was there before bodies were added keeps what was derived for it.
@@ -286,9 +350,6 @@ std::string validateAdded(const State& state) {
 
 std::string validateStructure(const State& state) {
     const Structure& s = state.structure;
-    const auto within = [](const std::vector<std::uint32_t>& list, std::size_t count) {
-        return std::all_of(list.begin(), list.end(), [&](std::uint32_t i) { return i < count; });
-    };
     if (!within(state.fresh, state.particles.size())) return "a fresh particle that there is not";
     if (s.stale) return {};  // it is derived again before anybody looks
     if (!within(s.sweptJoints, state.joints.size()) ||
@@ -356,8 +417,9 @@ std::string validateMechanisms(const State& state) {
 std::string findBroken(const State& state) {
     for (const auto check :
          {validateArrays, validateParticles, validateJoints, validateAngles, validateAttachments,
-          validateBodies, validateSleepers, validateVisits, validateContacts, validateDiscTurns,
-          validateClusters, validateTrees, validateStructure, validateAdded, validateMechanisms})
+          validateBodies, validateSleepers, validateVisits, validateVetoes, validateSlotLists,
+          validatePairLists, validateDiscTurns, validateClusters, validateTrees, validateStructure,
+          validateAdded, validateMechanisms})
         if (std::string broken = check(state); !broken.empty()) return broken;
     return state.influences.validate();
 }
