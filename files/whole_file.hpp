@@ -5,6 +5,7 @@
 // their files alike. So this is a header, which none of them installs.
 #pragma once
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -14,6 +15,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -71,16 +73,20 @@ inline fs::path behindLinks(const fs::path& file) {
 /// Between a file's name and six letters in the names of its new files.
 inline constexpr std::string_view newMark = ".new-";
 
-/// Removes what writers of this file have left that were killed: nobody holds its lock any more.
+/// Removes what writers of this file have left that were killed: nobody holds its lock any more. By
+/// functions of the system, because std::filesystem ends the program where there is no memory.
 inline void removeLeftovers(const fs::path& target) {
     const std::string start = target.filename().string() + std::string(newMark);
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(folderOf(target), ignored)) {
-        const std::string name = entry.path().filename().string();
+    const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(folderOf(target).c_str()),
+                                                     [](DIR* open) { return ::closedir(open); });
+    if (!folder) return;
+    while (const dirent* const entry = ::readdir(folder.get())) {
+        const std::string_view name(entry->d_name);
         if (!name.starts_with(start) || name.size() != start.size() + 6) continue;
-        const Descriptor left(::open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+        const int within = ::dirfd(folder.get());
+        const Descriptor left(::openat(within, entry->d_name, O_RDONLY | O_CLOEXEC | O_NONBLOCK));
         if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0)
-            ::unlink(entry.path().c_str());
+            ::unlinkat(within, entry->d_name, 0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <atlax/offscreen.hpp>
 #include <cmath>
 #include <cstdio>
+#include <new>
 #include <quaoar/recording.hpp>
 #include <quaoar/view/game_view.hpp>
 
@@ -43,6 +44,8 @@ int verifyLevels(const std::vector<std::filesystem::path>& levels) {
     for (const std::filesystem::path& file : levels) {
         try {
             all = verifyLevel(file) && all;
+        } catch (const std::bad_alloc&) {
+            throw;  // the next one would fare no better
         } catch (const std::exception& error) {
             std::fprintf(stderr, "quaoar: %s\n", error.what());
             all = false;

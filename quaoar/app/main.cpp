@@ -4,6 +4,7 @@
 #include <atlax/backend.hpp>
 #include <atlax/records.hpp>
 #include <cstdio>
+#include <new>
 #include <quaoar/view/art.hpp>
 #include <sulfur/version.hpp>
 
@@ -128,6 +129,9 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         return runProgram(arguments);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "quaoar: there is not enough memory\n");
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "quaoar: %s\n", error.what());
         return 1;

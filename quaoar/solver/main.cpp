@@ -8,6 +8,7 @@
 #include <atlax/arguments.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <quaoar/recording.hpp>
 #include <random>
 #include <sulfur/version.hpp>
@@ -159,6 +160,9 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         return solve(arguments);
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "quaoar_solve: there is not enough memory\n");
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "quaoar_solve: %s\n", error.what());
         return 1;

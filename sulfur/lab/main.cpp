@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <sulfur/version.hpp>
 
 #include "experiments/experiment.hpp"
@@ -96,6 +97,9 @@ int main(int argc, char** argv) {
     } catch (const CLI::ExtrasError& e) {
         std::cerr << "sulfur_lab: " << e.what()
                   << "; --list names the experiments, NAME --help the options of one\n";
+        return 1;
+    } catch (const std::bad_alloc&) {
+        std::cerr << "sulfur_lab: there is not enough memory\n";
         return 1;
     } catch (const std::exception& e) {
         std::cerr << "sulfur_lab: " << e.what() << '\n';

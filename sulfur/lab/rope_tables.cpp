@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
 #include <thread>
 
 namespace sulfur::lab {
@@ -31,12 +32,11 @@ RopeTableResult measure(const PaperTable& table, const RopeConstants& rope,
             cell.paper = table.limit(entry.paperRow, column);
         }
     };
-    {
-        std::vector<std::jthread> threads;
-        for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-            threads.emplace_back(work);
-        work();
-    }
+    std::vector<std::future<void>> others;
+    for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+        others.push_back(std::async(std::launch::async, work));
+    work();
+    for (auto& other : others) other.get();  // throws what it has thrown
     return result;
 }
 

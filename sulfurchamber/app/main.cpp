@@ -6,6 +6,7 @@
 #include <atlax/wx/view.hpp>
 #include <cstdlib>
 #include <iostream>
+#include <new>
 
 #include "chamber_app.hpp"
 #include "options.hpp"
@@ -62,6 +63,9 @@ int main(int argc, char** argv) {
         bench.setRain(options.rain);
         if (!options.picture.empty()) return sulfurchamber::writePicture(bench, options);
         return runWindow(bench, options, argv[0]);
+    } catch (const std::bad_alloc&) {
+        std::cerr << "sulfurchamber: there is not enough memory\n";
+        return 1;
     } catch (const std::exception& error) {
         std::cerr << "sulfurchamber: " << error.what() << "\n";
         return 1;

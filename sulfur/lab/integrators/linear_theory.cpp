@@ -43,7 +43,8 @@ double growth(const IntegratorEntry& entry, const Mode& mode, double h) {
         return Vec(state.x[0].x(), state.v[0].x());
     };
     Mat map;
-    map << column(1, 0), column(0, 1);
+    map.col(0) = column(1, 0);
+    map.col(1) = column(0, 1);
     const double half = map.trace() / 2, det = map.determinant();
     const double root = half * half - det;
     return root < 0 ? std::sqrt(det) : std::abs(half) + std::sqrt(root);
