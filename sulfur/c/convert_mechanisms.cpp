@@ -22,16 +22,17 @@ Drive fromC(const SulfurDrive& drive) {
 }
 
 HingeOptions fromC(const SulfurHingeOptions& options) {
-    return {fromC(options.drive), options.collide, options.pin, real(options.strength)};
+    return {fromC(options.drive), options.collide, options.pin, real(options.strength),
+            options.value};
 }
 
 WeldOptions fromC(const SulfurWeldOptions& options) {
-    return {real(options.stiffness), real(options.damping), options.collide, real(options.strength),
-            real(options.torque_strength)};
+    return {real(options.stiffness), real(options.damping),         options.collide,
+            real(options.strength),  real(options.torque_strength), options.value};
 }
 
 SliderOptions fromC(const SulfurSliderOptions& options) {
-    return {fromC(options.drive), options.collide, options.turns};
+    return {fromC(options.drive), options.collide, options.turns, options.value};
 }
 
 WheelOptions fromC(const SulfurWheelMechanismOptions& options) {
@@ -66,16 +67,16 @@ SulfurDrive toC(const Drive& drive) {
 }
 
 SulfurHingeOptions toC(const HingeOptions& options) {
-    return {toC(options.drive), options.collide, options.pin, toC(options.strength)};
+    return {toC(options.drive), options.collide, options.pin, toC(options.strength), options.value};
 }
 
 SulfurWeldOptions toC(const WeldOptions& options) {
-    return {toC(options.stiffness), toC(options.damping), options.collide, toC(options.strength),
-            toC(options.torqueStrength)};
+    return {toC(options.stiffness), toC(options.damping),        options.collide,
+            toC(options.strength),  toC(options.torqueStrength), options.value};
 }
 
 SulfurSliderOptions toC(const SliderOptions& options) {
-    return {toC(options.drive), options.collide, options.turns};
+    return {toC(options.drive), options.collide, options.turns, options.value};
 }
 
 SulfurWheelMechanismOptions toC(const WheelOptions& options) {
@@ -108,7 +109,22 @@ SulfurMechanismInfo toC(const MechanismInfo& info) {
             info.atLower,
             info.atUpper,
             toC(info.drive),
-            toC(info.ratio)};
+            toC(info.ratio),
+            info.collide,
+            info.vetoes,
+            info.pin,
+            toC(info.strength),
+            info.turns,
+            toC(info.axis),
+            toC(info.overA),
+            toC(info.overB),
+            toC(info.frame),
+            toC(info.first),
+            toC(info.second),
+            toC(info.pins[0]),
+            toC(info.pins[1]),
+            toC(info.own[0]),
+            toC(info.own[1])};
 }
 
 SulfurLimitEvent toC(const LimitReached& event) {

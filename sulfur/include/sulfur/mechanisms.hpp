@@ -15,8 +15,7 @@ namespace sulfur {
 /// together, and each is implicit (backward Euler), so that it may be as stiff as it likes; but the
 /// amplitude of a spring without damping falls as exp(-h w^2 t / 2) after t seconds, in steps of h
 /// seconds, at w rad/s. Drives that contradict each other, such as two rigid ones that want
-/// different angles of the same bodies, push with what they have, and may throw these bodies. Scene
-/// files do not hold mechanisms.
+/// different angles of the same bodies, push with what they have, and may throw these bodies.
 struct Drive {
     Real lower = -infinite;  ///< rad or m, the least value
     Real upper = infinite;   ///< rad or m, the largest one, not less than `lower`
@@ -33,19 +32,21 @@ struct Drive {
 
 /// How World::hinge joins two bodies.
 struct HingeOptions {
-    Drive drive = {};      ///< radians; 0 is the angle of b against a when it is made
+    Drive drive = {};      ///< radians
     bool collide = false;  ///< whether the two bodies touch each other
     /// Whether a pin holds them together. Without one only their angle is driven: something else
     /// holds them, or nothing.
     bool pin = true;
     Real strength = infinite;  ///< N, above 0, or `infinite`, of the pin
+    double value = 0;  ///< rad, -1e6 to 1e6: what the angle counts as when the hinge is made
 };
 
 /// How World::slider leads a point of a body along a line of another one.
 struct SliderOptions {
-    Drive drive = {};      ///< metres along the axis; 0 is the place when it is made
+    Drive drive = {};      ///< metres along the axis
     bool collide = false;  ///< whether the two bodies touch each other
     bool turns = true;     ///< whether b turns freely; else it keeps its angle against a
+    double value = 0;      ///< m, -1e6 to 1e6: what the place counts as when the slider is made
 };
 
 /// How World::wheel hangs a wheel on a body.
@@ -62,6 +63,7 @@ struct WeldOptions {
     bool collide = false;            ///< whether the two bodies touch each other
     Real strength = infinite;        ///< N, above 0, or `infinite`, of the pin
     Real torqueStrength = infinite;  ///< N m, above 0, or `infinite`
+    double value = 0;  ///< rad, -1e6 to 1e6: how far it counts as bent when it is made
 };
 
 /// How World::distance keeps two points of bodies apart or together.
@@ -102,6 +104,21 @@ struct MechanismInfo {
     bool atUpper = false;  ///< the same of the upper one
     Drive drive = {};      ///< as it was set last
     Real ratio = 1;        ///< of a pulley or gear
+
+    // How it was made.
+    bool collide = true;                 ///< whether it lets the two bodies touch each other
+    bool vetoes = false;                 ///< whether they touch again when it is gone
+    bool pin = false;                    ///< of a hinge or weld: whether a pin holds both together
+    Real strength = infinite;            ///< N, of the pin
+    bool turns = true;                   ///< of a slider: whether b turns freely
+    Vec2 axis{0, 0};                     ///< of a slider: where its line points now, 1 long
+    Point overA{0, 0};                   ///< metres, of a pulley: where the rope of a turns
+    Point overB{0, 0};                   ///< metres, of a pulley: where that of b does
+    BodyId frame = {};                   ///< of a pulley
+    MechanismId first = {};              ///< of a gear
+    MechanismId second = {};             ///< of a gear
+    std::array<AttachmentId, 2> pins{};  ///< its own among World::attachments, or null
+    std::array<BodyId, 2> own{};         ///< its own among World::bodies, of one particle, or null
 };
 
 /// The two mechanisms of a wheel.

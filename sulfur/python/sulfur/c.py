@@ -574,6 +574,7 @@ class HingeOptions(Structure):
         ("collide", c_bool),
         ("pin", c_bool),
         ("strength", c_double),
+        ("value", c_double),
     ]
 
 
@@ -584,6 +585,7 @@ class WeldOptions(Structure):
         ("collide", c_bool),
         ("strength", c_double),
         ("torque_strength", c_double),
+        ("value", c_double),
     ]
 
 
@@ -592,6 +594,7 @@ class SliderOptions(Structure):
         ("drive", Drive),
         ("collide", c_bool),
         ("turns", c_bool),
+        ("value", c_double),
     ]
 
 
@@ -649,6 +652,21 @@ class MechanismInfo(Structure):
         ("at_upper", c_bool),
         ("drive", Drive),
         ("ratio", c_double),
+        ("collide", c_bool),
+        ("vetoes", c_bool),
+        ("pin", c_bool),
+        ("strength", c_double),
+        ("turns", c_bool),
+        ("axis", Vec),
+        ("over_a", Vec),
+        ("over_b", Vec),
+        ("frame", BodyId),
+        ("first", MechanismId),
+        ("second", MechanismId),
+        ("pin_1", AttachmentId),
+        ("pin_2", AttachmentId),
+        ("own_1", BodyId),
+        ("own_2", BodyId),
     ]
 
 

@@ -88,16 +88,16 @@ class World:
         return Mechanism(self, self._ask(c.MechanismId, kind, *ends, ctypes.byref(struct)))
 
     def hinge(self, a, b, at, **options):
-        """Lets two bodies turn about a point: drive, collide, pin, strength. A drive is what
-        drive() returns, or a dict of its options."""
+        """Lets two bodies turn about a point: drive, collide, pin, strength, value. A drive is
+        what drive() returns, or a dict of its options."""
         return self._join("hinge", options, a.id, b.id, vec(at))
 
     def weld(self, a, b, at, **options):
-        """Holds the angle too: stiffness, damping, collide, strength, torque_strength."""
+        """Holds the angle too: stiffness, damping, collide, strength, torque_strength, value."""
         return self._join("weld", options, a.id, b.id, vec(at))
 
     def slider(self, a, b, at, axis, **options):
-        """Leads a point of b along a line that moves with a: drive, collide, turns."""
+        """Leads a point of b along a line that moves with a: drive, collide, turns, value."""
         return self._join("slider", options, a.id, b.id, vec(at), vec(axis))
 
     def wheel(self, body, wheel, at, axis, **options):

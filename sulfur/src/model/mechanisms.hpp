@@ -73,6 +73,7 @@ struct Mechanism {
     std::array<MechanismId, 2> parts;  // of a gear
     std::array<AttachmentId, 2> pins;  // of a hinge or weld
     std::array<BodyId, 2> own;         // bodies of a particle: a pin, or places of fixed bodies
+    BodyId frame;                      // of a pulley
     Real pinStrength = infinite;       // N
     std::uint8_t turns = 1;            // a slider's b
     std::uint8_t apart = 0;            // its bodies are not to collide
@@ -104,6 +105,7 @@ struct Mechanism {
         archive(parts);
         archive(pins);
         archive(own);
+        archive(frame);
         archive(pinStrength);
         archive(turns);
         archive(apart);

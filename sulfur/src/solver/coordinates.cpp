@@ -67,6 +67,14 @@ ArmEnds endsOf(const State& state, const MechanismArm& arm) {
     return {from, to, cluster != none && cluster == state.particles.cluster[to]};
 }
 
+/// Of a particle that is a rigid component by itself. What a lone one was turned by before it
+/// became one, its body keeps.
+Point discHeading(const State& state, std::uint32_t particle) {
+    const BodyRecord& body = state.bodies[state.particles.body[particle]];
+    const Cluster& c = state.clusters.list[state.particles.cluster[particle]];
+    return body.particles.size() == 1 ? turned(body.turn, c.heading) : c.heading;
+}
+
 Point spanOf(const State& state, const ArmEnds& ends, bool moved) {
     const Particles& p = state.particles;
     Point span = p.position[ends.to] - p.position[ends.from];
@@ -173,7 +181,8 @@ double angleOf(const State& state, const MechanismArm& arm, bool moved) {
     double angle = arm.angle;
     if (ends.isComponent) {
         const Cluster& c = state.clusters.list[state.particles.cluster[ends.from]];
-        const Point line = ends.from == ends.to ? c.heading : spanOf(state, ends, false);
+        const Point line =
+            ends.from == ends.to ? discHeading(state, ends.from) : spanOf(state, ends, false);
         angle = angleOf(line) + (moved ? c.angle : 0);
     } else if (ends.from == ends.to) {
         angle = angleOf(state.bodies[state.particles.body[ends.from]].turn);
@@ -245,6 +254,7 @@ bool holds(const State& state, const Mechanism& m) {
         if (!isThere(arm.from) || !isThere(arm.to)) return false;
     for (const AttachmentId pin : m.pins)
         if (pin && !state.attachmentSlots.contains(pin)) return false;
+    if (m.frame && !state.bodySlots.contains(m.frame)) return false;
     return state.bodySlots.contains(m.a) && state.bodySlots.contains(m.b);
 }
 

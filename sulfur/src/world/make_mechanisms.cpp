@@ -24,6 +24,8 @@ using detail::State;
 
 namespace {
 
+constexpr double farthestValue = 1e6;  // rad or m, either way
+
 /// Whom a mechanism is about to join.
 struct Couple {
     std::uint32_t a, b;  // dense
@@ -71,14 +73,27 @@ struct Found {
     bool holds = true;        // the particles can hold a point there
 };
 
+/// The particle of a body that is nearest to a point.
+std::uint32_t nearestParticle(const State& state, std::uint32_t body, const Point& at) {
+    const auto& record = state.bodies[body];
+    const auto& position = state.particles.position;
+    std::uint32_t nearest = record.firstParticle;
+    for (std::uint32_t i = nearest; i < record.firstParticle + record.particles.size(); ++i)
+        if ((position[i] - at).squaredNorm() < (position[nearest] - at).squaredNorm()) nearest = i;
+    return nearest;
+}
+
 Found find(const State& state, std::uint32_t body, const Point& at, const Pose& pose) {
     detail::requireWithin(at, detail::maxCoordinate, "point");
+    const auto& rest = state.particles.rest;
+    const double near = 1e-4 * (sizeOf(state, body) + 1e-3);
     Found found;
     found.local =
         detail::turnedBack(detail::unitVector(pose.angle), at - pose.position).cast<Real>();
+    // Where a soft body has bent, a particle is not where its pose has it.
+    const std::uint32_t nearest = nearestParticle(state, body, at);
+    if ((state.particles.position[nearest] - at).norm() <= near) found.local = rest[nearest];
     const detail::Attachment held = detail::supportsFor(state, body, found.local);
-    const auto& rest = state.particles.rest;
-    const double near = 1e-4 * (sizeOf(state, body) + 1e-3);
     const Vec2 first = rest[held.support[0]];
     found.isParticle = static_cast<double>((first - found.local).norm()) <= near;
     if (found.isParticle) {
@@ -261,6 +276,7 @@ private:
 MechanismId World::hinge(BodyId a, BodyId b, Point at, const HingeOptions& options) {
     detail::validate(options.drive);
     detail::requireStrength(options.strength, "hinge: strength");
+    detail::requireRange(options.value, -farthestValue, farthestValue, "hinge: value");
     MechanismMaker maker(*this, impl_->changing(), a, b);
     Mechanism& m = maker.mechanism();
     m.kind = MechanismKind::hinge;
@@ -271,7 +287,7 @@ MechanismId World::hinge(BodyId a, BodyId b, Point at, const HingeOptions& optio
         maker.addPin(at, options.collide);
     else
         maker.setCollision(options.collide);
-    m.zero = valueOf(maker.state(), m, RowOf::drive, false);
+    m.zero = valueOf(maker.state(), m, RowOf::drive, false) - options.value;
     return maker.finish();
 }
 
@@ -282,6 +298,7 @@ MechanismId World::weld(BodyId a, BodyId b, Point at, const WeldOptions& options
     drive.strength = options.torqueStrength;
     detail::validate(drive);
     detail::requireStrength(options.strength, "weld: strength");
+    detail::requireRange(options.value, -farthestValue, farthestValue, "weld: value");
     MechanismMaker maker(*this, impl_->changing(), a, b);
     Mechanism& m = maker.mechanism();
     m.kind = MechanismKind::weld;
@@ -289,12 +306,13 @@ MechanismId World::weld(BodyId a, BodyId b, Point at, const WeldOptions& options
     m.pinStrength = options.strength;
     maker.addArms(at);
     maker.addPin(at, options.collide);
-    m.zero = valueOf(maker.state(), m, RowOf::drive, false);
+    m.zero = valueOf(maker.state(), m, RowOf::drive, false) - options.value;
     return maker.finish();
 }
 
 MechanismId World::slider(BodyId a, BodyId b, Point at, Vec2 axis, const SliderOptions& options) {
     detail::validate(options.drive);
+    detail::requireRange(options.value, -farthestValue, farthestValue, "slider: value");
     detail::requireFinite(axis, "slider: axis");
     const double length = axis.cast<double>().norm();
     if (!(length > 0))
@@ -313,7 +331,7 @@ MechanismId World::slider(BodyId a, BodyId b, Point at, Vec2 axis, const SliderO
         maker.addArms(at);
         m.zeroAngle = valueOf(maker.state(), m, RowOf::angle, false);
     }
-    m.zero = valueOf(maker.state(), m, RowOf::drive, false);
+    m.zero = valueOf(maker.state(), m, RowOf::drive, false) - options.value;
     maker.setCollision(options.collide);
     return maker.finish();
 }
@@ -322,9 +340,10 @@ WheelIds World::wheel(BodyId body, BodyId wheel, Point at, Vec2 axis, const Whee
     detail::validate(options.spring);
     detail::validate(options.motor);
     WheelIds ids;
-    ids.spring = slider(body, wheel, at, axis, {options.spring, options.collide, true});
+    ids.spring =
+        slider(body, wheel, at, axis, {.drive = options.spring, .collide = options.collide});
     try {
-        ids.motor = hinge(body, wheel, at, {options.motor, true, false, infinite});
+        ids.motor = hinge(body, wheel, at, {.drive = options.motor, .collide = true, .pin = false});
     } catch (...) {
         remove(ids.spring);
         throw;
@@ -363,6 +382,7 @@ MechanismId World::pulley(BodyId a, Point atA, Point overA, BodyId b, Point atB,
     Mechanism& m = maker.mechanism();
     m.kind = MechanismKind::pulley;
     m.ratio = options.ratio;
+    m.frame = frame;
     maker.addPoint(0, holder, overA, "the frame");
     maker.addPointOfA(1, atA);
     maker.addPoint(2, holder, overB, "the frame");

@@ -88,6 +88,27 @@ std::vector<MechanismId> World::mechanisms() const {
     return found;
 }
 
+namespace {
+
+/// What of it says how it was made.
+void tellMaking(const State& state, const Mechanism& m, MechanismInfo& info) {
+    info.collide = m.apart == 0;
+    info.vetoes = m.vetoes != 0;
+    info.pin = static_cast<bool>(m.pins[0]);
+    info.strength = m.pinStrength;
+    info.turns = m.turns != 0;
+    info.frame = m.frame;
+    info.first = m.parts[0];
+    info.second = m.parts[1];
+    info.pins = m.pins;
+    info.own = m.own;
+    if (m.kind != MechanismKind::pulley) return;
+    info.overA = placeOf(state, m.points[0], false);
+    info.overB = placeOf(state, m.points[2], false);
+}
+
+}  // namespace
+
 MechanismInfo World::info(MechanismId id) const {
     const State& state = impl_->state();
     const Mechanism& m = detail::knownMechanism(state, id);
@@ -102,6 +123,7 @@ MechanismInfo World::info(MechanismId id) const {
     info.atUpper = m.atUpper != 0;
     info.drive = m.drive;
     info.ratio = m.ratio;
+    tellMaking(state, m, info);
     const auto& p = m.points;
     switch (m.kind) {
         case MechanismKind::gear:
@@ -123,9 +145,10 @@ MechanismInfo World::info(MechanismId id) const {
             info.pointB = placeOf(state, p[0], false);
             const Point line = placeOf(state, p[2], false) - info.pointA;
             const double length = line.norm();
-            if (length > 0)
-                info.holding = m.forces[1].sum() * Vec2(static_cast<Real>(-line[1] / length),
-                                                        static_cast<Real>(line[0] / length));
+            if (length > 0) {
+                info.axis = Point(line / length).cast<Real>();
+                info.holding = m.forces[1].sum() * Vec2(-info.axis.y(), info.axis.x());
+            }
             break;
         }
         case MechanismKind::distance:

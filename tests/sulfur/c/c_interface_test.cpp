@@ -511,9 +511,9 @@ struct Mechanisms : testing::Test {
 };
 
 TEST_F(Mechanisms, Hinges) {
-    const SulfurHingeOptions options{driveInC, true, true, 19000};
+    const SulfurHingeOptions options{driveInC, true, true, 19000, 0.25};
     world.hinge(bodies[0], bodies[1], {1, 0},
-                {.drive = drive, .collide = true, .pin = true, .strength = 19000});
+                {.drive = drive, .collide = true, .pin = true, .strength = 19000, .value = 0.25});
     expectSame(sulfur_world_hinge(other, ids[0], ids[1], {1, 0}, &options, &made));
     SulfurHingeOptions loose = sulfur_hinge_options_default();
     loose.pin = false;
@@ -522,20 +522,21 @@ TEST_F(Mechanisms, Hinges) {
 }
 
 TEST_F(Mechanisms, Welds) {
-    const SulfurWeldOptions options{5000, 7, true, 19000, 2300};
+    const SulfurWeldOptions options{5000, 7, true, 19000, 2300, -0.5};
     world.weld(bodies[0], bodies[1], {1, 0},
                {.stiffness = 5000,
                 .damping = 7,
                 .collide = true,
                 .strength = 19000,
-                .torqueStrength = 2300});
+                .torqueStrength = 2300,
+                .value = -0.5});
     expectSame(sulfur_world_weld(other, ids[0], ids[1], {1, 0}, &options, &made));
 }
 
 TEST_F(Mechanisms, Sliders) {
-    const SulfurSliderOptions options{driveInC, true, false};
+    const SulfurSliderOptions options{driveInC, true, false, 0.75};
     world.slider(bodies[0], bodies[1], {1, 0}, {1, 2},
-                 {.drive = drive, .collide = true, .turns = false});
+                 {.drive = drive, .collide = true, .turns = false, .value = 0.75});
     expectSame(sulfur_world_slider(other, ids[0], ids[1], {1, 0}, {1, 2}, &options, &made));
 }
 

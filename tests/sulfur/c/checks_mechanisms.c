@@ -113,12 +113,13 @@ static const char* check_others(const Scene* s) {
     for (i = 0; i < 7; ++i) CHECK(listed[i].index == made[i].index);
     OK(sulfur_mechanism_info(s->world, made[2], &info));
     CHECK(info.kind == SULFUR_GEAR && info.ratio == -0.5);
+    CHECK(info.first.index == made[0].index && info.second.index == made[1].index);
     OK(sulfur_mechanism_info(s->world, made[3], &info));
     CHECK(info.kind == SULFUR_DISTANCE && fabs(info.value - 4) < 1e-3 && info.point_b.x > 3.9);
     OK(sulfur_mechanism_info(s->world, made[4], &info));
     CHECK(info.kind == SULFUR_PULLEY && fabs(info.drive.upper - 10) < 1e-3 && info.ratio == 1);
     OK(sulfur_mechanism_info(s->world, made[5], &info));
-    CHECK(info.kind == SULFUR_SLIDER);
+    CHECK(info.kind == SULFUR_SLIDER && fabs(hypot(info.axis.x, info.axis.y) - 1) < 1e-6);
     OK(sulfur_mechanism_info(s->world, made[6], &info));
     CHECK(info.kind == SULFUR_HINGE);
     drive.motor_speed = 1;

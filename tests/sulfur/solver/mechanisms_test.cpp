@@ -448,6 +448,66 @@ TEST(Mechanisms, SnapshotsKnowThem) {
     EXPECT_EQ(world.validate(), "");
 }
 
+TEST(Mechanisms, CountFromTheValueThatTheyAreGiven) {
+    World world({.gravity = {0, 0}});
+    const Body frame = fixedAt(world, {0, 0}), door = boxAt(world, {0.5, 0});
+    const Drive drive{.upper = 2};
+    const MechanismId hinge = world.hinge(frame, door, {0, 0}, {.drive = drive, .value = 1.5});
+    EXPECT_NEAR(world.info(hinge).value, 1.5, 1e-12);
+    const Body cart = boxAt(world, {0, 5});
+    const MechanismId rail = world.slider(frame, cart, {0, 5}, {1, 0}, {.value = -3});
+    EXPECT_NEAR(world.info(rail).value, -3, 1e-12);
+    const MechanismId weld =
+        world.weld(cart, boxAt(world, {1, 5}), {0.5, 5}, {.stiffness = 1, .value = 0.25});
+    EXPECT_NEAR(world.info(weld).value, 0.25, 1e-12);
+    door.setVelocity({0, 5}, 10);
+    for (int i = 0; i < 200; ++i) world.step();
+    EXPECT_NEAR(door.angle(), 0.5, 1e-3) << "where the limit is";
+    EXPECT_THROW(world.hinge(frame, cart, {0, 5}, {.value = 1e7}), Error);
+}
+
+TEST(Mechanisms, CountOnFromWhereADiscWasTurnedBeforeItsFirstTick) {
+    for (const bool stepped : {false, true}) {
+        World world({.gravity = {0, 0}});
+        const Body disc = world.add(shapes::ball(), {.angle = -1});
+        if (stepped) world.step();
+        disc.setPose({.position = {0, 0}, .angle = 2});
+        const MechanismId hinge = world.hinge(fixedAt(world, {0, 0}), disc, {0, 0});
+        disc.setVelocity({0, 0}, 6);
+        EXPECT_NEAR(world.info(hinge).value, 0, 1e-12);
+        for (int i = 0; i < 50; ++i) world.step();
+        EXPECT_NEAR(world.info(hinge).value, 0.6, 1e-6);
+        EXPECT_NEAR(disc.angle(), 2.6, 1e-6);
+    }
+}
+
+TEST(Mechanisms, TellHowTheyWereMade) {
+    World world;
+    const Body frame = fixedAt(world, {0, 0}), a = boxAt(world, {0, -2}), b = boxAt(world, {3, -2});
+    const MechanismInfo hinge = world.info(world.hinge(a, b, {1.5, -1}, {.strength = 70}));
+    EXPECT_TRUE(hinge.pin);
+    EXPECT_FALSE(hinge.collide);
+    EXPECT_TRUE(hinge.vetoes);
+    EXPECT_EQ(hinge.strength, 70);
+    EXPECT_EQ(world.particles(hinge.own[0]).size(), 1u);
+    EXPECT_EQ(world.info(hinge.pins[1]).particle, world.particles(hinge.own[0])[0]);
+    const MechanismId rail = world.slider(frame, a, {0, -2}, {0, 3}, {.turns = false});
+    EXPECT_FALSE(world.info(rail).turns);
+    EXPECT_NEAR(static_cast<double>(world.info(rail).axis.y()), 1, 1e-6);
+    const MechanismId rope =
+        world.pulley(a, {0, -2}, {0, 3}, b, {3, -2}, {3, 4}, frame, {.ratio = 2});
+    EXPECT_EQ(world.info(rope).frame, frame);
+    EXPECT_NEAR((world.info(rope).overB - Point(3, 4)).norm(), 0, 1e-6);
+    const MechanismId turn = world.hinge(frame, b, {3, -2}, {.collide = true, .pin = false});
+    EXPECT_FALSE(world.info(turn).pin);
+    EXPECT_TRUE(world.info(turn).collide);
+    const MechanismInfo gear = world.info(world.gear(turn, rail, 3));
+    EXPECT_EQ(gear.first, turn);
+    EXPECT_EQ(gear.second, rail);
+    world.remove(frame);
+    EXPECT_FALSE(world.contains(rope)) << "its frame is gone";
+}
+
 TEST(Mechanisms, RefuseWhatCannotBe) {
     World world;
     const Body frame = fixedAt(world, {0, 0}), other = fixedAt(world, {1, 0});

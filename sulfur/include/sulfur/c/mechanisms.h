@@ -31,10 +31,11 @@ SULFUR_API SulfurDrive sulfur_drive_default(void);
 
 /// sulfur::HingeOptions.
 typedef struct SulfurHingeOptions {
-    SulfurDrive drive;  ///< radians; 0 is the angle of b against a when it is made
+    SulfurDrive drive;  ///< radians
     bool collide;       ///< whether the two bodies touch each other
     bool pin;           ///< else only their angle is driven
     double strength;    ///< N, of the pin
+    double value;       ///< rad: what the angle counts as when it is made
 } SulfurHingeOptions;
 /// A pin about which both turn freely.
 SULFUR_API SulfurHingeOptions sulfur_hinge_options_default(void);
@@ -46,15 +47,17 @@ typedef struct SulfurWeldOptions {
     bool collide;            ///< whether the two bodies touch each other
     double strength;         ///< N, of the pin
     double torque_strength;  ///< N m
+    double value;            ///< rad: how far it counts as bent when it is made
 } SulfurWeldOptions;
 /// Rigid and unbreakable.
 SULFUR_API SulfurWeldOptions sulfur_weld_options_default(void);
 
 /// sulfur::SliderOptions.
 typedef struct SulfurSliderOptions {
-    SulfurDrive drive;  ///< metres along the axis; 0 is the place when it is made
+    SulfurDrive drive;  ///< metres along the axis
     bool collide;       ///< whether the two bodies touch each other
     bool turns;         ///< whether b turns freely; else it keeps its angle against a
+    double value;       ///< m: what the place counts as when it is made
 } SulfurSliderOptions;
 /// A line along which a body slides freely and turns.
 SULFUR_API SulfurSliderOptions sulfur_slider_options_default(void);
@@ -157,6 +160,21 @@ typedef struct SulfurMechanismInfo {
     bool at_upper;             ///< the same of the upper one
     SulfurDrive drive;         ///< as it was set last
     double ratio;              ///< of a pulley or gear
+    bool collide;              ///< whether it lets the two bodies touch each other
+    bool vetoes;               ///< whether they touch again when it is gone
+    bool pin;                  ///< of a hinge or weld: whether a pin holds both together
+    double strength;           ///< N, of the pin
+    bool turns;                ///< of a slider: whether b turns freely
+    SulfurVec axis;            ///< of a slider: where its line points now, 1 long
+    SulfurVec over_a;          ///< metres, of a pulley: where the rope of a turns
+    SulfurVec over_b;          ///< metres, of a pulley: where that of b does
+    SulfurBodyId frame;        ///< of a pulley
+    SulfurMechanismId first;   ///< of a gear
+    SulfurMechanismId second;  ///< of a gear
+    SulfurAttachmentId pin_1;  ///< its own, which sulfur_world_attachments() lists too, or null
+    SulfurAttachmentId pin_2;  ///< the same
+    SulfurBodyId own_1;        ///< its own, of one particle, which is among the bodies, or null
+    SulfurBodyId own_2;        ///< the same
 } SulfurMechanismInfo;
 /// What it is.
 SULFUR_API SulfurResult sulfur_mechanism_info(const SulfurWorld* world, SulfurMechanismId mechanism,
