@@ -1,7 +1,11 @@
 // A running world as a scene.
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <sulfur/scene/instance.hpp>
 
+#include "capture_mechanism.hpp"
+#include "make_mechanisms.hpp"
 #include "placing.hpp"
 
 namespace sulfur::scene {
@@ -23,6 +27,12 @@ public:
             oldConnections_.emplace(instance.connections[i], &base.connections[i]);
         for (std::size_t i = 0; i < base.attachments.size() && i < instance.attachments.size(); ++i)
             oldAttachments_.emplace(instance.attachments[i], &base.attachments[i]);
+        for (const MechanismId id : world.mechanisms()) {
+            const MechanismInfo info = world.info(id);
+            ownBodies_.insert(info.own.begin(), info.own.end());
+            ownPins_.insert(info.pins.begin(), info.pins.end());
+            if (info.vetoes) ownVetoes_.insert(std::minmax(info.a, info.b));
+        }
     }
 
     Scene run() {
@@ -35,15 +45,17 @@ public:
         scene_.attachments.clear();
         scene_.vetoes.clear();
         scene_.fields.clear();
+        scene_.mechanisms.clear();
         // Bodies of the scene first, so that newer ones cannot take their ids.
         for (const bool old : {true, false}) {
             for (const BodyId body : world_.bodies())
-                if (oldIds_.contains(body) == old) addBody(body);
+                if (oldIds_.contains(body) == old && !ownBodies_.contains(body)) addBody(body);
         }
         for (const JointId joint : world_.connections()) addConnection(joint);
         addAttachments();
         addVetoes();
         addFields();
+        addMechanisms();
         return std::move(scene_);
     }
 
@@ -145,11 +157,17 @@ private:
             state.positions.push_back(info.position);
             state.velocities.push_back(info.velocity);
         }
+        if (state.positions.size() == 1 && world_.info(world_.particles(body)[0]).radius > 0) {
+            state.angle = world_.angle(body);
+            state.spin = world_.angularVelocity(body);
+            moved = moved || std::abs(state.angle - placement.pose.angle) > 1e-9 || state.spin != 0;
+        }
         if (moved) placement.state = std::move(state);
     }
 
     void addConnection(JointId joint) {
         const JointInfo info = world_.info(joint);
+        if (!refs_.contains(info.a) || !refs_.contains(info.b)) return;
         Connection connection;
         if (const auto old = oldConnections_.find(joint); old != oldConnections_.end())
             connection.extra = old->second->extra;
@@ -167,7 +185,8 @@ private:
         for (const AttachmentId id : world_.attachments()) {
             const AttachmentInfo info = world_.info(id);
             const BodyId body = world_.info(info.supports[0]).body;
-            bool elsewhere = world_.info(info.particle).body == body;
+            if (ownPins_.contains(id) || !refs_.contains(info.particle)) continue;
+            bool elsewhere = world_.info(info.particle).body == body || ownBodies_.contains(body);
             for (std::uint32_t k = 1; k < info.count; ++k)
                 elsewhere = elsewhere || world_.info(info.supports[k]).body != body;
             if (elsewhere) continue;
@@ -184,7 +203,21 @@ private:
 
     void addVetoes() {
         for (const auto& [a, b] : world_.vetoes())
-            scene_.vetoes.push_back({newIds_.at(a), newIds_.at(b)});
+            if (newIds_.contains(a) && newIds_.contains(b) &&
+                !ownVetoes_.contains(std::minmax(a, b)))
+                scene_.vetoes.push_back({newIds_.at(a), newIds_.at(b)});
+    }
+
+    /// Who would refuse them is asked before anybody reads them: bodies that have bent or lost
+    /// particles may no longer hold a point.
+    void addMechanisms() {
+        MechanismCapture capture(world_, newIds_);
+        for (std::size_t i = 0; i < base_.mechanisms.size() && i < instance_.mechanisms.size(); ++i)
+            capture.know(base_.mechanisms[i], instance_.mechanisms[i]);
+        scene_.mechanisms = capture.run();
+        const auto refused = refusals(scene_);
+        std::size_t place = 0;
+        std::erase_if(scene_.mechanisms, [&](const auto&) { return !refused[place++].empty(); });
     }
 
     void addFields() {
@@ -221,6 +254,10 @@ private:
     const Instance& instance_;
     Scene scene_;
     std::map<BodyId, std::string> oldIds_, newIds_;
+    // What mechanisms have made for themselves, and make again.
+    std::set<BodyId> ownBodies_;
+    std::set<AttachmentId> ownPins_;
+    std::set<std::pair<BodyId, BodyId>> ownVetoes_;
     std::map<JointId, const Connection*> oldConnections_;
     std::map<AttachmentId, const Attachment*> oldAttachments_;
     std::map<ParticleId, ParticleRef> refs_;

@@ -303,6 +303,108 @@ void describe(Visitor& v, Object& o) {
     v.integer("mask", o.mask, d.mask, 0, 0xffffffff);
 }
 
+template <class Visitor, Is<Drive> Object>
+void describe(Visitor& v, Object& o) {
+    const Drive d;
+    v.number("lower", o.lower, d.lower, -Limits::driven, Limits::driven);
+    v.number("upper", o.upper, d.upper, -Limits::driven, Limits::driven);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::angularStiffness, "rigid");
+    v.number("damping", o.damping, d.damping, 0, Limits::damping);
+    v.number("rest", o.rest, d.rest, -Limits::driven, Limits::driven);
+    v.number("motorSpeed", o.motorSpeed, d.motorSpeed, -Limits::driven, Limits::driven);
+    v.infinite("motorMax", o.motorMax, d.motorMax, Limits::strength, "unlimited");
+    v.optionalNumber("motorTarget", o.motorTarget, -Limits::driven, Limits::driven);
+    v.strength("strength", o.strength);
+}
+
+template <class Visitor, Is<Hinge> Object>
+void describe(Visitor& v, Object& o) {
+    const HingeOptions d;
+    v.name("a", o.a);
+    v.name("b", o.b);
+    v.point("at", o.at);
+    v.flag("collide", o.options.collide, d.collide);
+    v.flag("pin", o.options.pin, d.pin);
+    v.strength("strength", o.options.strength);
+    v.precise("value", o.options.value, d.value, -Limits::driven, Limits::driven);
+    v.drive("drive", o.options.drive);
+}
+
+template <class Visitor, Is<Weld> Object>
+void describe(Visitor& v, Object& o) {
+    const WeldOptions d;
+    v.name("a", o.a);
+    v.name("b", o.b);
+    v.point("at", o.at);
+    v.infinite("stiffness", o.options.stiffness, d.stiffness, Limits::angularStiffness, "rigid");
+    v.number("damping", o.options.damping, d.damping, 0, Limits::damping);
+    v.flag("collide", o.options.collide, d.collide);
+    v.strength("strength", o.options.strength);
+    v.strength("torqueStrength", o.options.torqueStrength);
+    v.precise("value", o.options.value, d.value, -Limits::driven, Limits::driven);
+    v.optionalDrive("drive", o.drive);
+}
+
+template <class Visitor, Is<Slider> Object>
+void describe(Visitor& v, Object& o) {
+    const SliderOptions d;
+    v.name("a", o.a);
+    v.name("b", o.b);
+    v.point("at", o.at);
+    v.vec("axis", o.axis, Slider{}.axis, Limits::driven);
+    v.flag("collide", o.options.collide, d.collide);
+    v.flag("turns", o.options.turns, d.turns);
+    v.precise("value", o.options.value, d.value, -Limits::driven, Limits::driven);
+    v.drive("drive", o.options.drive);
+}
+
+template <class Visitor, Is<Wheel> Object>
+void describe(Visitor& v, Object& o) {
+    const WheelOptions d;
+    v.name("a", o.a);
+    v.name("b", o.b);
+    v.point("at", o.at);
+    v.vec("axis", o.axis, Wheel{}.axis, Limits::driven);
+    v.flag("collide", o.options.collide, d.collide);
+    v.drive("spring", o.options.spring);
+    v.drive("motor", o.options.motor);
+}
+
+template <class Visitor, Is<Distance> Object>
+void describe(Visitor& v, Object& o) {
+    const DistanceOptions d;
+    v.name("a", o.a);
+    v.name("b", o.b);
+    v.point("atA", o.atA);
+    v.point("atB", o.atB);
+    v.flag("collide", o.options.collide, d.collide);
+    v.drive("drive", o.options.drive);
+}
+
+template <class Visitor, Is<Pulley> Object>
+void describe(Visitor& v, Object& o) {
+    const PulleyOptions d;
+    v.name("a", o.a);
+    v.name("b", o.b);
+    v.name("frame", o.frame);
+    v.point("atA", o.atA);
+    v.point("atB", o.atB);
+    v.point("overA", o.overA);
+    v.point("overB", o.overB);
+    v.number("ratio", o.options.ratio, d.ratio, Limits::leastRatio, Limits::ratio);
+    v.optionalNumber("length", o.options.length, 0, Limits::driven);
+    v.strength("strength", o.options.strength);
+    v.optionalDrive("drive", o.drive);
+}
+
+template <class Visitor, Is<Gear> Object>
+void describe(Visitor& v, Object& o) {
+    v.name("first", o.first);
+    v.name("second", o.second);
+    v.number("ratio", o.ratio, Gear{}.ratio, -Limits::ratio, Limits::ratio);
+    v.optionalDrive("drive", o.drive);
+}
+
 template <class Visitor, Is<std::monostate> Object>
 void describe(Visitor&, Object&) {}
 
@@ -315,6 +417,13 @@ static_assert(std::size(generatorNames) == std::variant_size_v<Generator>);
 inline constexpr const char* fieldNames[] = {"uniform", "radial", "wind"};
 inline constexpr const char* fieldParts[] = {"uniformField", "radialField", "windField"};
 static_assert(std::size(fieldNames) == std::variant_size_v<Field>);
+/// The same of mechanisms.
+inline constexpr const char* mechanismNames[] = {"hinge",    "weld",   "slider", "wheel",
+                                                 "distance", "pulley", "gear"};
+inline constexpr const char* mechanismParts[] = {
+    "hingeMechanism",    "weldMechanism",   "sliderMechanism", "wheelMechanism",
+    "distanceMechanism", "pulleyMechanism", "gearMechanism"};
+static_assert(std::size(mechanismNames) == std::variant_size_v<decltype(SceneMechanism::spec)>);
 inline constexpr const char* kindNames[] = {"dynamic", "kinematic", "fixed"};
 
 }  // namespace sulfur::scene

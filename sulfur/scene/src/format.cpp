@@ -97,6 +97,8 @@ std::string formatState(const Placement& body, std::size_t indent) {
     for (const auto& velocity : body.state->velocities) velocities.push_back(json(velocity));
     text.add("positions", wrapped(positions, indent + 2));
     text.add("velocities", wrapped(velocities, indent + 2));
+    text.precise("angle", body.state->angle, 0, 0, 0);
+    text.precise("spin", body.state->spin, 0, 0, 0);
     text.finish();
     return text.inLines(indent);
 }
@@ -152,6 +154,15 @@ std::string formatField(const SceneField& field) {
     return text.inLine();
 }
 
+std::string formatMechanism(const SceneMechanism& mechanism) {
+    ObjectText text(mechanism.extra, "");
+    text.add("type", json(std::string_view(mechanismNames[mechanism.spec.index()])));
+    if (!mechanism.id.empty()) text.name("id", mechanism.id);
+    std::visit([&](const auto& one) { describe(text, one); }, mechanism.spec);
+    text.finish();
+    return text.inLine();
+}
+
 template <class Item, class Format>
 void addList(ObjectText& text, const char* key, const std::vector<Item>& list, Format format) {
     if (list.empty()) return;
@@ -184,6 +195,7 @@ std::string format(const Scene& scene) {
     addList(text, "attachments", scene.attachments, formatAttachment);
     addList(text, "vetoes", scene.vetoes, formatVeto);
     addList(text, "fields", scene.fields, formatField);
+    addList(text, "mechanisms", scene.mechanisms, formatMechanism);
     text.add(scene.extra);
     return text.inLines(0) + '\n';
 }

@@ -1,5 +1,7 @@
 #include <sulfur/scene/instance.hpp>
 
+#include "placing.hpp"
+
 namespace sulfur::scene {
 
 namespace {
@@ -19,6 +21,8 @@ ParticleId particleOf(const Scene& scene, const Instance& instance, const World&
                         std::to_string(particles.size() - 1));
 }
 
+}  // namespace
+
 void applyState(const Scene& scene, const Placement& placement, World& world, BodyId body) {
     const auto& state = *placement.state;
     const auto particles = world.particles(body);
@@ -26,14 +30,16 @@ void applyState(const Scene& scene, const Placement& placement, World& world, Bo
         throw ReadError(scene.file, 0, placement.id,
                         "state has not one position and one velocity for each of the " +
                             std::to_string(particles.size()) + " particles");
+    if (state.angle != 0 && particles.size() == 1)
+        world.setPose(body, {state.positions[0], state.angle});
     for (std::size_t i = 0; i < particles.size(); ++i)
         world.setPosition(particles[i], state.positions[i]);
     if (world.kind(body) == BodyKind::fixed) return;
     for (std::size_t i = 0; i < particles.size(); ++i)
         world.setVelocity(particles[i], state.velocities[i]);
+    if (state.spin != 0 && particles.size() == 1)
+        world.setVelocity(body, state.velocities[0], state.spin);
 }
-
-}  // namespace
 
 BodyId Instance::body(std::string_view id) const {
     const auto found = bodies.find(id);
@@ -69,6 +75,12 @@ Instance instantiate(const Scene& scene, World& world) {
         world.setCollision(instance.body(bodyOf(scene, veto.a).id),
                            instance.body(bodyOf(scene, veto.b).id), false);
     for (const auto& field : scene.fields) instance.fields.push_back(world.add(field.field));
+    // After the vetoes: what mechanisms keep apart by themselves ends with them.
+    try {
+        instance.mechanisms = makeMechanisms(scene.mechanisms, instance.bodies, world);
+    } catch (const ReadError& e) {
+        throw ReadError(scene.file, 0, e.object(), e.message());
+    }
     return instance;
 }
 

@@ -69,6 +69,26 @@ struct KeyVisitor {
     void optionalMaterial(const char* key, Value&&) {
         keys.push_back(key);
     }
+    template <class Value>
+    void name(const char* key, Value&&) {
+        keys.push_back(key);
+    }
+    template <class Value>
+    void strength(const char* key, Value&&) {
+        keys.push_back(key);
+    }
+    template <class... Rest>
+    void precise(const char* key, Rest&&...) {
+        keys.push_back(key);
+    }
+    template <class Value>
+    void drive(const char* key, Value&&) {
+        keys.push_back(key);
+    }
+    template <class Value>
+    void optionalDrive(const char* key, Value&&) {
+        keys.push_back(key);
+    }
     template <class... Rest>
     void choice(const char* key, Rest&&...) {
         keys.push_back(key);
@@ -92,7 +112,7 @@ Table makeTable() {
     Table table{
         {"scene",
          {"format", "version", "title", "description", "world", "blueprints", "bodies",
-          "connections", "attachments", "vetoes", "fields"}},
+          "connections", "attachments", "vetoes", "fields", "mechanisms"}},
         {"blueprintFile", {"format", "version", "name", "blueprint"}},
         {"explicit",
          {"kind", "particles", "joints", "angles", "material", "filter", "sensor", "selfCollision",
@@ -101,7 +121,7 @@ Table makeTable() {
         {"body",
          {"id", "blueprint", "position", "angle", "velocity", "kind", "material", "filter",
           "sensor", "state"}},
-        {"state", {"positions", "velocities"}},
+        {"state", {"positions", "velocities", "angle", "spin"}},
         {"connection", connection.keys},
         {"attachment", {"particle", "body", "point"}},
         {"world", described<WorldSettings>()},
@@ -116,6 +136,14 @@ Table makeTable() {
     table["uniformField"] = described<UniformField>({"type"});
     table["radialField"] = described<RadialField>({"type"});
     table["windField"] = described<WindField>({"type"});
+    table["drive"] = described<Drive>();
+    table["hingeMechanism"] = described<Hinge>({"type", "id"});
+    table["weldMechanism"] = described<Weld>({"type", "id"});
+    table["sliderMechanism"] = described<Slider>({"type", "id"});
+    table["wheelMechanism"] = described<Wheel>({"type", "id"});
+    table["distanceMechanism"] = described<Distance>({"type", "id"});
+    table["pulleyMechanism"] = described<Pulley>({"type", "id"});
+    table["gearMechanism"] = described<Gear>({"type", "id"});
     const KeyList shape{"shape", "kind", "filter", "sensor", "selfCollision", "skin"};
     table["floor"] = described<FloorOptions>(shape);
     table["ground"] = described<shapes::GroundOptions>(shape);

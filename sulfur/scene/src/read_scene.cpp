@@ -4,6 +4,7 @@
 #include <map>
 #include <sulfur/scene/file.hpp>
 
+#include "make_mechanisms.hpp"
 #include "placing.hpp"
 #include "reader.hpp"
 
@@ -40,6 +41,11 @@ public:
         }
         if (const auto list = reader.find("fields")) {
             for (const auto& node : list->array(0, Limits::fields)) readField(node);
+        }
+        if (const auto list = reader.find("mechanisms")) {
+            const auto nodes = list->array(0, Limits::mechanisms);
+            for (const auto& node : nodes) readMechanism(node);
+            tryMechanisms(nodes);
         }
         reader.finish();
         scene_.extra = std::move(extra[""]);
@@ -146,6 +152,15 @@ private:
             state.positions.push_back(position.point(Limits::coordinate));
         for (const auto& velocity : reader.at("velocities").array(count, count))
             state.velocities.push_back(velocity.vec2(Limits::speed));
+        for (const char* key : {"angle", "spin"}) {
+            const auto member = reader.find(key);
+            if (!member) continue;
+            if (count != 1)
+                member->fail("is given to a body of " + std::to_string(count) +
+                             " particles; allowed are those of one");
+            (key[0] == 'a' ? state.angle : state.spin) =
+                member->number(-Limits::spin, Limits::spin);
+        }
         reader.finish();
     }
 
@@ -244,7 +259,62 @@ private:
             node.fail("drag is more than the world's tickRate; allowed is 0 to tickRate");
     }
 
+    void readMechanism(const Node& node) {
+        SceneMechanism mechanism = scene::readMechanism(node);
+        if (const auto* gear = std::get_if<Gear>(&mechanism.spec)) {
+            requirePart(node.at("first"), gear->first);
+            requirePart(node.at("second"), gear->second);
+            if (gear->first == gear->second)
+                node.fail("couples \"" + gear->first +
+                          "\" with itself; allowed are two mechanisms");
+        } else {
+            requireEnds(node);
+        }
+        if (std::holds_alternative<Pulley>(mechanism.spec)) knownBody(node.at("frame"));
+        if (const std::string& id = mechanism.id; !id.empty()) {
+            const Part part{mechanism.spec.index(), node.line()};
+            if (const auto [twin, isNew] = mechanisms_.emplace(id, part); !isNew)
+                node.at("id").fail("is the id of the mechanism on line " +
+                                   std::to_string(twin->second.line) +
+                                   " too; allowed is each id once");
+        }
+        scene_.mechanisms.push_back(std::move(mechanism));
+    }
+
+    void requireEnds(const Node& node) const {
+        const Known &a = knownBody(node.at("a")), &b = knownBody(node.at("b"));
+        if (a.place == b.place)
+            node.fail("joins \"" + scene_.bodies[a.place].id +
+                      "\" to itself; allowed are two bodies");
+        const auto moves = [&](const Known& known) {
+            return kindOf(scene_.bodies[known.place], *known.prefab) == BodyKind::dynamic;
+        };
+        if (!moves(a) && !moves(b))
+            node.fail("joins two bodies that cannot move; allowed is at least one that is dynamic");
+    }
+
+    void requirePart(const Node& node, const std::string& id) const {
+        const auto part = mechanisms_.find(id);
+        if (part == mechanisms_.end())
+            node.fail("is \"" + id + "\"; allowed is the id of a mechanism before this one");
+        if (std::string_view(mechanismNames[part->second.kind]) == "gear")
+            node.fail("is \"" + id + "\", a gear; allowed are all other mechanisms");
+    }
+
+    /// Whether bodies can hold the points is for a world to say.
+    void tryMechanisms(const std::vector<Node>& nodes) {
+        const auto refused = refusals(scene_);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (!refused[i].empty()) nodes[i].fail("cannot be made: " + refused[i]);
+    }
+
+    struct Part {
+        std::size_t kind;  ///< its place in mechanismNames
+        int line;
+    };
+
     Scene& scene_;
+    std::map<std::string, Part, std::less<>> mechanisms_;
     std::map<std::string, const Prefab*, std::less<>> prefabs_;
     std::map<std::string, Known, std::less<>> bodies_;
     Total total_;

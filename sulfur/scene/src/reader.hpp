@@ -53,6 +53,17 @@ public:
     /// A place that must be there.
     void point(const char* key, Point& value) { value = at(key).point(Limits::coordinate); }
     void zone(const char* key, Zone& value);
+    /// An id that must be there.
+    void name(const char* key, std::string& value);
+    /// Above 0, or "unbreakable".
+    void strength(const char* key, Real& value);
+    void precise(const char* key, double& value, double, double low, double high) {
+        readOptional(key, value, &Node::number, low, high);
+    }
+    void drive(const char* key, Drive& value);
+    void optionalDrive(const char* key, std::optional<Drive>& value) {
+        if (find(key)) drive(key, value.emplace());
+    }
 
     void filter(const char* key, Filter& value);
     void kind(const char* key, BodyKind& value);
@@ -83,6 +94,9 @@ Prefab readPrefab(const Node& node, const std::string& name);
 
 /// Reads an item of "fields". Its numbers are in range, but for what depends on the tick rate.
 SceneField readField(const Node& node);
+
+/// Reads an item of "mechanisms". Its numbers are in range; bodies and parts may be anything.
+SceneMechanism readMechanism(const Node& node);
 
 /// An id or a name: 1 to Limits::nameBytes bytes on one line.
 std::string readName(const Node& node);

@@ -95,6 +95,8 @@ std::vector<std::string> unknownKeys(const Scene& scene) {
              {{"", scene.attachments[i].extra}});
     for (std::size_t i = 0; i < scene.fields.size(); ++i)
         note(notes, scene.file, "fields[" + std::to_string(i) + ']', scene.fields[i].extra);
+    for (std::size_t i = 0; i < scene.mechanisms.size(); ++i)
+        note(notes, scene.file, "mechanisms[" + std::to_string(i) + ']', scene.mechanisms[i].extra);
     return notes;
 }
 

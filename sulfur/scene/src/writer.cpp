@@ -153,5 +153,6 @@ void ObjectText::zone(const char* key, const Zone& value) {
 template void ObjectText::part(const char*, const Material&, bool);
 template void ObjectText::part(const char*, const Filter&, bool);
 template void ObjectText::part(const char*, const BoxZone&, bool);
+template void ObjectText::part(const char*, const Drive&, bool);
 
 }  // namespace sulfur::scene

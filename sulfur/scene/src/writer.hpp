@@ -78,6 +78,19 @@ public:
     void points(const char* key, const std::vector<Vec2>& value, std::size_t, std::size_t, double);
     void point(const char* key, const Point& value) { add(key, pointJson(value)); }
     void zone(const char* key, const Zone& value);
+    void name(const char* key, const std::string& value) {
+        add(key, json(std::string_view(value)));
+    }
+    void strength(const char* key, Real value) {
+        infinite(key, value, sulfur::infinite, 0, "unbreakable");
+    }
+    void precise(const char* key, double value, double usual, double, double) {
+        if (value != usual) add(key, json(value));
+    }
+    void drive(const char* key, const Drive& value) { part(key, value, false); }
+    void optionalDrive(const char* key, const std::optional<Drive>& value) {
+        if (value) part(key, *value, true);
+    }
     void material(const char* key, const Material& value) { part(key, value, false); }
     void optionalMaterial(const char* key, const std::optional<Material>& value) {
         if (value) part(key, *value, true);

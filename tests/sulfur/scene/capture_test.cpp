@@ -1,6 +1,8 @@
 // From a scene to a world and back.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "samples.hpp"
 
 namespace {
@@ -14,7 +16,8 @@ TEST(Instantiate, MakesEverything) {
     const Scene scene = parse(fullScene, "a");
     World world(scene.settings);
     const Instance instance = instantiate(scene, world);
-    EXPECT_EQ(world.bodies().size(), scene.bodies.size());
+    EXPECT_EQ(instance.bodies.size(), scene.bodies.size());
+    EXPECT_EQ(instance.mechanisms.size(), scene.mechanisms.size());
     EXPECT_EQ(instance.connections.size(), 1u);
     EXPECT_EQ(instance.attachments.size(), 1u);
     EXPECT_EQ(world.connections().size(), 1u);
@@ -103,11 +106,12 @@ TEST(Capture, SeesNewAttachmentsAndWhereTheyAre) {
     World world(scene.settings);
     const auto instance = instantiate(scene, world);
     const auto hook = world.add(sulfur::shapes::ball(), {.position = {4, 9}});
-    world.attach(hook.front(), instance.body("lift"), {sulfur::Real(0.4), sulfur::Real(0.3)});
+    const auto hung =
+        world.attach(hook.front(), instance.body("lift"), {sulfur::Real(0.4), sulfur::Real(0.3)});
     // By a joint of a body that then changes, so that it gets a frame of its own.
     const auto crate = instance.body("crate");
     const auto second = world.add(sulfur::shapes::ball(), {.position = {8, 3}});
-    world.attach(second.front(), world.joints(crate)[2], sulfur::Real(0.25));
+    const auto tied = world.attach(second.front(), world.joints(crate)[2], sulfur::Real(0.25));
     world.remove(world.joints(crate)[5]);
     // Nothing that a scene could say: a joint between bodies, and the particle's own body.
     const auto third = world.add(sulfur::shapes::ball(), {.position = {8, 4}});
@@ -129,8 +133,9 @@ TEST(Capture, SeesNewAttachmentsAndWhereTheyAre) {
             sum += static_cast<double>(info.weights[k]) * from.position(info.supports[k]);
         return sum;
     };
+    const std::array places{instance.attachments[0], hung, tied};
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto before = place(world, world.attachments()[i]);
+        const auto before = place(world, places[i]);
         EXPECT_NEAR((place(again, copy.attachments[i]) - before).norm(), 0, 1e-5) << i;
     }
 }
@@ -189,6 +194,20 @@ TEST(Capture, HoldsSurfacesSelfCollisionAndVetoes) {
     EXPECT_EQ(again.material(again.connections()[0]), world.material(body("b")));
     EXPECT_FALSE(captured.connections[0].options.material);
     EXPECT_EQ(again.material(copy.body("ground")).surfaceSpeed, 3);
+}
+
+TEST(Capture, HoldsHowDiscsTurn) {
+    World world;
+    const auto ball = world.add(sulfur::shapes::ball(), {.position = {0, 5}, .angle = 1}).id();
+    world.setVelocity(ball, {1, 0}, 7);
+    for (int i = 0; i < 30; ++i) world.step();
+    const Scene captured = parse(format(capture(world)), "saved");
+    World again(captured.settings);
+    const auto same = instantiate(captured, again).body(captured.bodies[0].id);
+    EXPECT_NEAR(again.angle(same), world.angle(ball), 1e-9);
+    EXPECT_NEAR(again.angularVelocity(same), world.angularVelocity(ball), 1e-6);
+    EXPECT_EQ(again.position(again.particles(same)[0]), world.position(world.particles(ball)[0]));
+    EXPECT_EQ(again.meanVelocity(same), world.meanVelocity(ball));
 }
 
 TEST(Capture, OfAWorldWithoutAScene) {

@@ -258,6 +258,8 @@ const Mistake badBodies[] = {
     {R"({"id": "two", "blueprint": "thing", "velocity": [1, 0], "kind": "fixed"})", "fixed body"},
     {R"({"id": "two", "blueprint": "thing", "state": {"positions": [], "velocities": []}})",
      "an array of 5"},
+    {R"({"id": "two", "blueprint": "thing", "state": {"positions": [[0,0],[0,0],[0,0],[0,0],[0,0]], "velocities": [[0,0],[0,0],[0,0],[0,0],[0,0]], "spin": 1}})",
+     "those of one"},
 };
 INSTANTIATE_TEST_SUITE_P(Read, BadBody, ::testing::ValuesIn(badBodies));
 
@@ -316,7 +318,7 @@ TEST(Read, TruncatedAnywhereIsRefused) {
 
 TEST(Read, NotesUnknownKeys) {
     const auto notes = unknownKeys(parse(fullScene, "full.json"));
-    ASSERT_EQ(notes.size(), 16u);
+    ASSERT_EQ(notes.size(), 18u);
     EXPECT_EQ(notes[0],
               "full.json:7: object \"world\": unknown key \"wind\"; it is kept but means nothing "
               "here");

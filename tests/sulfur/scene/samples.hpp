@@ -105,6 +105,26 @@ inline const std::string fullScene = R"({
      "mask": 1},
     {"type": "wind", "velocity": [0.25, 0]}
   ],
+  "mechanisms": [
+    {"type": "hinge", "id": "turn", "a": "lift", "b": "crate", "at": [8, 2.3], "collide": true,
+     "pin": false, "strength": 40, "value": 0.25, "paint": "red",
+     "drive": {"lower": -1.5, "upper": 2.5, "stiffness": 30, "damping": 2, "rest": 0.1,
+               "motorSpeed": 3, "motorMax": 25, "motorTarget": 0.5, "strength": 90, "oil": 1}},
+    {"type": "weld", "id": "bracket", "a": "ground", "b": "lift", "at": [3, 4], "stiffness": 500,
+     "damping": 5, "collide": true, "strength": 800, "torqueStrength": 70, "value": 0.125,
+     "drive": {"stiffness": 500, "upper": 1}},
+    {"type": "slider", "id": "rail", "a": "ground", "b": "b", "at": [-3, 6], "axis": [0, 2],
+     "collide": true, "turns": false, "value": -0.5, "drive": {"lower": -4, "motorMax": "unlimited"}},
+    {"type": "wheel", "id": "axle", "a": "lift", "b": "crate", "at": [8, 2.3], "axis": [1, 1],
+     "collide": true, "spring": {"stiffness": 200}, "motor": {"motorSpeed": 5, "motorMax": 3}},
+    {"type": "distance", "id": "line", "a": "b", "b": "r", "atA": [-3, 6], "atB": [1, 2],
+     "collide": false, "drive": {"upper": 12}},
+    {"type": "pulley", "id": "lines", "a": "b", "b": "crate", "frame": "ground", "atA": [-3, 6],
+     "atB": [8.7, 2.6], "overA": [-3, 9], "overB": [8.5, 9], "ratio": 2, "length": 30,
+     "strength": 5000, "drive": {"upper": 31}},
+    {"type": "gear", "id": "mesh", "first": "turn", "second": "axle", "ratio": -2.5,
+     "drive": {"stiffness": "rigid", "strength": 60}}
+  ],
   "level": {
     "spawn": [1, 2],
     "exit": {"id": "door", "at": [9, 9]}

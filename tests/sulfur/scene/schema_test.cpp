@@ -76,6 +76,14 @@ const std::map<std::string, std::string> places{
     {"radialField", "/fields/1"},
     {"windField", "/fields/2"},
     {"circleZone", "/fields/2/zone"},
+    {"hingeMechanism", "/mechanisms/0"},
+    {"drive", "/mechanisms/0/drive"},
+    {"weldMechanism", "/mechanisms/1"},
+    {"sliderMechanism", "/mechanisms/2"},
+    {"wheelMechanism", "/mechanisms/3"},
+    {"distanceMechanism", "/mechanisms/4"},
+    {"pulleyMechanism", "/mechanisms/5"},
+    {"gearMechanism", "/mechanisms/6"},
 };
 
 TEST(Schema, EveryListedKeyIsReallyRead) {

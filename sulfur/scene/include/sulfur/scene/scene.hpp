@@ -7,6 +7,7 @@
 #include <string_view>
 #include <sulfur/scene/document.hpp>
 #include <sulfur/scene/extra.hpp>
+#include <sulfur/scene/mechanism.hpp>
 #include <sulfur/scene/prefab.hpp>
 #include <sulfur/world.hpp>
 #include <vector>
@@ -20,13 +21,18 @@ struct Limits {
     static constexpr std::size_t bodies = 24'000;       ///< of a scene
     static constexpr std::size_t vetoes = 72'000;       ///< of a scene
     static constexpr std::size_t fields = 1'000;        ///< of a scene
+    static constexpr std::size_t mechanisms = 24'000;   ///< of a scene
     static constexpr double coordinate = 1'000;         ///< metres, either way
     static constexpr double speed = 2'000;              ///< m/s
+    static constexpr double spin = 1e6;                 ///< rad/s, of discs
     static constexpr double smallestMass = 1e-9;        ///< kg, of a particle
     static constexpr double mass = 1e9;                 ///< kg
     static constexpr double stiffness = 1e18;           ///< N/m, beside "rigid"
     static constexpr double damping = 1e12;             ///< N s/m, or N m s/rad
-    static constexpr double angularStiffness = 1e12;    ///< N m/rad
+    static constexpr double angularStiffness = 1e12;    ///< N m/rad; of drives also N/m
+    static constexpr double driven = 1e6;               ///< rad, m, rad/s or m/s of drives
+    static constexpr double leastRatio = 1e-6;          ///< of pulleys and gears
+    static constexpr double ratio = 1e6;                ///< of pulleys and gears
     static constexpr double angle = 3.1415928;          ///< rad, either way; pi, also as Real
     static constexpr double bending = 100;              ///< of ropes
     static constexpr double strength = 1e18;            ///< N, beside "unbreakable"
@@ -42,6 +48,8 @@ struct Limits {
 struct BodyState {
     std::vector<Point> positions;  ///< in the world, one per particle
     std::vector<Vec2> velocities;  ///< one per particle
+    double angle = 0;              ///< rad, of a body that is a single disc
+    double spin = 0;               ///< rad/s, of a body that is a single disc
 };
 
 /// One body: an instance of a prefab.
@@ -94,18 +102,19 @@ struct SceneField {
 
 /// A whole scene file.
 struct Scene {
-    std::string title;                    ///< for people
-    std::string description;              ///< for people
-    WorldSettings settings;               ///< what its world is made with
-    std::vector<Prefab> blueprints;       ///< each name once
-    std::vector<Placement> bodies;        ///< each id once
-    std::vector<Connection> connections;  ///< joints between bodies
-    std::vector<Attachment> attachments;  ///< particles held at bodies
-    std::vector<Veto> vetoes;             ///< bodies that never touch
-    std::vector<SceneField> fields;       ///< force fields
-    Extra settingsExtra;                  ///< unknown members of "world"
-    Extra extra;                          ///< unknown top-level members, such as the game's "level"
-    std::string file;                     ///< what it was read from, for messages
+    std::string title;                       ///< for people
+    std::string description;                 ///< for people
+    WorldSettings settings;                  ///< what its world is made with
+    std::vector<Prefab> blueprints;          ///< each name once
+    std::vector<Placement> bodies;           ///< each id once
+    std::vector<Connection> connections;     ///< joints between bodies
+    std::vector<Attachment> attachments;     ///< particles held at bodies
+    std::vector<Veto> vetoes;                ///< bodies that never touch
+    std::vector<SceneMechanism> mechanisms;  ///< hinges and the like; parts of gears before them
+    std::vector<SceneField> fields;          ///< force fields
+    Extra settingsExtra;                     ///< unknown members of "world"
+    Extra extra;       ///< unknown top-level members, such as the game's "level"
+    std::string file;  ///< what it was read from, for messages
 
     /// The prefab of a name, or null.
     const Prefab* prefab(std::string_view name) const;
