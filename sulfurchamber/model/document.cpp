@@ -103,6 +103,7 @@ Document::Captured Document::captureMoment() const {
     std::vector<BodyId> pieces;
     Scene base = planScene();
     sulfur::scene::Instance instance;
+    const auto own = pins();
     std::size_t rained = 0;
     for (const auto& prefab : passing_) {
         base.blueprints.push_back(prefab);
@@ -122,7 +123,7 @@ Document::Captured Document::captureMoment() const {
             instance.bodies.emplace(placement.id, body);
             base.bodies.push_back(std::move(placement));
             captured.bodies.push_back(body);
-        } else {
+        } else if (!own.contains(body)) {
             pieces.push_back(body);
         }
     }
@@ -137,6 +138,14 @@ Document::Captured Document::captureMoment() const {
                });
     });
     return captured;
+}
+
+std::set<BodyId> Document::pins() const {
+    std::set<BodyId> own;
+    for (const sulfur::MechanismId mechanism : world_->mechanisms())
+        for (const BodyId body : world_->info(mechanism).own)
+            if (body) own.insert(body);
+    return own;
 }
 
 Document::Captured Document::captureForClipboard() const {

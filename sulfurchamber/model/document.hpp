@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <sulfur/scene.hpp>
@@ -92,6 +94,8 @@ public:
     std::string idOf(sulfur::BodyId body) const;
     /// The body of an id, null when it has broken or the plan has none.
     sulfur::BodyId bodyOf(std::string_view id) const;
+    /// Bodies of this moment that mechanisms have made for themselves: their pins.
+    std::set<sulfur::BodyId> pins() const;
     /// Grows with everything that may change what a view has derived from the world, except
     /// for ticks: edits, undo, other files.
     std::uint64_t revision() const { return revision_; }
@@ -202,6 +206,8 @@ private:
     std::uint64_t keyOf(const std::string& id);
     std::optional<sulfur::scene::ParticleRef> refOf(sulfur::ParticleId particle) const;
     void bringPlanHere(std::span<const sulfur::BodyId> bodies);
+    void insertMechanisms(const sulfur::scene::Scene& scene, const sulfur::Point& by,
+                          const std::map<std::string, sulfur::BodyId, std::less<>>& made);
     void merge(const std::string& into, const std::string& single, std::uint32_t other,
                const sulfur::JointSpec& joint);
     void takeOver(const std::function<void()>& change);

@@ -121,6 +121,13 @@ void Document::merge(const std::string& into, const std::string& single, std::ui
             if (end->body == single) *end = {into, last};
     for (auto& attachment : plan_.scene().attachments)
         if (attachment.particle.body == single) attachment.particle = {into, last};
+    for (auto& mechanism : plan_.scene().mechanisms) {
+        const auto names = bodiesOf(mechanism);
+        if (std::any_of(names.begin(), names.end(), [&](auto* name) { return *name == into; }))
+            continue;  // what joins both goes with the single one
+        for (std::string* name : names)
+            if (*name == single) *name = into;
+    }
     takeOver([&] {
         follow(*world_, both[0], before, scaled(plan_.blueprint(into), constants_));
         world_->remove(both[1]);

@@ -114,7 +114,7 @@ BodyId Document::addPassing(const Prefab& prefab, const Pose& pose) {
 }
 
 std::vector<BodyId> Document::insert(const sulfur::scene::Scene& scene, const Point& by) {
-    std::unordered_map<std::string, BodyId> made;
+    std::map<std::string, BodyId, std::less<>> made;
     std::vector<BodyId> bodies;
     for (Placement placement : scene.bodies) {
         Prefab prefab = *scene.prefab(placement.blueprint);
@@ -140,7 +140,35 @@ std::vector<BodyId> Document::insert(const sulfur::scene::Scene& scene, const Po
         world_->setCollision(made.at(veto.a), made.at(veto.b), false);
         plan.vetoes.push_back({idOf(made.at(veto.a)), idOf(made.at(veto.b))});
     }
+    insertMechanisms(scene, by, made);
     return bodies;
+}
+
+void Document::insertMechanisms(const sulfur::scene::Scene& scene, const Point& by,
+                                const std::map<std::string, BodyId, std::less<>>& made) {
+    auto mechanisms = scene.mechanisms;
+    for (auto& mechanism : mechanisms)
+        for (const auto& [id, body] : made)
+            for (Point* point : pointsOf(mechanism, id)) *point += by;
+    sulfur::scene::makeMechanisms(mechanisms, made, *world_);
+    auto& plan = plan_.scene().mechanisms;
+    const auto isTaken = [&](const std::string& id) {
+        return std::any_of(plan.begin(), plan.end(), [&](const auto& m) { return m.id == id; });
+    };
+    std::map<std::string, std::string> renamed;
+    for (auto& mechanism : mechanisms) {
+        for (std::string* name : bodiesOf(mechanism)) *name = idOf(made.at(*name));
+        if (auto* gear = std::get_if<sulfur::scene::Gear>(&mechanism.spec)) {
+            gear->first = renamed.at(gear->first);
+            gear->second = renamed.at(gear->second);
+        }
+        if (std::string& id = mechanism.id; !id.empty()) {
+            const std::string before = id;
+            for (int n = 2; isTaken(id); ++n) id = before + std::to_string(n);
+            renamed.emplace(before, id);
+        }
+        plan.push_back(std::move(mechanism));
+    }
 }
 
 void Document::remove(std::span<const BodyId> bodies) {
@@ -162,7 +190,9 @@ void Document::bringPlanHere(std::span<const BodyId> bodies) {
         const auto found = here.find(id);
         if (found == here.end()) continue;
         Placement& placement = plan_.body(id);
+        const Pose before = placement.pose;
         placement.pose = world_->pose(found->second);
+        plan_.carryMechanisms(id, before, placement.pose);
         placement.velocity = Vec2(0, 0);
         placement.state.reset();
         if (hasItsShape(*world_, found->second, plan_.blueprint(id), placement.pose)) continue;
@@ -183,6 +213,7 @@ void Document::translate(std::span<const BodyId> bodies, const Point& by) {
         if (id.empty() || moved_) continue;
         Placement& placement = plan_.body(id);
         placement.pose.position += by;
+        plan_.carryMechanisms(id, {}, {.position = by});
         if (placement.state)
             for (Point& place : placement.state->positions) place += by;
     }
@@ -197,6 +228,7 @@ void Document::place(BodyId body, const Pose& pose) {
     if (id.empty() || moved_) return;
     Placement& placement = plan_.body(id);
     placement.pose = pose;
+    plan_.carryMechanisms(id, before, pose);
     if (!placement.state) return;
     const Eigen::Rotation2Dd turned(pose.angle - before.angle);
     for (Point& place : placement.state->positions)

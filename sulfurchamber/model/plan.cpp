@@ -1,6 +1,9 @@
 #include "plan.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -171,6 +174,8 @@ void Plan::remove(const std::vector<std::string>& ids) {
     });
     std::erase_if(scene_.vetoes,
                   [&](const auto& veto) { return gone.contains(veto.a) || gone.contains(veto.b); });
+    sulfur::scene::removeMechanisms(scene_.mechanisms,
+                                    [&](const std::string& id) { return gone.contains(id); });
     forgetUnused(names);
 }
 
@@ -256,6 +261,8 @@ void Plan::rename(const std::string& id, const std::string& to) {
         change(veto.a);
         change(veto.b);
     }
+    for (auto& mechanism : scene_.mechanisms)
+        for (std::string* name : bodiesOf(mechanism)) change(*name);
     index();
 }
 
@@ -269,6 +276,39 @@ void Plan::remove(std::size_t connection) {
     --joints_;
 }
 
+void Plan::carryMechanisms(const std::string& id, const sulfur::Pose& from,
+                           const sulfur::Pose& to) {
+    using sulfur::Point;
+    const double turn = std::remainder(to.angle - from.angle, 2 * std::numbers::pi);
+    const Eigen::Rotation2Dd turned(turn);
+    const auto moved = [&](const Point& p) -> Point {
+        return to.position + turned * (p - from.position);
+    };
+    const auto carryAngle = [&](auto& spec) {
+        if (spec.b == id) spec.options.value += turn;
+        if (spec.a == id) spec.options.value -= turn;
+    };
+    const auto carryAxis = [&](auto& spec) {
+        const Point axis = spec.axis.template cast<double>().normalized();
+        if (spec.a == id) spec.axis = Point(turned * axis).template cast<sulfur::Real>();
+        if constexpr (requires { spec.options.value; }) {
+            double& value = spec.options.value;
+            if (spec.b == id) value += axis.dot(moved(spec.at) - spec.at);
+            if (spec.a == id) value = (turned * axis).dot(spec.at - moved(spec.at - value * axis));
+        }
+    };
+    const auto carry = [&](auto& spec) {
+        if constexpr (requires { spec.axis; })
+            carryAxis(spec);
+        else if constexpr (requires { spec.options.value; })
+            carryAngle(spec);
+    };
+    for (auto& mechanism : scene_.mechanisms) {
+        std::visit(carry, mechanism.spec);
+        for (Point* point : pointsOf(mechanism, id)) *point = moved(*point);
+    }
+}
+
 std::vector<std::string> Plan::tiedTo(const std::vector<std::string>& ids) const {
     std::unordered_map<std::string, std::vector<std::string>> neighbours;
     const auto tie = [&](const std::string& a, const std::string& b) {
@@ -278,6 +318,10 @@ std::vector<std::string> Plan::tiedTo(const std::vector<std::string>& ids) const
     for (const auto& connection : scene_.connections) tie(connection.a.body, connection.b.body);
     for (const auto& attachment : scene_.attachments)
         tie(attachment.particle.body, attachment.body);
+    for (auto mechanism : scene_.mechanisms) {
+        const auto names = bodiesOf(mechanism);
+        for (std::size_t i = 1; i < names.size(); ++i) tie(*names[i - 1], *names[i]);
+    }
     std::vector<std::string> found(ids);
     std::set<std::string> seen(ids.begin(), ids.end());
     for (std::size_t i = 0; i < found.size(); ++i)

@@ -49,7 +49,11 @@ public:
     void rename(const std::string& id, const std::string& to);
     void connect(sulfur::scene::Connection connection);
     void remove(std::size_t connection);
-    /// All that hang together by connections and attachments with one of these, with themselves.
+    /// Takes what mechanisms hold of a body along with it, from one pose of its frame to another.
+    /// Their limits stay where they are in the world.
+    void carryMechanisms(const std::string& id, const sulfur::Pose& from, const sulfur::Pose& to);
+    /// All that hang together by connections, attachments and mechanisms with one of these, with
+    /// themselves.
     std::vector<std::string> tiedTo(const std::vector<std::string>& ids) const;
     /// `base`, base2, base3, ...: the first that is free.
     std::string freeId(const std::string& base);

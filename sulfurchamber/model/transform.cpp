@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace sulfurchamber {
 namespace {
 
 using sulfur::BodyId;
+using sulfur::Drive;
 using sulfur::Point;
 using sulfur::Pose;
 using sulfur::Real;
@@ -70,6 +72,85 @@ void mirrorPlan(Prefab& prefab) {
     for (auto& joint : plan.joints) std::swap(joint.a, joint.b);  // the outside stays outside
     for (auto& angle : plan.angles)
         if (angle.restAngle) angle.restAngle = -*angle.restAngle;
+}
+
+Drive scaledDrive(Drive drive, Real f) {
+    drive.lower *= f;
+    drive.upper *= f;
+    drive.rest *= f;
+    drive.motorSpeed *= f;
+    if (drive.motorTarget) *drive.motorTarget *= f;
+    return drive;
+}
+
+// Of an angle that is seen from the other side.
+Drive mirroredDrive(Drive drive) {
+    drive = scaledDrive(drive, -1);
+    std::swap(drive.lower, drive.upper);
+    return drive;
+}
+
+struct Scaling {
+    Point about;
+    double factor;
+
+    Point point(const Point& p) const { return about + factor * (p - about); }
+    template <class Spec>
+    void operator()(Spec& spec) const {
+        const auto f = static_cast<Real>(factor);
+        using namespace sulfur::scene;
+        if constexpr (std::is_same_v<Spec, Slider>) {
+            spec.options.value *= factor;
+            spec.options.drive = scaledDrive(spec.options.drive, f);
+        }
+        if constexpr (std::is_same_v<Spec, Distance>)
+            spec.options.drive = scaledDrive(spec.options.drive, f);
+        if constexpr (std::is_same_v<Spec, Wheel>)
+            spec.options.spring = scaledDrive(spec.options.spring, f);
+        if constexpr (std::is_same_v<Spec, Pulley>) {
+            if (spec.options.length) *spec.options.length *= f;
+            if (spec.drive) spec.drive = scaledDrive(*spec.drive, f);
+        }
+    }
+};
+
+struct Mirroring {
+    Point about;
+
+    Point point(const Point& p) const { return {2 * about.x() - p.x(), p.y()}; }
+    template <class Spec>
+    void operator()(Spec& spec) const {
+        using namespace sulfur::scene;
+        if constexpr (requires { spec.axis; }) spec.axis.x() = -spec.axis.x();
+        if constexpr (std::is_same_v<Spec, Hinge>)
+            spec.options.drive = mirroredDrive(spec.options.drive);
+        if constexpr (std::is_same_v<Spec, Hinge> || std::is_same_v<Spec, Weld>)
+            spec.options.value = -spec.options.value;
+        if constexpr (std::is_same_v<Spec, Weld>)
+            if (spec.drive) spec.drive = mirroredDrive(*spec.drive);
+        if constexpr (std::is_same_v<Spec, Wheel>)
+            spec.options.motor = mirroredDrive(spec.options.motor);
+    }
+};
+
+// The mechanisms of the plan with the points of what is selected mapped, and all else of those
+// between what is selected.
+template <class Map>
+std::vector<sulfur::scene::SceneMechanism> mapped(const Workbench& bench, const Map& map) {
+    const Document& document = bench.document();
+    std::vector<std::string> ids;
+    for (const BodyId body : bench.selection()) ids.push_back(document.idOf(body));
+    auto mechanisms = document.scene().mechanisms;
+    for (auto& mechanism : mechanisms) {
+        std::size_t chosen = 0;
+        const auto names = bodiesOf(mechanism);
+        for (const std::string& id : ids) {
+            for (Point* point : pointsOf(mechanism, id)) *point = map.point(*point);
+            for (const std::string* name : names) chosen += *name == id ? 1 : 0;
+        }
+        if (chosen == names.size()) std::visit(map, mechanism.spec);
+    }
+    return mechanisms;
 }
 
 void placeAll(Workbench& bench, Pose (*where)(const Pose&, const Point&, double),
@@ -145,12 +226,14 @@ void scaleSelection(Workbench& bench, const Point& about, double factor) {
             document.placementForEditing(id).state.reset();
     document.change(bench.selection(), [&](Prefab& prefab) { scalePlan(prefab, factor); });
     scaleTies(bench, factor);
+    auto mechanisms = mapped(bench, Scaling{about, factor});
     placeAll(
         bench,
         [](const Pose& pose, const Point& around, double f) {
             return Pose{around + f * (pose.position - around), pose.angle};
         },
         about, factor);
+    if (!document.canReset()) document.planForEditing().mechanisms = std::move(mechanisms);
 }
 
 void mirrorSelection(Workbench& bench, const Point& about) {
@@ -159,6 +242,7 @@ void mirrorSelection(Workbench& bench, const Point& about) {
         if (const std::string id = document.idOf(body); !id.empty())
             document.placementForEditing(id).state.reset();
     document.change(bench.selection(), mirrorPlan);
+    auto mechanisms = mapped(bench, Mirroring{about});
     placeAll(
         bench,
         [](const Pose& pose, const Point& around, double) {
@@ -166,6 +250,7 @@ void mirrorSelection(Workbench& bench, const Point& about) {
                         wrapped(-pose.angle)};
         },
         about, 0);
+    if (!document.canReset()) document.planForEditing().mechanisms = std::move(mechanisms);
 }
 
 }  // namespace sulfurchamber

@@ -70,6 +70,8 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
     });
     std::erase_if(scene.vetoes,
                   [&](const auto& v) { return !ids.contains(v.a) || !ids.contains(v.b); });
+    sulfur::scene::removeMechanisms(scene.mechanisms,
+                                    [&](const std::string& id) { return !ids.contains(id); });
     scene.fields.clear();
     scene.extra.clear();
     return scene;
@@ -203,6 +205,8 @@ bool Workbench::selected(BodyId body) const {
 void Workbench::select(std::vector<BodyId> bodies) {
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    const auto pins = document_.pins();  // these go with what they hold
+    std::erase_if(bodies, [&](BodyId body) { return pins.contains(body); });
     selection_ = std::move(bodies);
     forgetRemoved();
 }

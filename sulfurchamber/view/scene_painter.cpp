@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <sulfur/draw.hpp>
 
 #include "../model/geometry.hpp"
 #include "../model/properties.hpp"
@@ -54,6 +55,35 @@ bool holdsOthers(const World& world, const std::vector<std::vector<std::uint32_t
     }
     return false;
 }
+
+// A mechanism as its places and lines between them.
+class MechanismPen final : public sulfur::DebugDraw {
+public:
+    MechanismPen(atlax::Canvas& canvas, float pixel) : canvas_(canvas), pixel_(pixel) {}
+
+    void mechanism(const Mechanism& mechanism) override {
+        const bool isLoose = mechanism.info.kind == sulfur::MechanismKind::gear;
+        const Color color = isLoose ? palette::ice.withAlpha(0.5f) : palette::ice;
+        for (std::size_t i = 1; i < mechanism.places.size(); ++i)
+            canvas_.dashedLine(Vec2(mechanism.places[i - 1]), Vec2(mechanism.places[i]),
+                               1.4f * pixel_, 5 * pixel_, (isLoose ? 5 : 2) * pixel_, color);
+        if (isLoose) return;
+        for (const auto& place : mechanism.places) {
+            const Vec2 at(place);
+            const float radius = 4.5f * pixel_;
+            canvas_.circle(at, radius, palette::deep);
+            if (mechanism.info.kind == sulfur::MechanismKind::weld)
+                canvas_.rect({at - Vec2{radius, radius} * 0.6f, Vec2{radius, radius} * 1.2f},
+                             palette::ice);
+            else
+                canvas_.circleOutline(at, radius, 1.6f * pixel_, palette::ice);
+        }
+    }
+
+private:
+    atlax::Canvas& canvas_;
+    float pixel_;
+};
 
 }  // namespace
 
@@ -135,6 +165,7 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
             if ((body.kind == sulfur::BodyKind::fixed) == fixed)
                 paintBody(body, bench.selected(body.id));
     paintConnections();
+    paintMechanisms();
     if (options.strain) paintStrain();
     paintPins();
     if (options.contacts) paintContacts();
@@ -223,6 +254,20 @@ void ScenePainter::paintConnections() {
         canvas_->capsule(place(info.a), place(info.b),
                          std::max(toFloat(info.radius), 1.2f * pixel_), color);
     }
+}
+
+void ScenePainter::paintMechanisms() {
+    MechanismPen pen(*canvas_, pixel_);
+    world_->draw(pen, {.bodies = false,
+                       .particles = false,
+                       .discs = false,
+                       .joints = false,
+                       .capsules = false,
+                       .contacts = false,
+                       .attachments = false,
+                       .fields = false,
+                       .grabs = false,
+                       .alpha = alpha_});
 }
 
 void ScenePainter::paintPins() {

@@ -57,6 +57,7 @@ private:
     void paintJoints(const Posed& body);
     void paintDiscs(const Posed& body);
     void paintConnections();
+    void paintMechanisms();
     void paintPins();
     void paintStrain();
     void paintVelocities();

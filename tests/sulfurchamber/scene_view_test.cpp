@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <atlax/backend.hpp>
+#include <atlax/offscreen.hpp>
 
+#include "view/scene_painter.hpp"
 #include "view/scene_view.hpp"
 
 namespace sulfurchamber {
@@ -70,6 +72,41 @@ TEST(SceneView, AllThatMovesIsInViewAtFirst) {
             EXPECT_LT(at.y, 400);
         }
     });
+}
+
+TEST(ScenePainter, ShowsMechanisms) {
+    const auto picture = [](sulfur::MechanismKind kind) {
+        Workbench bench;
+        auto& world = bench.document().world();
+        const auto box = [&](double x) {
+            return world.add(sulfur::shapes::box({.size = {1, 1}}), {.position = {x, 2}}).id();
+        };
+        const auto a = box(-1), b = box(1);
+        if (kind == sulfur::MechanismKind::hinge) world.hinge(a, b, {0, 2});
+        if (kind == sulfur::MechanismKind::weld) world.weld(a, b, {0, 2});
+        if (kind == sulfur::MechanismKind::distance) world.distance(a, {-1, 2}, b, {1, 2});
+        atlax::OffscreenCanvas offscreen({240, 240});
+        atlax::Canvas& canvas = offscreen.begin();
+        canvas.clear(atlax::colors::black);
+        canvas.setCamera({.centre = {0, 2}, .pixelsPerMetre = 50});
+        ScenePainter painter;
+        painter.paint(canvas, bench, {}, 1);
+        offscreen.finish();
+        return offscreen.image();
+    };
+    const auto count = [](const atlax::Image& image, int x, int half) {
+        int lit = 0;
+        for (int i = x - half; i < x + half; ++i)
+            for (int j = 120 - half; j < 120 + half; ++j) lit += image.pixel(i, j)[0] > 150 ? 1 : 0;
+        return lit;
+    };
+    const auto none = picture(sulfur::MechanismKind::gear);
+    const int before = count(none, 120, 12), dots = count(none, 70, 12);
+    EXPECT_GT(count(picture(sulfur::MechanismKind::hinge), 120, 12), before + 10);
+    EXPECT_GT(count(picture(sulfur::MechanismKind::weld), 120, 12), before + 10);
+    const auto rope = picture(sulfur::MechanismKind::distance);
+    EXPECT_GT(count(rope, 70, 12), dots + 10);
+    EXPECT_GT(count(rope, 120, 12), before + 3);
 }
 
 }  // namespace
