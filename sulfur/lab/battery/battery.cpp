@@ -3,6 +3,7 @@
 #include "battery/contacts/contacts.hpp"
 #include "battery/fall.hpp"
 #include "battery/hanging.hpp"
+#include "battery/joints/joints.hpp"
 #include "battery/nets.hpp"
 #include "battery/pendulums.hpp"
 #include "battery/random_worlds.hpp"
@@ -123,6 +124,7 @@ const std::vector<BatteryGroup>& batteryGroups() {
         {"nets", "nets and frames under loads", nets},
         {"lattices", "random lattices",
          [](const Setup& setup) { return randomLattices(RandomLattices::all(), setup); }},
+        {"joints", "wheels, hinges and other mechanisms", joints},
         {"contacts-inclines", "a crate on a slope", inclines},
         {"contacts-rebounds", "a disc that bounces", rebounds},
         {"contacts-stacks", "crates one on another", stacks},

@@ -15,13 +15,13 @@ namespace sulfur::lab {
 
 namespace {
 
-constexpr double length = 1, stretch = 0.0099;  // m
+constexpr double springLength = 1, stretch = 0.0099;  // m
 
 /// A particle of 1 kg on a spring.
 Blueprint spring(double stiffness, double damping) {
-    return chain({.places = {Vec(0, 0), Vec(length + stretch, 0)},
+    return chain({.places = {Vec(0, 0), Vec(springLength + stretch, 0)},
                   .masses = {1, 1},
-                  .lengths = {length},
+                  .lengths = {springLength},
                   .stiffness = {stiffness},
                   .damping = damping});
 }
@@ -32,7 +32,7 @@ std::vector<double> release(double stiffness, double damping, long ticks, const 
     const Body body = world.add(spring(stiffness, damping));
     std::vector<double> samples;
     for (long i = 0; i <= ticks; ++i) {
-        samples.push_back(world.position(body.back()).x() - length);
+        samples.push_back(world.position(body.back()).x() - springLength);
         world.step();
     }
     return samples;

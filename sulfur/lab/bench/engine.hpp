@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/bodies.hpp"
+#include "bench/joints.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -99,6 +100,10 @@ public:
     /// Numbered by themselves, whatever moves them.
     virtual void addBody(const BodyPlan&) {}
     virtual void addPin(const PinPlan&) {}
+    /// Between bodies whose plans these are; numbered by themselves.
+    virtual void addJoint(const JointPlan&, const BodyPlan& /*a*/, const BodyPlan& /*b*/) {}
+    /// N m, for the next tick.
+    virtual void applyTorque(std::size_t /*body*/, double /*torque*/) {}
     /// Its number stays its own.
     virtual void removeBody(std::size_t) {}
 
@@ -115,6 +120,8 @@ public:
     virtual std::vector<Point> blob(std::size_t i) const = 0;
     /// How a body moves now.
     virtual Motion body(std::size_t) const { return {}; }
+    /// N m or N, of the motor of a joint in the last tick.
+    virtual double motorForce(std::size_t /*joint*/) const { return 0; }
     /// Where the two sockets of a pin are now.
     virtual std::pair<Point, Point> pin(std::size_t) const { return {}; }
 
@@ -125,7 +132,7 @@ public:
 };
 
 /// What a scene needs.
-enum class Feature { squares, ropes, blobs, nets, bodies, threads };
+enum class Feature { squares, ropes, blobs, nets, bodies, joints, threads };
 
 struct Engine {
     std::string key, title;

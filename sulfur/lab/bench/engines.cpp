@@ -18,7 +18,7 @@ Engine box2dV3() {
     Engine engine{.key = "box2d3",
                   .title = "Box2D 3",
                   .version = {},
-                  .features = {squares, ropes, blobs, nets, bodies, threads},
+                  .features = {squares, ropes, blobs, nets, bodies, joints, threads},
                   .make = {},
                   .how = "build and install it, then configure with -DSULFUR_BOX2D_V3=PREFIX"};
 #ifdef SULFUR_BENCH_BOX2D_V3
@@ -134,7 +134,7 @@ Engine ours() {
             .title = "Sulfur",
             .ours = true,
             .version = version(),
-            .features = {squares, ropes, blobs, bodies, threads},
+            .features = {squares, ropes, blobs, bodies, joints, threads},
             .make = makeSulfur,
             .how = {}};
 }

@@ -132,6 +132,62 @@ public:
         pins_.push_back(plan);
     }
 
+    void addJoint(const JointPlan& plan, const BodyPlan&, const BodyPlan&) override {
+        b2JointDef base = b2DefaultRevoluteJointDef().base;
+        base.bodyIdA = bodies_[plan.a].id;
+        base.bodyIdB = bodies_[plan.b].id;
+        base.localFrameA = frameOf(plan, plan.a);
+        base.localFrameB = frameOf(plan, plan.b);
+        stiffen(base);
+        const auto f = [](double x) { return static_cast<float>(x); };
+        const auto describe = [&](auto def) {
+            def.base = base;
+            def.enableSpring = plan.hertz > 0;
+            def.hertz = f(plan.hertz);
+            def.dampingRatio = f(plan.dampingRatio);
+            def.enableLimit = plan.lower || plan.upper;
+            def.enableMotor = plan.motorMax > 0;
+            def.motorSpeed = f(plan.motorSpeed);
+            return def;
+        };
+        const double low = plan.lower.value_or(-1e6), high = plan.upper.value_or(1e6);
+        if (plan.kind == JointPlan::Kind::hinge) {
+            b2RevoluteJointDef def = describe(b2DefaultRevoluteJointDef());
+            def.lowerAngle = f(low);
+            def.upperAngle = f(high);
+            def.maxMotorTorque = f(plan.motorMax);
+            joints_.push_back(b2CreateRevoluteJoint(world_, &def));
+        } else if (plan.kind == JointPlan::Kind::slider) {
+            b2PrismaticJointDef def = describe(b2DefaultPrismaticJointDef());
+            def.lowerTranslation = f(low);
+            def.upperTranslation = f(high);
+            def.maxMotorForce = f(plan.motorMax);
+            joints_.push_back(b2CreatePrismaticJoint(world_, &def));
+        } else {
+            b2WheelJointDef def = describe(b2DefaultWheelJointDef());
+            def.lowerTranslation = f(low);
+            def.upperTranslation = f(high);
+            def.maxMotorTorque = f(plan.motorMax);
+            joints_.push_back(b2CreateWheelJoint(world_, &def));
+        }
+        kinds_.push_back(plan.kind);
+    }
+    void applyTorque(std::size_t body, double torque) override {
+        b2Body_ApplyTorque(bodies_[body].id, static_cast<float>(torque), true);
+    }
+    double motorForce(std::size_t joint) const override {
+        const b2JointId id = joints_[joint];
+        switch (kinds_[joint]) {
+            case JointPlan::Kind::hinge:
+                return static_cast<double>(b2RevoluteJoint_GetMotorTorque(id));
+            case JointPlan::Kind::slider:
+                return static_cast<double>(b2PrismaticJoint_GetMotorForce(id));
+            case JointPlan::Kind::wheel:
+                return static_cast<double>(b2WheelJoint_GetMotorTorque(id));
+        }
+        return 0;
+    }
+
     void step() override {
         b2World_Step(world_, 1 / static_cast<float>(setting_.rate), setting_.iterations);
         if (profiling_) addProfile();
@@ -184,6 +240,14 @@ private:
         const b2Hull hull = b2ComputeHull(points.data(), static_cast<int>(points.size()));
         const b2Polygon polygon = b2MakePolygon(&hull, radius);
         b2CreatePolygonShape(body, &def, &polygon);
+    }
+
+    /// Where a joint is in the frame of a body, with the axis as its x.
+    b2Transform frameOf(const JointPlan& plan, std::size_t which) const {
+        const Motion now = body(which);
+        const Point local = Motion{.place = {0, 0}, .angle = -now.angle}.at(plan.at - now.place);
+        const double along = std::atan2(plan.axis.y(), plan.axis.x()) - now.angle;
+        return {vec(local), b2MakeRot(static_cast<float>(along))};
     }
 
     static void placeAt(b2BodyDef& def, const Point& p) {
@@ -261,6 +325,8 @@ private:
     std::vector<b2BodyId> squares_;
     std::vector<Kept> bodies_;
     std::vector<PinPlan> pins_;
+    std::vector<b2JointId> joints_;
+    std::vector<JointPlan::Kind> kinds_;
     std::vector<std::vector<b2BodyId>> ropes_, blobs_;
     bool profiling_ = false;
     StageTimes stages_;

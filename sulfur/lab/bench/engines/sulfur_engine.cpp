@@ -1,6 +1,7 @@
 // Ours.
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <sulfur/sulfur.hpp>
 
 #include "battery/scenes.hpp"
@@ -94,6 +95,44 @@ public:
             world_.attach(socketB, a, bodies_[plan.a].sockets[plan.socketA]);
     }
 
+    void addJoint(const JointPlan& plan, const BodyPlan& a, const BodyPlan& b) override {
+        const BodyId first = bodies_[plan.a].body, second = bodies_[plan.b].body;
+        const bool angular = plan.kind == JointPlan::Kind::hinge;
+        const auto inertiaOf = [&](const BodyPlan& body) {
+            if (body.mover != Mover::physics) return 0.0;
+            return angular ? body.inertia() : body.mass();
+        };
+        const double omega = 2 * std::numbers::pi * plan.hertz;
+        const double inertia = reduced(inertiaOf(a), inertiaOf(b));
+        Drive way, motor;
+        way.lower = plan.lower ? real(*plan.lower) : -infinite;
+        way.upper = plan.upper ? real(*plan.upper) : infinite;
+        way.stiffness = real(inertia * omega * omega);
+        way.damping = real(2 * plan.dampingRatio * inertia * omega);
+        motor.motorSpeed = real(plan.motorSpeed);
+        motor.motorMax = real(plan.motorMax);
+        if (plan.kind == JointPlan::Kind::wheel) {
+            joints_.push_back(world_
+                                  .wheel(first, second, plan.at, plan.axis.cast<Real>(),
+                                         {.spring = way, .motor = motor})
+                                  .motor);
+            return;
+        }
+        way.motorSpeed = motor.motorSpeed;
+        way.motorMax = motor.motorMax;
+        if (angular)
+            joints_.push_back(world_.hinge(first, second, plan.at, {.drive = way}));
+        else
+            joints_.push_back(world_.slider(first, second, plan.at, plan.axis.cast<Real>(),
+                                            {.drive = way, .turns = false}));
+    }
+    void applyTorque(std::size_t body, double torque) override {
+        world_.applyTorque(bodies_[body].body, real(torque));
+    }
+    double motorForce(std::size_t joint) const override {
+        return static_cast<double>(world_.info(joints_[joint]).force);
+    }
+
     void step() override {
         for (Motor& motor : motors_) {
             motor.pose.angle += motor.spin * static_cast<double>(world_.tickDuration());
@@ -125,7 +164,11 @@ public:
         const Kept& kept = bodies_[i];
         Motion motion{.place = world_.position(kept.body[0]),
                       .velocity = world_.meanVelocity(kept.body).cast<double>()};
-        if (kept.body.size() == 1) return motion;
+        if (kept.body.size() == 1) {
+            motion.angle = world_.angle(kept.body);
+            motion.spin = world_.angularVelocity(kept.body);
+            return motion;
+        }
         const ParticleId first = kept.body[0], second = kept.body[1];
         const Point side = kept.second - kept.first;
         const Point now = world_.position(second) - world_.position(first);
@@ -174,6 +217,7 @@ private:
     std::vector<Kept> bodies_;
     std::vector<Motor> motors_;
     std::vector<std::pair<ParticleId, ParticleId>> pins_;
+    std::vector<MechanismId> joints_;
     bool profiling_ = false;
     std::array<double, static_cast<std::size_t>(Stage::count)> seconds_{};
 };
