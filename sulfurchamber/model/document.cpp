@@ -84,6 +84,8 @@ void Document::adopt(Scene scene) {
     undo_.clear();
     redo_.clear();
     open_.reset();
+    falling_ = {};
+    timeline_.clear();
     state_ = savedState_ = ++lastState_;
     playing_ = false;
     moved_ = false;
@@ -235,6 +237,8 @@ void Document::stamp() {
         for (const auto& [id, body] : instance.bodies) made.setUserData(body, keyOf(id));
         *world_ = std::move(made);
         moved_ = false;
+        touched_ = false;
+        timeline_.leave();
     });
 }
 
@@ -253,8 +257,43 @@ void Document::play() {
 }
 
 void Document::tick() {
-    startTime();
+    beforeActing();
     world_->step();
+    timeline_.ticked(*world_);
+}
+
+// What an edit has done to the world is recorded before anything else happens to it.
+void Document::beforeActing() {
+    startTime();
+    if (touched_) timeline_.changed(*world_);
+    touched_ = false;
+    timeline_.prepare(*world_);
+}
+
+void Document::touched() {
+    ++revision_;
+    touched_ = touchedInStep_ = true;
+}
+
+void Document::push(const Push& push) {
+    beforeActing();
+    timeline_.note(push);
+    world_->wake(world_->info(push.particle).body);
+    world_->applyForce(push.particle, push.force);
+}
+
+bool Document::goTo(const Moment& moment, double milliseconds) {
+    commit();
+    playing_ = false;
+    Moment reached;
+    takeOver([&] {
+        reached = timeline_.go(*world_, moment, milliseconds);
+        moved_ = true;
+        touched_ = false;
+    });
+    const std::uint64_t last = timeline_.last(reached.branch);
+    const std::uint64_t first = timeline_.first(reached.branch);
+    return reached.tick == std::clamp(moment.tick, first, last);
 }
 
 void Document::reset() {
@@ -276,6 +315,7 @@ Document::Side Document::side() {
     side.constants = constants_;
     side.state = state_;
     side.moved = moved_;
+    side.place = timeline_.place();
     if (moved_) side.moment = shelf_.put(bytesOf(world_->snapshot()));
     return side;
 }
@@ -292,6 +332,8 @@ void Document::restore(const Side& side) {
     takeOver([&] {
         world_->restore(snapshot);
         moved_ = true;
+        touched_ = false;
+        timeline_.comeBack(side.place);
     });
 }
 
@@ -311,6 +353,7 @@ void Document::begin(const std::string& label) {
     open_ = std::make_unique<Step>();
     open_->label = label;
     open_->other = side();
+    touchedInStep_ = false;
     state_ = ++lastState_;
     ++revision_;
 }
@@ -335,6 +378,9 @@ void Document::commit() {
     }
     open_->change = shelf_.put(TextChange::between(text_, text).bytes());
     text_ = std::move(text);
+    if (moved_ && touched_) timeline_.changed(*world_);
+    touched_ = false;
+    if (moved_ && touchedInStep_) timeline_.mark(open_->label);
     undo_.push_back(std::move(*open_));
     open_.reset();
     redo_.clear();

@@ -20,6 +20,7 @@
 #include "geometry.hpp"
 #include "plan.hpp"
 #include "shelf.hpp"
+#include "timeline.hpp"
 
 namespace sulfurchamber {
 
@@ -112,10 +113,23 @@ public:
     void startTime();
     /// Advances by one tick, playing or not.
     void tick();
+    /// These act in the next tick, for which they are recorded: they are no edits.
+    void push(const Push& push);
+    void letFall(const sulfur::scene::Prefab& prefab, const sulfur::Pose& pose);
     /// Whether time has passed since the plan.
     bool canReset() const { return moved_; }
     /// Stamps the world from the plan again. Stops playing. Can itself be undone.
     void reset();
+
+    // -- rewinding --
+
+    /// The recorded past. Each tick is recorded, and each edit of a moment.
+    const Timeline& timeline() const { return timeline_; }
+    /// Stops playing and brings the world to a recorded moment, as Timeline::go() does. The plan
+    /// and the history stay: what a later edit has added is in the plan, but not in this moment.
+    /// Going on from there, by time or by edits, starts a branch. Returns whether the moment is
+    /// reached. Precondition: something is recorded.
+    bool goTo(const Moment& moment, double milliseconds = 1e9);
 
     // -- history --
 
@@ -215,6 +229,9 @@ private:
     void changePiece(sulfur::BodyId body,
                      const std::function<void(sulfur::scene::Prefab&)>& change);
     std::vector<std::string> idsOf(std::span<const sulfur::BodyId> bodies) const;
+    void touched();
+    void beforeActing();
+    std::size_t placeOfPassing(const sulfur::scene::Prefab& prefab);
 
     Plan plan_;
     std::string text_;  ///< of the plan, without the factors, as it was at the last commit
@@ -226,6 +243,13 @@ private:
     std::unordered_map<std::string, std::uint64_t> keys_;
     std::vector<std::string> ids_;  ///< by key - 1
     std::vector<sulfur::scene::Prefab> passing_;
+    // What fell last, as it is with the constants: those that follow share it.
+    struct Falling {
+        std::size_t place = 0;
+        Constants constants;
+        std::shared_ptr<const sulfur::Blueprint> blueprint;
+    };
+    Falling falling_;
 
     Constants constants_;
     Constants initialConstants_;
@@ -239,6 +263,9 @@ private:
     std::uint64_t lastState_ = 0;
     std::uint64_t revision_ = 0;
     bool moved_ = false;  ///< whether the world is a moment of its own
+    Timeline timeline_;
+    bool touched_ = false;        ///< by an edit that is not recorded yet
+    bool touchedInStep_ = false;  ///< by the open edit
     bool playing_ = false;
 };
 

@@ -12,6 +12,7 @@ struct Document::Side {
     std::uint64_t state = 0;
     bool moved = false;   ///< else the world is the plan's, and there is no moment
     Shelf::Place moment;  ///< the world's snapshot
+    Timeline::Place place = {};
 };
 
 /// One step of the history: how it changed the plan, and the side of it on which one is not.

@@ -26,7 +26,7 @@ JointId Document::connect(ParticleId a, ParticleId b, sulfur::ConnectOptions opt
     sulfur::ConnectOptions live = options;
     live.stiffness = scaled(live.stiffness, constants_);
     const JointId joint = world_->connect(a, b, live);
-    ++revision_;
+    touched();
     if (!refA || !refB) return joint;
     sulfur::scene::Connection connection;
     connection.a = *refA;
@@ -45,7 +45,7 @@ void Document::attach(ParticleId particle, BodyId body) {
     const Point local =
         Eigen::Rotation2Dd(-pose.angle) * (world_->position(particle) - pose.position);
     world_->attach(particle, body, local.cast<Real>());
-    ++revision_;
+    touched();
     if (!ref || id.empty()) return;
     plan_.scene().attachments.push_back({*ref, id, local.cast<Real>(), {}});
     if (moved_) bringPlanHere({&body, 1});
@@ -55,6 +55,7 @@ void Document::letPass(BodyId a, BodyId b) {
     const std::string idA = idOf(a);
     const std::string idB = idOf(b);
     world_->setCollision(a, b, false);
+    touched();
     if (!idA.empty() && !idB.empty()) plan_.scene().vetoes.push_back({idA, idB});
 }
 
@@ -140,7 +141,7 @@ void Document::remove(JointId joint) {
     const auto a = refOf(info.a);
     const auto b = refOf(info.b);
     world_->remove(joint);
-    ++revision_;
+    touched();
     if (!a || !b) return;
     const auto joins = [](std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) {
         return (p == r && q == s) || (p == s && q == r);

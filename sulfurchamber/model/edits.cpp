@@ -95,22 +95,41 @@ BodyId Document::add(const Prefab& prefab, const Placement& placement) {
     } else if (placement.velocity != Vec2(0, 0)) {
         world_->setVelocity(body.id(), placement.velocity);
     }
-    ++revision_;
+    touched();
     return body.id();
 }
 
-BodyId Document::addPassing(const Prefab& prefab, const Pose& pose) {
-    requireRoom(prefab.blueprint.particles.size(), prefab.blueprint.joints.size());
+std::size_t Document::placeOfPassing(const Prefab& prefab) {
     const std::string text = sulfur::scene::format(prefab);
     const auto known = std::find_if(passing_.begin(), passing_.end(), [&](const Prefab& other) {
         return sulfur::scene::format(other) == text;
     });
-    const auto place = static_cast<std::uint64_t>(known - passing_.begin());
+    const auto place = static_cast<std::size_t>(known - passing_.begin());
     if (known == passing_.end()) passing_.push_back(prefab);
+    return place;
+}
+
+BodyId Document::addPassing(const Prefab& prefab, const Pose& pose) {
+    requireRoom(prefab.blueprint.particles.size(), prefab.blueprint.joints.size());
+    const std::size_t place = placeOfPassing(prefab);
     const sulfur::Body body = world_->add(scaled(prefab.blueprint, constants_), pose);
     world_->setUserData(body.id(), passingBit | place);
-    ++revision_;
+    touched();
     return body.id();
+}
+
+void Document::letFall(const Prefab& prefab, const Pose& pose) {
+    requireRoom(prefab.blueprint.particles.size(), prefab.blueprint.joints.size());
+    const std::size_t place = placeOfPassing(prefab);
+    if (!falling_.blueprint || falling_.place != place || !(falling_.constants == constants_))
+        falling_ = {
+            place, constants_,
+            std::make_shared<const sulfur::Blueprint>(scaled(prefab.blueprint, constants_))};
+    beforeActing();
+    const Arrival arrival{falling_.blueprint, pose, passingBit | place};
+    world_->setUserData(world_->add(*arrival.blueprint, pose).id(), arrival.userData);
+    timeline_.note(arrival);
+    ++revision_;
 }
 
 std::vector<BodyId> Document::insert(const sulfur::scene::Scene& scene, const Point& by) {
@@ -176,7 +195,7 @@ void Document::remove(std::span<const BodyId> bodies) {
     const std::vector<BodyId> gone(bodies.begin(), bodies.end());
     for (const BodyId body : gone)
         if (world_->contains(body)) world_->remove(body);
-    ++revision_;
+    touched();
 }
 
 // --- places ----------------------------------------------------------------------------------
@@ -217,12 +236,14 @@ void Document::translate(std::span<const BodyId> bodies, const Point& by) {
         if (placement.state)
             for (Point& place : placement.state->positions) place += by;
     }
+    touched();
     if (moved_) bringPlanHere(bodies);
 }
 
 void Document::place(BodyId body, const Pose& pose) {
     const Pose before = world_->pose(body);
     world_->setPose(body, pose);
+    touched();
     const std::string id = idOf(body);
     if (moved_) bringPlanHere({&body, 1});
     if (id.empty() || moved_) return;
@@ -273,7 +294,7 @@ void Document::bringBack(std::span<const BodyId> bodies) {
         if (world_->kind(body) == sulfur::BodyKind::dynamic)
             world_->setVelocity(body, Vec2(0, 0), 0);
     }
-    ++revision_;
+    touched();
 }
 
 // --- blueprints ------------------------------------------------------------------------------
@@ -296,6 +317,7 @@ void Document::change(std::span<const BodyId> bodies, const std::function<void(P
         changed.push_back({body, std::move(id), std::move(before)});
     }
     plan_.change(idsOf(bodies), change);
+    touched();
     takeOver([&] {
         for (const Changed& one : changed)
             follow(*world_, one.body, one.before, scaled(plan_.blueprint(one.id), constants_));
@@ -317,13 +339,13 @@ void Document::rename(BodyId body, const std::string& to) {
     if (id.empty()) throw std::runtime_error("a piece has no name");
     plan_.rename(id, to);
     world_->setUserData(body, keyOf(to));
-    ++revision_;
+    touched();
 }
 
 void Document::setPinned(ParticleId particle, bool pinned) {
     const auto ref = refOf(particle);
     world_->setPinned(particle, pinned);
-    ++revision_;
+    touched();
     if (!ref) return;
     plan_.change({ref->body}, [&](Prefab& prefab) {
         prefab.generator = {};
@@ -345,6 +367,7 @@ void Document::setConstants(const Constants& wanted) {
         if (gravity != constants_.gravity) {
             settings.gravity = {settings.gravity.x(), static_cast<Real>(-gravity)};
             world_->setGravity(settings.gravity);
+            touched();
             constants_.gravity = gravity;
         }
         const double air =
@@ -353,6 +376,7 @@ void Document::setConstants(const Constants& wanted) {
         if (air != constants_.airFriction) {
             settings.airFriction = static_cast<Real>(air);
             world_->setAirFriction(settings.airFriction);
+            touched();
             constants_.airFriction = air;
         }
         setFactors(wanted);
@@ -390,6 +414,7 @@ void Document::setFactors(const Constants& wanted) {
     for (const JointId joint : world_->connections())
         world_->setStiffness(joint, scaled(world_->info(joint).stiffness, quotient));
     constants_ = next;
+    touched();
 }
 
 }  // namespace sulfurchamber

@@ -65,13 +65,13 @@ Point Grip::anchor(const World& world) const {
     return place + offset_;
 }
 
-void Grip::apply(World& world) const {
-    if (!holds(world)) return;
+std::vector<Push> Grip::pushes(const World& world) const {
+    std::vector<Push> pushes;
+    if (!holds(world)) return pushes;
     const Point stretch = target_ - anchor(world);
     const double h = static_cast<double>(world.tickDuration());
     const auto first = world.info(ends_[0].particle);
     const double mass = static_cast<double>(world.mass(first.body));
-    world.wake(first.body);
     for (std::size_t i = 0; i < count_; ++i) {
         const auto info = world.info(ends_[i].particle);
         const double share = mass * ends_[i].weight;
@@ -83,8 +83,9 @@ void Grip::apply(World& world) const {
         Point force = stiffness * stretch - damping * info.velocity.cast<double>();
         const double limit = strongest * share;
         if (const double size = force.norm(); size > limit) force *= limit / size;
-        world.applyForce(ends_[i].particle, force.cast<Real>());
+        pushes.push_back({ends_[i].particle, force.cast<Real>()});
     }
+    return pushes;
 }
 
 }  // namespace sulfurchamber

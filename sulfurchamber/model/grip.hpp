@@ -4,6 +4,9 @@
 #include <array>
 #include <optional>
 #include <sulfur/world.hpp>
+#include <vector>
+
+#include "timeline.hpp"
 
 namespace sulfurchamber {
 
@@ -18,8 +21,8 @@ public:
                                     double reach);
 
     void moveTo(const sulfur::Point& target) { target_ = target; }
-    /// Applies the forces of the next tick.
-    void apply(sulfur::World& world) const;
+    /// The forces of the next tick.
+    std::vector<Push> pushes(const sulfur::World& world) const;
     /// False once what was held is gone.
     bool holds(const sulfur::World& world) const;
     /// Where the spring is tied to the body, and where it pulls to; for drawing.

@@ -74,10 +74,8 @@ public:
 
     void tick() override {
         if (doing_ != Doing::pull) return;
-        if (grip_->holds(world()))
-            grip_->apply(world());
-        else
-            toIdle();
+        for (const Push& push : grip_->pushes(world())) document().push(push);
+        if (!grip_->holds(world())) toIdle();
     }
 
     Preview preview() const override {

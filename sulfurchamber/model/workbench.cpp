@@ -162,7 +162,7 @@ void Workbench::addRainBox() {
         document_.begin("Rain of boxes");
     for (; rainDue_ >= 1; rainDue_ -= 1) {
         try {
-            dropBox(true, rainWidth);
+            dropBox(Drop::rain, rainWidth);
         } catch (...) {
             rain_ = 0;  // the scene is full
             document_.commit();
@@ -172,27 +172,34 @@ void Workbench::addRainBox() {
 }
 
 // What falls while time runs is of this moment: the plan would have all of it in one place.
-void Workbench::dropBox(bool passing, double width) {
+void Workbench::dropBox(Drop kind, double width) {
     const double share = std::fmod(static_cast<double>(dropped_) * goldenFraction, 1.0);
     const double x = (share - 0.5) * width;
     const double angle = 0.7 * std::fmod(static_cast<double>(dropped_) * 0.37, 1.0) - 0.35;
     const sulfur::shapes::BoxOptions box{.size = {Real(boxSize), Real(boxSize)}, .mass = 1};
     const double y = std::max(topAt(document_.world(), x, 0) + 1.0, 3.0);
     const sulfur::Pose pose{.position = {x, y}, .angle = angle};
-    if (passing)
-        document_.addPassing(sulfur::scene::makePrefab("box", box), pose);
-    else
-        document_.add("box", box, pose);
+    switch (kind) {
+        case Drop::rain:
+            document_.letFall(sulfur::scene::makePrefab("box", box), pose);
+            break;
+        case Drop::passing:
+            document_.addPassing(sulfur::scene::makePrefab("box", box), pose);
+            break;
+        case Drop::planned:
+            document_.add("box", box, pose);
+            break;
+    }
     ++dropped_;
 }
 
 void Workbench::dropBoxes(int count) {
     if (count <= 0) return;
     document_.edit("Drop boxes", [&] {
-        const bool passing = document_.canReset();
+        const Drop kind = document_.canReset() ? Drop::passing : Drop::planned;
         // Many fall side by side: a tower would reach the sky.
         const double width = std::clamp(0.6 * std::sqrt(count), rainWidth, widest);
-        for (int i = 0; i < count; ++i) dropBox(passing, width);
+        for (int i = 0; i < count; ++i) dropBox(kind, width);
     });
 }
 

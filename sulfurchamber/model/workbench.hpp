@@ -144,8 +144,9 @@ public:
     void documentChanged();
 
 private:
+    enum class Drop : std::uint8_t { rain, passing, planned };
     void addRainBox();
-    void dropBox(bool passing, double width);
+    void dropBox(Drop kind, double width);
     void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
     void forgetRemoved();
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 
 #include "model/shelf.hpp"
@@ -178,6 +179,85 @@ TEST(History, AThousandRandomCommandsUndoneAndRedoneGiveIdenticalBytes) {
         ASSERT_EQ(document.text(), texts[document.historyPlace()]) << document.undoLabel();
     }
     EXPECT_EQ(document.text(), texts.back());
+}
+
+// Rewinding is no command: the plan stays what it is, and so do all steps. What was recorded comes
+// back to the bit, whatever was done and undone in between.
+TEST(History, StaysWholeWhileOneRewindsAndBranches) {
+    std::mt19937 random(23);
+    Workbench bench;
+    Document& document = bench.document();
+    const Timeline& timeline = document.timeline();
+    std::vector<std::string> texts{document.text()};
+    std::map<std::pair<std::uint32_t, std::uint64_t>, std::uint64_t> recorded;
+    int compared = 0;
+    int branches = 0;
+    const auto rewind = [&] {
+        const auto others = timeline.others();
+        Moment wanted{timeline.line(), 0};
+        if (!others.empty() && random() % 3 == 0)
+            wanted.branch = others[random() % others.size()].branch;
+        const std::uint64_t first = timeline.first(wanted.branch);
+        wanted.tick = first + random() % (timeline.last(wanted.branch) - first + 1);
+        const std::string before = document.text();
+        const std::size_t place = document.historyPlace();
+        ASSERT_TRUE(document.goTo(wanted));
+        ASSERT_EQ(document.world().ticks(), wanted.tick);
+        ASSERT_EQ(document.text(), before);
+        ASSERT_EQ(document.historyPlace(), place);
+        const auto known = recorded.find({wanted.branch, wanted.tick});
+        if (known != recorded.end()) {
+            ASSERT_EQ(document.world().hash(), known->second)
+                << wanted.branch << " " << wanted.tick;
+            ++compared;
+        }
+        recorded[{wanted.branch, wanted.tick}] = document.world().hash();
+    };
+    for (int i = 0; i < 1000; ++i) {
+        const std::size_t before = document.historyPlace();
+        const std::uint32_t line = timeline.line();
+        if (!timeline.empty() && random() % 4 == 0) {
+            rewind();
+            if (HasFatalFailure()) return;
+        } else if (random() % 12 == 0 && document.canUndo()) {
+            document.undo();
+            ASSERT_EQ(document.text(), texts[document.historyPlace()]);
+        } else if (random() % 12 == 0 && document.canRedo()) {
+            document.redo();
+            ASSERT_EQ(document.text(), texts[document.historyPlace()]);
+        } else if (document.plan().particles() > 150) {
+            bench.selectAll();
+            bench.deleteSelection();
+        } else {
+            try {
+                actAtRandom(bench, random);
+            } catch (const std::exception&) {  // what the program would tell in a sentence
+                bench.cancel();
+            }
+        }
+        bench.documentChanged();
+        if (timeline.line() != line) ++branches;
+        if (timeline.place().exact)
+            recorded[{timeline.now()->branch, timeline.now()->tick}] = document.world().hash();
+        if (document.historyPlace() > before) {
+            texts.resize(before + 1);
+            texts.push_back(document.text());
+        }
+        ASSERT_LE(timeline.bytes(), TimelineLimits{}.bytes);
+    }
+    EXPECT_GT(compared, 20);
+    EXPECT_GT(branches, 50);
+    while (document.canRedo()) document.redo();
+    ASSERT_EQ(document.historyPlace() + 1, texts.size());
+    while (document.canUndo()) {
+        ASSERT_EQ(document.text(), texts[document.historyPlace()]) << document.undoLabel();
+        document.undo();
+    }
+    EXPECT_EQ(document.text(), texts[0]);
+    while (document.canRedo()) {
+        document.redo();
+        ASSERT_EQ(document.text(), texts[document.historyPlace()]) << document.undoLabel();
+    }
 }
 
 TEST(History, HasNoEnd) {
