@@ -15,6 +15,7 @@ void MainFrame::makeActions() {
     addToolActions();
     addViewActions();
     addSimulationActions();
+    addRewindActions();
     addHelpActions();
 }
 
@@ -263,26 +264,37 @@ void MainFrame::addSimulationActions() {
          }});
     add({"tick", m, "Single &tick", '.', "Pause and advance by one tick", "tick",
          [this] { view_.singleTick(); }});
+    addSpeedActions();
+    add({"drop", m, "&Drop ten boxes", 'D', "Ten boxes fall into the scene", "",
+         [this] { bench_.dropBoxes(10); }})
+        .separatorBefore = true;
+}
+
+void MainFrame::addSpeedActions() {
+    const auto m = MenuId::simulation;
     struct Speed {
         const char* name;
         const char* label;
         int permille;
     };
-    static constexpr Speed speeds[] = {{"speed-normal", "&Normal speed", 1000},
+    static constexpr Speed speeds[] = {{"speed-four", "&Four times as fast", 4000},
+                                       {"speed-twice", "T&wice as fast", 2000},
+                                       {"speed-normal", "&Normal speed", 1000},
                                        {"speed-half", "&Half speed", 500},
                                        {"speed-tenth", "A &tenth of the speed", 100},
-                                       {"speed-hundredth", "A h&undredth of the speed", 10}};
+                                       {"speed-hundredth", "A h&undredth of the speed", 10},
+                                       {"speed-thousandth", "A th&ousandth of the speed", 1}};
     for (const Speed& speed : speeds)
         add({speed.name,
              m,
              speed.label,
              0,
-             "Slow motion changes no result",
+             "How fast time runs changes no result",
              "",
              [this, speed] { view_.setSpeedPermille(speed.permille); },
              {},
              [this, speed] { return view_.speedPermille() == speed.permille; }})
-            .separatorBefore = speed.permille == 1000;
+            .separatorBefore = speed.permille == 4000;
     add({"slow",
          m,
          "&Slow motion",
@@ -292,9 +304,34 @@ void MainFrame::addSimulationActions() {
          [this] { view_.setSpeedPermille(view_.speedPermille() == 250 ? 1000 : 250); },
          {},
          [this] { return view_.speedPermille() == 250; }});
-    add({"drop", m, "&Drop ten boxes", 'D', "Ten boxes fall into the scene", "",
-         [this] { bench_.dropBoxes(10); }})
+    add({"faster", m, "Fas&ter\tCtrl+Up", 0, "The next higher speed, up to four times", "",
+         [this] { changeSpeed(1); }, [this] { return view_.speedPermille() < 4000; }});
+    add({"slower", m, "Slo&wer\tCtrl+Down", 0, "The next lower speed, down to a thousandth", "",
+         [this] { changeSpeed(-1); }, [this] { return view_.speedPermille() > 1; }});
+}
+
+void MainFrame::addRewindActions() {
+    const auto m = MenuId::simulation;
+    const auto any = [this] { return !bench_.document().timeline().empty(); };
+    const auto some = [this] { return !bench_.document().timeline().others().empty(); };
+    add({"tick-back", m, "Single tick &back", ',', "Back by one tick", "back",
+         [this] { seekBy(-static_cast<double>(bench_.document().world().tickDuration())); }, any})
         .separatorBefore = true;
+    add({"second-back", m, "A &second back", WXK_PAGEUP, "Rewind by a second", "",
+         [this] { seekBy(-1); }, any});
+    add({"second-on", m, "A second &on", WXK_PAGEDOWN, "Towards the end by a second", "",
+         [this] { seekBy(1); }, any});
+    add({"mark-back", m, "&Previous mark\tCtrl+PgUp", 0,
+         "Back to an edit, a break or a first contact", "", [this] { seekMark(false); }, any});
+    add({"mark-on", m, "Ne&xt mark\tCtrl+PgDn", 0, "On to an edit, a break or a first contact", "",
+         [this] { seekMark(true); }, any});
+    add({"oldest", m, "To the &oldest moment", WXK_HOME, "As far back as is recorded", "",
+         [this] { seekBy(-1e9); }, any});
+    add({"newest", m, "To the &end", WXK_END, "The latest moment of this line", "",
+         [this] { seekBy(1e9); }, any});
+    add({"other-future", m, "Another f&uture", 'Z',
+         "The end of the next branch that was left by going on from an earlier moment", "",
+         [this] { showOtherFuture(); }, some});
 }
 
 void MainFrame::addHelpActions() {

@@ -12,7 +12,7 @@ namespace {
 using Icon = std::pair<std::string_view, std::string_view>;
 
 // Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
-constexpr std::array<Icon, 33> icons{{
+constexpr std::array<Icon, 34> icons{{
     {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
     {"open",
      R"(<path d="M3 19V5h6l2 3h8v3"/><path d="M3 19l3-8h16l-3 8z" fill="ACCENT" fill-opacity="0.25"/>)"},
@@ -24,8 +24,10 @@ constexpr std::array<Icon, 33> icons{{
     {"pause", R"(<path d="M8 5v14M16 5v14" stroke="ACCENT" stroke-width="4"/>)"},
     {"tick",
      R"(<path d="M5 5l9 7-9 7z" fill="ACCENT" fill-opacity="0.35"/><path d="M18 5v14" stroke-width="2.6"/>)"},
+    {"back",
+     R"(<path d="M19 5l-9 7 9 7z" fill="ACCENT" fill-opacity="0.35"/><path d="M6 5v14" stroke-width="2.6"/>)"},
     {"reset",
-     R"(<path d="M5 5v14" stroke-width="2.6"/><path d="M19 5l-10 7 10 7z" fill="ACCENT" fill-opacity="0.35"/>)"},
+     R"(<path d="M4 5v14" stroke-width="2.6"/><path d="M12 5l-6 7 6 7zM20 5l-7 7 7 7z" fill="ACCENT" fill-opacity="0.35"/>)"},
     {"fit",
      R"(<path d="M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5"/><rect x="9" y="9" width="6" height="6" fill="ACCENT" stroke="none"/>)"},
     {"grid", R"(<path d="M4 4h16v16H4zM4 12h16M12 4v16"/>)"},

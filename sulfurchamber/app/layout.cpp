@@ -34,6 +34,14 @@ wxString keyText(int key) {
             return "Down";
         case WXK_RETURN:
             return "Enter";
+        case WXK_HOME:
+            return "Home";
+        case WXK_END:
+            return "End";
+        case WXK_PAGEUP:
+            return "Page Up";
+        case WXK_PAGEDOWN:
+            return "Page Down";
         default:
             return wxString(static_cast<wxChar>(key));
     }
@@ -103,8 +111,8 @@ void MainFrame::makeBars() {
                      action.checked ? wxITEM_CHECK : wxITEM_NORMAL);
     };
     // In the order of use, not of the menus.
-    static constexpr std::array<const char*, 16> order{
-        "new",  "open", "save", "", "undo", "redo", "",           "reset",
+    static constexpr std::array<const char*, 17> order{
+        "new",  "open", "save", "", "undo", "redo", "",           "reset", "tick-back",
         "play", "tick", "slow", "", "fit",  "grid", "velocities", "strain"};
     for (const std::string name : order) {
         if (name.empty()) toolBar_->AddSeparator();
@@ -132,6 +140,7 @@ void MainFrame::makePanels() {
     canvas_ = new atlax::wx::View(centre_, view_, window);
     side_ = new SidePanel(centre_, bench_, view_,
                           [this](const std::string& problem) { tell(problem); });
+    timeBar_ = new TimeBar(centre_, bench_, view_, [this](wxWindow& at) { chooseSpeed(at); });
     hint_ = new wxStaticText(centre_, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                              wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
     // What is told takes room of the scene, not of the panel, whose fields stay under the mouse.
@@ -143,6 +152,7 @@ void MainFrame::makePanels() {
     row->Add(side_, wxSizerFlags(0).Expand());
     auto* sizer = new wxBoxSizer(wxVERTICAL);
     sizer->Add(row, wxSizerFlags(1).Expand());
+    sizer->Add(timeBar_, wxSizerFlags(0).Expand());
     sizer->Add(hint_, wxSizerFlags(0).Expand().Border(wxALL, FromDIP(3)));
     centre_->SetSizer(sizer);
 

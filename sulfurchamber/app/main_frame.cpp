@@ -34,7 +34,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     : wxFrame(nullptr, wxID_ANY, "SulfurChamber"), bench_(bench), options_(options), view_(bench) {
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
-    actions_.reserve(96);
+    actions_.reserve(128);
     makeActions();
     makeMenus();
     makeBars();
@@ -162,6 +162,7 @@ void MainFrame::runAction(const Action& action) {
 // --- what is shown ---------------------------------------------------------------------------
 
 void MainFrame::onFrame() {
+    if (view_.seeking()) timeBar_->refresh();
     if (atlax::monotonicNs() >= nextRefreshNs_) {
         refresh();
         keepUnsaved();
@@ -184,6 +185,7 @@ void MainFrame::refresh() {
     if (infoBar_->IsShown() && document.revision() != toldAt_) infoBar_->Dismiss();
     strays_ = bench_.strays().size();
     side_->refresh();
+    timeBar_->refresh();
     refreshActions();
     refreshHistoryLabels();
     refreshStatus();

@@ -22,6 +22,7 @@
 #include "options.hpp"
 #include "preferences.hpp"
 #include "side_panel.hpp"
+#include "time_bar.hpp"
 
 namespace sulfurchamber {
 
@@ -51,6 +52,7 @@ public:
     Workbench& bench() { return bench_; }
     SceneView& sceneView() { return view_; }
     atlax::wx::View& canvas() { return *canvas_; }
+    const TimeBar& timeBar() const { return *timeBar_; }
 
     /// Runs the action of this name; false when there is none or it is not available now.
     bool perform(const std::string& name);
@@ -81,6 +83,8 @@ private:
     void addToolActions();
     void addViewActions();
     void addSimulationActions();
+    void addSpeedActions();
+    void addRewindActions();
     void addHelpActions();
     Action& add(Action action);
 
@@ -114,6 +118,11 @@ private:
     void onKey(wxKeyEvent& event);
     void onFrame();
     void runAction(const Action& action);
+    void changeSpeed(int steps);
+    void seekBy(double seconds);
+    void seekMark(bool forward);
+    void showOtherFuture();
+    void chooseSpeed(wxWindow& at);
     void refresh();
     void refreshActions();
     void refreshStatus();
@@ -134,6 +143,7 @@ private:
     wxPanel* centre_ = nullptr;
     wxInfoBar* infoBar_ = nullptr;
     SidePanel* side_ = nullptr;
+    TimeBar* timeBar_ = nullptr;
     wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;

@@ -2,8 +2,10 @@
 
 #include <atlax/files.hpp>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -18,6 +20,28 @@ namespace {
 // Frames after which an event that has not arrived never will.
 constexpr std::uint64_t patience = 3000;
 
+double processorSeconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// 0 when there is no such key.
+int keyCode(const std::string& name) {
+    static const std::map<std::string, int> keys{{"Space", WXK_SPACE},
+                                                 {"Period", '.'},
+                                                 {"Comma", ','},
+                                                 {"Escape", WXK_ESCAPE},
+                                                 {"Delete", WXK_DELETE},
+                                                 {"Home", WXK_HOME},
+                                                 {"End", WXK_END},
+                                                 {"Up", WXK_UP},
+                                                 {"Down", WXK_DOWN},
+                                                 {"PageUp", WXK_PAGEUP},
+                                                 {"PageDown", WXK_PAGEDOWN}};
+    if (name.size() == 1) return name[0];
+    const auto key = keys.find(name);
+    return key == keys.end() ? 0 : key->second;
+}
+
 }  // namespace
 
 std::string scriptHelp() {
@@ -29,7 +53,10 @@ std::string scriptHelp() {
            "  drag X Y X2 Y2          press, move, release\n"
            "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"
            "  wheel X Y NOTCHES       turn the wheel, positive away from you\n"
-           "  key NAME                a letter, Space, Period, Escape, Delete, or Ctrl+ a letter\n"
+           "  key NAME                a letter, Space, Period, Comma, Escape, Delete, Home, End,\n"
+           "                          Up, Down, PageUp, PageDown, or one of them after Ctrl+\n"
+           "  slide A B               drag the time bar from one share of it to another\n"
+           "  seek SECONDS            to a recorded moment of the shown line\n"
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
            "  run SECONDS             play for simulated seconds, then pause\n"
@@ -41,7 +68,8 @@ std::string scriptHelp() {
            "  expect QUANTITY OP N    fails unless it holds; OP is = != < or >; quantities:\n"
            "                          bodies particles joints contacts time selected modified\n"
            "                          playing problem newest.x newest.y gravity elasticity rain\n"
-           "                          strays steps property.KEY\n"
+           "                          strays steps property.KEY branches speed fps\n"
+           "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
@@ -136,6 +164,8 @@ void Script::start(const Words& words) {
     } else if (words[0] == "do" && words.size() == 2) {
         if (!frame_.perform(words[1]))
             fail("the action " + words[1] + " is not there or not available");
+    } else if (words[0] == "slide" && words.size() == 3) {
+        slide(number(words[1]), number(words[2]));
     } else if (!startPointer(words) && !startWorld(words) && !startFile(words)) {
         fail("\"" + words[0] + "\" with " + std::to_string(words.size() - 1) +
              " words is no command; see --script-help");
@@ -213,12 +243,7 @@ bool Script::startPointer(const Words& words) {
     } else if (words[0] == "key" && words.size() == 2) {
         const bool control = words[1].starts_with("Ctrl+");
         const std::string name = words[1].substr(control ? 5 : 0);
-        const int code = name == "Space"    ? WXK_SPACE
-                         : name == "Period" ? '.'
-                         : name == "Escape" ? WXK_ESCAPE
-                         : name == "Delete" ? WXK_DELETE
-                         : name.size() == 1 ? name[0]
-                                            : 0;
+        const int code = keyCode(name);
         if (code == 0) fail("there is no key " + name);
         frame_.canvas().SetFocus();
         simulator_.Char(code, control ? wxMOD_CONTROL : wxMOD_NONE);
@@ -227,6 +252,32 @@ bool Script::startPointer(const Words& words) {
         return false;
     }
     return true;
+}
+
+// Two seconds of dragging: a step each frame.
+void Script::slide(double from, double to) {
+    const wxRect track = frame_.timeBar().trackOnScreen();
+    const int y = track.GetBottom() - frame_.FromDIP(11);
+    const auto x = [track](double share) {
+        return track.GetLeft() + static_cast<int>(std::lround(share * track.GetWidth()));
+    };
+    simulator_.MouseMove(x(from), y);
+    simulator_.MouseDown();
+    const double cpuBefore = processorSeconds();
+    const std::uint64_t framesBefore = frame_.sceneView().frames();
+    constexpr int steps = 60;
+    const auto drag = [this, x, y, from, to, step = 0]() mutable {
+        if (++step <= steps) simulator_.MouseMove(x(from + (to - from) * step / steps), y);
+        return step > steps;
+    };
+    waitFor(drag, [this, cpuBefore, framesBefore] {
+        const auto frames = frame_.sceneView().frames() - framesBefore;
+        slideCost_ = (processorSeconds() - cpuBefore) * 1000 /
+                     static_cast<double>(std::max<std::uint64_t>(1, frames));
+        simulator_.MouseUp();
+        waitFor(
+            [this, frames = 0]() mutable { return ++frames > 5 && !frame_.sceneView().seeking(); });
+    });
 }
 
 // --- world and files -------------------------------------------------------------------------
@@ -246,6 +297,14 @@ bool Script::startWorld(const Words& words) {
             last = running.world().time();
             return !running.playing();
         });
+    } else if (words[0] == "seek" && words.size() == 2) {
+        const Timeline& timeline = document.timeline();
+        if (timeline.empty()) fail("nothing is recorded");
+        const double ticks =
+            number(words[1]) / static_cast<double>(document.world().tickDuration());
+        frame_.sceneView().seek(
+            {timeline.line(), static_cast<std::uint64_t>(std::max(0.0, std::round(ticks)))});
+        waitFor([this] { return !frame_.sceneView().seeking(); });
     } else if (words[0] == "set" && words.size() == 3) {
         Constants constants = document.constants();
         const double value = number(words[2]);
@@ -333,6 +392,13 @@ double Script::quantity(const std::string& name) const {
         return common(document, bench.selection(), *property)
             .value.value_or(std::numeric_limits<double>::quiet_NaN());
     }
+    if (name == "branches") {
+        const Timeline& timeline = document.timeline();
+        return timeline.empty() ? 0 : static_cast<double>(timeline.others().size() + 1);
+    }
+    if (name == "speed") return frame_.sceneView().speedPermille() / 1000.0;
+    if (name == "fps") return frame_.sceneView().framesPerSecond();
+    if (name == "slide-cost") return slideCost_;
     if (name == "strays") return static_cast<double>(bench.strays().size());
     if (name == "steps") return static_cast<double>(document.historyPlace());
     if (name == "newest.x" || name == "newest.y") {

@@ -43,6 +43,7 @@ private:
     double quantity(const std::string& name) const;
     /// Goes on with `then` once `done` says so.
     void waitFor(std::function<bool()> done, std::function<void()> then = {});
+    void slide(double from, double to);
     void press(const sulfur::Point& at, std::function<void()> then);
     void moveMouse(const sulfur::Point& at, std::function<void()> then);
     void waitForFrames(int frames, std::function<void()> then);
@@ -56,7 +57,8 @@ private:
     std::function<bool()> waiting_;
     std::function<void()> then_;
     std::uint64_t waitedFrames_ = 0;
-    bool busy_ = false;  // the simulator lets events through while it works
+    double slideCost_ = 0;  ///< ms of processor time a frame
+    bool busy_ = false;     // the simulator lets events through while it works
     wxUIActionSimulator simulator_;
 };
 

@@ -285,15 +285,32 @@ void Document::push(const Push& push) {
 bool Document::goTo(const Moment& moment, double milliseconds) {
     commit();
     playing_ = false;
-    Moment reached;
-    takeOver([&] {
-        reached = timeline_.go(*world_, moment, milliseconds);
+    const auto go = [&] {
+        timeline_.go(*world_, moment, milliseconds);
         moved_ = true;
         touched_ = false;
-    });
-    const std::uint64_t last = timeline_.last(reached.branch);
-    const std::uint64_t first = timeline_.first(reached.branch);
-    return reached.tick == std::clamp(moment.tick, first, last);
+    };
+    const auto& now = timeline_.now();
+    if (now && now->branch == moment.branch && !timeline_.edited(*now, moment.tick))
+        followTime(go);
+    else
+        takeOver(go);
+    const Moment reached = *timeline_.now();
+    return reached.tick ==
+           std::clamp(moment.tick, timeline_.first(reached.branch), timeline_.last(reached.branch));
+}
+
+// Where no edit lies between two moments, a handle means the same body in both. While the slider is
+// dragged there is one after the other, and views keep what they know of bodies.
+void Document::followTime(const std::function<void()>& go) {
+    const auto span = world_->bodies();
+    const std::vector<BodyId> before(span.begin(), span.end());
+    go();
+    const auto after = world_->bodies();
+    if (std::equal(before.begin(), before.end(), after.begin(), after.end())) return;
+    ++revision_;
+    if (onNewHandles)
+        onNewHandles([this](BodyId old) { return world_->contains(old) ? old : BodyId{}; });
 }
 
 void Document::reset() {

@@ -230,6 +230,7 @@ private:
                      const std::function<void(sulfur::scene::Prefab&)>& change);
     std::vector<std::string> idsOf(std::span<const sulfur::BodyId> bodies) const;
     void touched();
+    void followTime(const std::function<void()>& go);
     void beforeActing();
     std::size_t placeOfPassing(const sulfur::scene::Prefab& prefab);
 

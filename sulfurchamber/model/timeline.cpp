@@ -382,6 +382,17 @@ std::vector<Mark> Timeline::marks(std::uint32_t line) const {
     return marks;
 }
 
+bool Timeline::edited(const Moment& moment, std::uint64_t other) const {
+    const auto [low, high] = std::minmax(moment.tick, other);
+    const auto path = pathTo(moment.branch);
+    return std::any_of(path.begin(), path.end(), [&, from = low, to = high](std::uint32_t id) {
+        const auto& marks = at(id).marks;
+        return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) {
+            return mark.kind == Mark::Kind::edit && mark.tick >= from && mark.tick <= to;
+        });
+    });
+}
+
 std::vector<Timeline::Other> Timeline::others() const {
     const auto path = pathTo(line_);
     std::vector<Other> others;

@@ -123,6 +123,8 @@ public:
     std::uint64_t last(std::uint32_t line) const;
     /// Marks of a line in the order of time.
     std::vector<Mark> marks(std::uint32_t line) const;
+    /// Whether the line of a moment was edited between that and another tick.
+    bool edited(const Moment& moment, std::uint64_t other) const;
     /// A future that is not on the shown line: its own recorded ticks, from where it parted.
     struct Other {
         std::uint32_t branch = 0;

@@ -18,11 +18,12 @@ namespace {
 constexpr float minZoom = 0.5f;  // pixels per metre
 constexpr float maxZoom = 20000;
 constexpr float zoomPerNotch = 1.18f;
-constexpr float rulersTake = 44;    // logical pixels at the left and at the bottom
-constexpr float fitMargin = 1.25f;  // of what is shown around what is interesting
-constexpr double fitSmallest = 4;   // metres that are shown at least
-constexpr float firstWidth = 12;    // metres that an empty scene shows
-constexpr float firstFloor = 0.2f;  // of the height that is below its floor
+constexpr float rulersTake = 44;         // logical pixels at the left and at the bottom
+constexpr float fitMargin = 1.25f;       // of what is shown around what is interesting
+constexpr double fitSmallest = 4;        // metres that are shown at least
+constexpr float firstWidth = 12;         // metres that an empty scene shows
+constexpr float firstFloor = 0.2f;       // of the height that is below its floor
+constexpr double seekMilliseconds = 12;  // of a frame that the way to a moment may take
 
 }  // namespace
 
@@ -53,6 +54,27 @@ void SceneView::singleTick() {
     if (platform_ == nullptr) return;
     platform_->clock().singleTick();
     ++singles_;
+}
+
+void SceneView::seek(const Moment& moment) {
+    guarded([&] { bench_.cancel(); });
+    bench_.document().pause();
+    wanted_ = moment;
+    applyTime();
+}
+
+void SceneView::followSlider() {
+    if (!wanted_) return;
+    const Document& document = bench_.document();
+    // Who plays on, or opens another scene, no longer wants to be there.
+    if (document.playing() || document.timeline().empty()) {
+        wanted_.reset();
+        return;
+    }
+    guarded([&] {
+        if (bench_.document().goTo(*wanted_, seekMilliseconds)) wanted_.reset();
+        bench_.documentChanged();
+    });
 }
 
 double SceneView::realTimeShare() const {
@@ -221,6 +243,8 @@ void SceneView::tick() {
 }
 
 void SceneView::draw(atlax::Canvas& canvas, double alpha) {
+    followSlider();
+    ++frames_;
     if (fitPending_) fit(canvas.size());
     fitPending_ = false;
     const atlax::Vec2 size = canvas.size().toVec();
@@ -248,12 +272,36 @@ void SceneView::paintClock(atlax::Canvas& canvas) {
     const bool playing = bench_.document().playing();
     canvas.text(*font_, text.data(), {right, 28},
                 {20, playing ? palette::ice : palette::sky, atlax::AlignX::Right});
-    std::string state = playing ? "" : "paused";
-    if (playing && speedPermille_ != 1000) {
-        std::snprintf(text.data(), text.size(), "slow motion \xC3\x97%g", speedPermille_ / 1000.0);
-        state = text.data();
-    }
+    const std::string state = clockState();
     canvas.text(*font_, state, {right, 46}, {13, palette::amber, atlax::AlignX::Right});
+}
+
+// Below the clock: how time runs, or where in the past one is.
+std::string SceneView::clockState() const {
+    const Document& document = bench_.document();
+    std::array<char, 64> text{};
+    if (document.playing()) {
+        if (speedPermille_ == 1000) return "";
+        std::snprintf(text.data(), text.size(), "%s \xC3\x97%g",
+                      speedPermille_ < 1000 ? "slow motion" : "fast", speedPermille_ / 1000.0);
+        return text.data();
+    }
+    const auto& now = document.timeline().now();
+    if (!now) return "paused";
+    const std::uint64_t left = document.timeline().last(now->branch) - now->tick;
+    if (left == 0) return "paused";
+    std::snprintf(text.data(), text.size(), "%.2f s before the end",
+                  static_cast<double>(left) * static_cast<double>(document.world().tickDuration()));
+    std::string state = text.data();
+    // What was edited later is in the plan, but not here.
+    std::size_t later = 0;
+    std::string label;
+    for (const Mark& mark : document.timeline().marks(now->branch))
+        if (mark.kind == Mark::Kind::edit && mark.tick > now->tick && ++later == 1)
+            label = mark.label;
+    if (later == 1) state += ", before \xE2\x80\x9C" + label + "\xE2\x80\x9D";
+    if (later > 1) state += ", before " + std::to_string(later) + " edits";
+    return state;
 }
 
 }  // namespace sulfurchamber

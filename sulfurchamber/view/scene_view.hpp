@@ -47,6 +47,8 @@ public:
     /// Buttons of the mouse that went down or up so far; for scripts that wait for their clicks.
     std::uint64_t buttonEvents() const { return buttonEvents_; }
     std::optional<atlax::Vec2> mousePixels() const { return mouse_; }
+    /// Frames that were drawn so far.
+    std::uint64_t frames() const { return frames_; }
 
     // -- time --
     void setSpeedPermille(int permille);
@@ -55,6 +57,10 @@ public:
     void singleTick();
     /// Pauses at this simulated time, to the tick; while playing only.
     void pauseAt(double seconds) { pauseAt_ = seconds; }
+    /// Pauses and goes to a recorded moment. Where that takes long it takes several frames, each of
+    /// which shows a moment on the way.
+    void seek(const Moment& moment);
+    bool seeking() const { return wanted_.has_value(); }
     /// Share of real time that the simulation reaches while it plays: 1 keeps up.
     double realTimeShare() const;
     /// Share of one core that the ticks take.
@@ -78,7 +84,9 @@ private:
     void wheel(const atlax::WheelEvent& event);
     Pointer pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const;
     void guarded(const std::function<void()>& body);
+    void followSlider();
     void paintClock(atlax::Canvas& canvas);
+    std::string clockState() const;
 
     Workbench& bench_;
     atlax::Platform* platform_ = nullptr;
@@ -93,7 +101,9 @@ private:
     int speedPermille_ = 1000;
     int singles_ = 0;  // ticks asked for while paused
     std::optional<double> pauseAt_;
+    std::optional<Moment> wanted_;  // on the way there
     std::uint64_t buttonEvents_ = 0;
+    std::uint64_t frames_ = 0;
 };
 
 }  // namespace sulfurchamber

@@ -1,0 +1,230 @@
+#include "time_bar.hpp"
+
+#include <wx/dcbuffer.h>
+#include <wx/graphics.h>
+#include <wx/settings.h>
+#include <wx/sizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "../view/palette.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+constexpr int trackHeight = 34;  // logical pixels, as what follows
+constexpr int margin = 9;
+constexpr int lineBelow = 11;  // from the lower edge to the line
+constexpr int laneStep = 6;
+constexpr double reach = 4;
+
+wxColour wxOf(const atlax::Color& color) {
+    const auto byte = [](float value) {
+        return static_cast<unsigned char>(std::clamp(value, 0.0f, 1.0f) * 255);
+    };
+    return {byte(color.r), byte(color.g), byte(color.b), byte(color.a)};
+}
+
+bool isDark() {
+    return wxSystemSettings::GetAppearance().IsUsingDarkBackground();
+}
+
+wxColour colourOf(Mark::Kind kind) {
+    switch (kind) {
+        case Mark::Kind::breakage:
+            return wxOf(palette::hot);
+        case Mark::Kind::contact:
+            return isDark() ? wxOf(palette::cold) : wxColour(0, 120, 140);
+        case Mark::Kind::edit:
+            break;
+    }
+    return wxOf(palette::amber);
+}
+
+wxString speedText(int permille) {
+    if (permille >= 1000)
+        return wxString::FromUTF8("\xC3\x97") + wxString::Format("%d", permille / 1000);
+    return wxString::Format("1/%d", 1000 / std::max(1, permille));
+}
+
+}  // namespace
+
+// Draws, and follows the mouse.
+class TimeBar::Track final : public wxWindow {
+public:
+    Track(wxWindow* parent, Workbench& bench, SceneView& view)
+        : wxWindow(parent, wxID_ANY), bench_(bench), view_(view) {
+        SetMinSize(wxSize(FromDIP(120), FromDIP(trackHeight)));
+        SetBackgroundStyle(wxBG_STYLE_PAINT);
+        Bind(wxEVT_PAINT, [this](wxPaintEvent&) { paint(); });
+        Bind(wxEVT_SIZE, [this](wxSizeEvent& event) {
+            Refresh();
+            event.Skip();
+        });
+        Bind(wxEVT_LEFT_DOWN, &Track::press, this);
+        Bind(wxEVT_MOTION, &Track::move, this);
+        Bind(wxEVT_LEAVE_WINDOW, [this](wxMouseEvent&) {
+            pointer_.reset();
+            Refresh(false);
+        });
+        Bind(wxEVT_LEFT_UP, [this](wxMouseEvent&) { release(); });
+        Bind(wxEVT_MOUSE_CAPTURE_LOST, [this](wxMouseCaptureLostEvent&) { dragging_ = false; });
+    }
+    // Keys stay those of the scene.
+    bool AcceptsFocus() const override { return false; }
+
+private:
+    TimeBarLayout layout() const {
+        const Document& document = bench_.document();
+        return {document.timeline(), static_cast<double>(document.world().tickDuration()),
+                static_cast<double>(GetClientSize().GetWidth() - 2 * FromDIP(margin))};
+    }
+    double inTrack(const wxMouseEvent& event) const { return event.GetX() - FromDIP(margin); }
+    int lineY() const { return GetClientSize().GetHeight() - FromDIP(lineBelow); }
+
+    void press(wxMouseEvent& event) {
+        const TimeBarLayout now = layout();
+        if (now.empty()) return;
+        const double above = (lineY() - event.GetY()) / static_cast<double>(FromDIP(laneStep));
+        const auto other =
+            above < 0.5 ? std::nullopt
+                        : now.otherAt(inTrack(event), static_cast<int>(std::lround(above)) - 1,
+                                      FromDIP(static_cast<int>(reach)));
+        view_.seek(other ? *other : now.momentAt(inTrack(event)));
+        dragging_ = true;
+        pointer_ = inTrack(event);
+        if (!HasCapture()) CaptureMouse();
+    }
+
+    void move(wxMouseEvent& event) {
+        const TimeBarLayout now = layout();
+        if (now.empty()) return;
+        pointer_ = inTrack(event);
+        if (dragging_) view_.seek(now.momentAt(*pointer_));
+        Refresh(false);
+    }
+
+    void release() {
+        dragging_ = false;
+        if (HasCapture()) ReleaseMouse();
+    }
+
+    void paint() {
+        wxAutoBufferedPaintDC dc(this);
+        dc.SetBackground(wxBrush(GetParent()->GetBackgroundColour()));
+        dc.Clear();
+        const std::unique_ptr<wxGraphicsContext> g(wxGraphicsContext::Create(dc));
+        if (!g) return;
+        g->Translate(FromDIP(margin), 0);
+        const TimeBarLayout now = layout();
+        const int y = lineY();
+        const wxColour faint = isDark() ? wxColour(255, 255, 255, 40) : wxColour(0, 0, 0, 40);
+        const double width = GetClientSize().GetWidth() - 2 * FromDIP(margin);
+        stroke(*g, faint, 4, 0, y, width, y);
+        if (now.empty()) {
+            paintHint(*g, width);
+            return;
+        }
+        const wxColour sky = isDark() ? wxOf(palette::sky) : wxColour(47, 111, 176);
+        for (const auto& lane : now.lanes()) paintLane(*g, lane, y, sky);
+        stroke(*g, wxColour(sky.Red(), sky.Green(), sky.Blue(), 110), 4, now.from(), y, now.to(),
+               y);
+        if (now.now()) stroke(*g, sky, 4, now.from(), y, *now.now(), y);
+        paintMarks(*g, now, y);
+        if (now.now()) {
+            g->SetPen(*wxTRANSPARENT_PEN);
+            g->SetBrush(wxBrush(isDark() ? wxOf(palette::ice) : wxOf(palette::steel)));
+            const double r = FromDIP(6);
+            g->DrawEllipse(*now.now() - r, y - r, 2 * r, 2 * r);
+        }
+        if (pointer_) paintPointed(*g, now.textAt(*pointer_, reach), width);
+    }
+
+    // What is under the pointer, above the line.
+    void paintPointed(wxGraphicsContext& g, const std::string& words, double width) const {
+        const wxString text = wxString::FromUTF8(words);
+        g.SetFont(GetFont().Smaller(), wxSystemSettings::GetColour(wxSYS_COLOUR_WINDOWTEXT));
+        double w = 0;
+        double h = 0;
+        g.GetTextExtent(text, &w, &h);
+        const double x = std::clamp(*pointer_ - w / 2, 0.0, std::max(0.0, width - w));
+        g.SetPen(*wxTRANSPARENT_PEN);
+        g.SetBrush(wxBrush(GetParent()->GetBackgroundColour()));
+        g.DrawRectangle(x - FromDIP(3), 0, w + FromDIP(6), h);
+        g.DrawText(text, x, 0);
+    }
+
+    void stroke(wxGraphicsContext& g, const wxColour& colour, int width, double x, double y,
+                double x2, double y2) const {
+        wxPen pen(colour, FromDIP(width));
+        pen.SetCap(wxCAP_ROUND);
+        g.SetPen(pen);
+        g.StrokeLine(x, y, x2, y2);
+    }
+
+    // Another future leaves the line where it parted.
+    void paintLane(wxGraphicsContext& g, const TimeBarLayout::Lane& lane, int y,
+                   const wxColour& sky) const {
+        const int at = y - (lane.row + 1) * FromDIP(laneStep);
+        const wxColour colour(sky.Red(), sky.Green(), sky.Blue(), 150);
+        const double bend = std::min<double>(lane.to - lane.from, FromDIP(5));
+        stroke(g, colour, 2, lane.from, y, lane.from + bend, at);
+        stroke(g, colour, 2, lane.from + bend, at, lane.to, at);
+    }
+
+    void paintMarks(wxGraphicsContext& g, const TimeBarLayout& now, int y) const {
+        const double below = FromDIP(8);
+        for (const auto kind : {Mark::Kind::contact, Mark::Kind::breakage, Mark::Kind::edit})
+            for (const auto& spot : now.spots())
+                if (spot.mark.kind == kind)
+                    stroke(g, colourOf(kind), kind == Mark::Kind::contact ? 1 : 2, spot.x,
+                           y + FromDIP(4), spot.x, y + below);
+    }
+
+    void paintHint(wxGraphicsContext& g, double width) const {
+        const wxString hint = "Time: what runs is recorded here";
+        g.SetFont(GetFont(), wxSystemSettings::GetColour(wxSYS_COLOUR_GRAYTEXT));
+        double w = 0;
+        double h = 0;
+        g.GetTextExtent(hint, &w, &h);
+        if (w < width) g.DrawText(hint, 0, 0);
+    }
+
+    Workbench& bench_;
+    SceneView& view_;
+    bool dragging_ = false;
+    std::optional<double> pointer_;  // pixels of the track
+};
+
+TimeBar::TimeBar(wxWindow* parent, Workbench& bench, SceneView& view,
+                 std::function<void(wxWindow&)> chooseSpeed)
+    : wxPanel(parent), bench_(bench), view_(view) {
+    track_ = new Track(this, bench, view);
+    speed_ = new wxButton(this, wxID_ANY, "1/1000", wxDefaultPosition, wxDefaultSize,
+                          wxBU_EXACTFIT | wxBORDER_NONE);
+    speed_->SetMinSize(speed_->GetBestSize());
+    speed_->SetToolTip("How fast time runs: a thousandth to four times  (Ctrl+Up, Ctrl+Down)");
+    speed_->Bind(wxEVT_BUTTON, [this, chooseSpeed](wxCommandEvent&) { chooseSpeed(*speed_); });
+    auto* sizer = new wxBoxSizer(wxHORIZONTAL);
+    sizer->Add(track_, wxSizerFlags(1).Expand());
+    sizer->Add(speed_, wxSizerFlags(0).CentreVertical().Border(wxRIGHT, FromDIP(4)));
+    SetSizer(sizer);
+    refresh();
+}
+
+void TimeBar::refresh() {
+    const wxString text = speedText(view_.speedPermille());
+    if (speed_->GetLabel() != text) speed_->SetLabel(text);
+    track_->Refresh(false);
+}
+
+wxRect TimeBar::trackOnScreen() const {
+    wxRect rect = track_->GetScreenRect();
+    return rect.Deflate(FromDIP(margin), 0);
+}
+
+}  // namespace sulfurchamber
