@@ -275,14 +275,13 @@ void MainFrame::refreshStatus() {
     const wxString contacts = "   " + counted(s.contacts, "contact");
     const int strayWidth = strays_ > 0 ? FromDIP(130) : 0;
     if (GetStatusBar()->GetStatusWidth(1) != strayWidth) {
+        // GTK cannot redraw a text where there is no room any more.
+        if (strayWidth == 0) SetStatusText("", 1);
         const std::array<int, 4> widths{-1, strayWidth, FromDIP(140), FromDIP(112)};
         SetStatusWidths(4, widths.data());
     }
     setStatus(0, {particles + joints + contacts, particles + joints, particles});
-    if (strays_ > 0)
-        setStatus(1, {wxString::Format("%zu out of bounds", strays_)});
-    else
-        setStatus(1, {wxString()});
+    if (strays_ > 0) setStatus(1, {wxString::Format("%zu out of bounds", strays_)});
     setStatus(2, {wxString::Format("%.0f %% of real time",
                                    view_.realTimeShare() * view_.speedPermille() / 10.0)});
     const wxString rate = wxString::Format("%d Hz", world.settings().tickRate);

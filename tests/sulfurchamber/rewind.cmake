@@ -79,6 +79,11 @@ do reset
 expect time = 0
 slide 0.1 0.5               # what ran before the reset is there still
 expect time > 0
+set gravity -30
+run 4
+expect strays > 0
+seek 0
+expect strays = 0
 whole
 expect problem = 0
 ")
