@@ -147,6 +147,7 @@ void Workbench::tick() {
     tool_->tick();
     if (rain_ > 0) addRainBox();
     document_.tick();
+    measurements_.sample(document_.world());
 }
 
 void Workbench::setRain(double boxesPerSecond) {
@@ -216,6 +217,7 @@ void Workbench::select(std::vector<BodyId> bodies) {
     std::erase_if(bodies, [&](BodyId body) { return pins.contains(body); });
     selection_ = std::move(bodies);
     forgetRemoved();
+    watchSelection();
 }
 
 void Workbench::toggle(BodyId body) {
@@ -225,6 +227,33 @@ void Workbench::toggle(BodyId body) {
     else
         bodies.push_back(body);
     select(std::move(bodies));
+}
+
+// --- measuring -------------------------------------------------------------------------------
+
+void Workbench::measure(std::vector<const Quantity*> quantities) {
+    measured_ = std::move(quantities);
+    watchSelection();
+}
+
+void Workbench::watchSelection() {
+    if (measured_.empty() && measurements_.series().empty()) return;
+    const World& world = document_.world();
+    std::vector<Measurements::Subject> subjects;
+    for (const BodyId body : selection_) {
+        const std::string id = document_.idOf(body);
+        subjects.push_back(
+            {body, world.userData(body), id.empty() ? "a piece of " + world.name(body) : id});
+    }
+    // What was measured goes on to be, as long as it is there.
+    if (subjects.empty())
+        for (const auto& subject : subjects_)
+            if (subject.body && world.contains(subject.body) &&
+                world.userData(subject.body) == subject.userData)
+                subjects.push_back(subject);
+    if (subjects.empty()) subjects.push_back({BodyId{}, 0, "the scene"});
+    subjects_ = std::move(subjects);
+    measurements_.watch(subjects_, measured_);
 }
 
 void Workbench::selectAll() {

@@ -12,6 +12,7 @@
 
 #include "document.hpp"
 #include "grip.hpp"
+#include "measurement.hpp"
 
 namespace sulfurchamber {
 
@@ -121,6 +122,15 @@ public:
     void pasteAt(const std::string& text, const sulfur::Point& place);
     void duplicate();
 
+    // -- measuring --
+
+    /// Records these quantities of what is selected, or else of what was measured so far; of the
+    /// scene where that is nothing. A sample each tick.
+    void measure(std::vector<const Quantity*> quantities);
+    const std::vector<const Quantity*>& measured() const { return measured_; }
+    const Measurements& measurements() const { return measurements_; }
+    void clearMeasurements() { measurements_.clear(); }
+
     // -- transforming, each one step --
 
     void nudge(const sulfur::Point& by);
@@ -149,11 +159,15 @@ private:
     void dropBox(Drop kind, double width);
     void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
     void forgetRemoved();
+    void watchSelection();
 
     Document document_;
     std::unique_ptr<Tool> tool_;
     ToolKind toolKind_ = ToolKind::select;
     std::vector<sulfur::BodyId> selection_;  // sorted
+    std::vector<const Quantity*> measured_;
+    std::vector<Measurements::Subject> subjects_;
+    Measurements measurements_;
     double snap_ = 0;
     double rain_ = 0;
     double rainDue_ = 0;
