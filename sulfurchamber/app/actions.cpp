@@ -16,6 +16,7 @@ void MainFrame::makeActions() {
     addViewActions();
     addSimulationActions();
     addRewindActions();
+    addMeasureActions();
     addHelpActions();
 }
 

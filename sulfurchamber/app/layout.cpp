@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "icons.hpp"
 #include "main_frame.hpp"
@@ -57,19 +58,26 @@ wxString MainFrame::tooltip(const Action& action) const {
 }
 
 void MainFrame::makeMenus() {
-    static const std::array<wxString, 6> titles{"&File", "&Edit",       "&Tools",
-                                                "&View", "&Simulation", "&Help"};
+    static const std::array<wxString, 7> titles{"&File",       "&Edit",    "&Tools", "&View",
+                                                "&Simulation", "&Measure", "&Help"};
     auto* bar = new wxMenuBar;
     for (std::size_t i = 0; i < titles.size(); ++i) {
         auto* menu = new wxMenu;
+        std::map<wxString, wxMenu*> inner;
         for (const Action& action : actions_) {
             if (static_cast<std::size_t>(action.menu) != i) continue;
             if (action.separatorBefore) menu->AppendSeparator();
             // Plain keys are no accelerators: GTK would take them away from text fields.
             wxString label = action.label;
             if (action.plainKey != 0) label += "   (" + keyText(action.plainKey) + ")";
-            menu->Append(action.id, label, wxString::FromUTF8(action.help),
-                         action.checked ? wxITEM_CHECK : wxITEM_NORMAL);
+            wxMenu* place = menu;
+            if (!action.under.empty()) {
+                wxMenu*& one = inner[action.under];
+                if (one == nullptr) menu->AppendSubMenu(one = new wxMenu, "&" + action.under);
+                place = one;
+            }
+            place->Append(action.id, label, wxString::FromUTF8(action.help),
+                          action.checked ? wxITEM_CHECK : wxITEM_NORMAL);
             if (action.name == "save-as") {
                 recentMenu_ = new wxMenu;
                 menu->AppendSubMenu(recentMenu_, "Open &recent");
@@ -111,9 +119,9 @@ void MainFrame::makeBars() {
                      action.checked ? wxITEM_CHECK : wxITEM_NORMAL);
     };
     // In the order of use, not of the menus.
-    static constexpr std::array<const char*, 17> order{
-        "new",  "open", "save", "", "undo", "redo", "",           "reset", "tick-back",
-        "play", "tick", "slow", "", "fit",  "grid", "velocities", "strain"};
+    static constexpr std::array<const char*, 18> order{
+        "new",  "open", "save", "", "undo", "redo", "",           "reset",  "tick-back",
+        "play", "tick", "slow", "", "fit",  "grid", "velocities", "strain", "plot"};
     for (const std::string name : order) {
         if (name.empty()) toolBar_->AddSeparator();
         for (const Action& action : actions_)
@@ -147,6 +155,10 @@ void MainFrame::makePanels() {
     auto* column = new wxBoxSizer(wxVERTICAL);
     column->Add(infoBar_, wxSizerFlags(0).Expand());
     column->Add(canvas_, wxSizerFlags(1).Expand());
+    plot_ = new PlotPanel(centre_, bench_,
+                          [this](const wxString& under, wxWindow& at) { chooseUnder(under, at); });
+    plot_->Hide();
+    column->Add(plot_, wxSizerFlags(0).Expand());
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     row->Add(column, wxSizerFlags(1).Expand());
     row->Add(side_, wxSizerFlags(0).Expand());
@@ -171,12 +183,15 @@ void MainFrame::makePanels() {
     });
 }
 
-// The side panel takes about a third of a small window, and no more than it needs of a large one.
+// The side panel takes about a third of a small window, and no more than it needs of a large one;
+// the diagram about a third of the height.
 void MainFrame::arrange() {
-    const int width = GetClientSize().GetWidth();
-    const int wanted = std::clamp(width * 36 / 100, FromDIP(240), FromDIP(312));
-    if (side_->GetMinSize().GetWidth() == wanted) return;
+    const wxSize size = GetClientSize();
+    const int wanted = std::clamp(size.GetWidth() * 36 / 100, FromDIP(240), FromDIP(312));
+    const int plot = std::clamp(size.GetHeight() * 3 / 10, FromDIP(120), FromDIP(300));
+    if (side_->GetMinSize().GetWidth() == wanted && plot_->GetMinSize().GetHeight() == plot) return;
     side_->SetMinSize(wxSize(wanted, -1));
+    plot_->SetMinSize(wxSize(-1, plot));
     centre_->Layout();
 }
 

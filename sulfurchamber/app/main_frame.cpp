@@ -162,7 +162,10 @@ void MainFrame::runAction(const Action& action) {
 // --- what is shown ---------------------------------------------------------------------------
 
 void MainFrame::onFrame() {
-    if (view_.seeking()) timeBar_->refresh();
+    if (view_.seeking()) {
+        timeBar_->refresh();
+        plot_->refresh();
+    }
     if (atlax::monotonicNs() >= nextRefreshNs_) {
         refresh();
         keepUnsaved();
@@ -186,6 +189,7 @@ void MainFrame::refresh() {
     strays_ = bench_.strays().size();
     side_->refresh();
     timeBar_->refresh();
+    plot_->refresh();
     refreshActions();
     refreshHistoryLabels();
     refreshStatus();

@@ -20,13 +20,14 @@
 #include "../model/recovery.hpp"
 #include "../view/scene_view.hpp"
 #include "options.hpp"
+#include "plot_panel.hpp"
 #include "preferences.hpp"
 #include "side_panel.hpp"
 #include "time_bar.hpp"
 
 namespace sulfurchamber {
 
-enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, help };
+enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, measure, help };
 
 /// Something that one can do from a menu, with a key, on a bar, or from a script.
 struct Action {
@@ -40,6 +41,7 @@ struct Action {
     std::function<bool()> enabled = {};  ///< empty: always
     std::function<bool()> checked = {};  ///< not empty: has a check mark
     bool separatorBefore = false;
+    wxString under = {};  ///< the menu in the menu, if it is in one
     int id = 0;
 };
 
@@ -53,6 +55,9 @@ public:
     SceneView& sceneView() { return view_; }
     atlax::wx::View& canvas() { return *canvas_; }
     const TimeBar& timeBar() const { return *timeBar_; }
+    PlotPanel& plot() { return *plot_; }
+    /// The measurements as a picture (.png) or a table; the reason of a failure is shown.
+    bool savePlot(const std::filesystem::path& file);
 
     /// Runs the action of this name; false when there is none or it is not available now.
     bool perform(const std::string& name);
@@ -85,6 +90,8 @@ private:
     void addSimulationActions();
     void addSpeedActions();
     void addRewindActions();
+    void addMeasureActions();
+    void addPlotActions();
     void addHelpActions();
     Action& add(Action action);
 
@@ -123,6 +130,9 @@ private:
     void seekMark(bool forward);
     void showOtherFuture();
     void chooseSpeed(wxWindow& at);
+    void chooseUnder(const wxString& under, wxWindow& at);
+    void showPlot(bool on);
+    void toggleQuantity(const Quantity& one);
     void refresh();
     void refreshActions();
     void refreshStatus();
@@ -144,6 +154,7 @@ private:
     wxInfoBar* infoBar_ = nullptr;
     SidePanel* side_ = nullptr;
     TimeBar* timeBar_ = nullptr;
+    PlotPanel* plot_ = nullptr;
     wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;

@@ -22,6 +22,7 @@ const std::vector<atlax::FileKind> fileKinds{{"Scenes and levels", {"json"}}, {"
 void MainFrame::adoptDocument() {
     bench_.cancel();
     bench_.select({});  // another world: its handles mean other bodies
+    bench_.clearMeasurements();
     view_.zoomToFit();
     toldNearlyFull_ = false;
     nextRefreshNs_ = 0;

@@ -56,6 +56,9 @@ std::string scriptHelp() {
            "  key NAME                a letter, Space, Period, Comma, Escape, Delete, Home, End,\n"
            "                          Up, Down, PageUp, PageDown, or one of them after Ctrl+\n"
            "  slide A B               drag the time bar from one share of it to another\n"
+           "  plot-drag A B           drag over the diagram, in shares of its time; A = B hovers\n"
+           "  plot-wheel A NOTCHES    zoom the diagram\n"
+           "  save-plot FILE          the diagram as .png, or the table as .csv\n"
            "  seek SECONDS            to a recorded moment of the shown line\n"
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
@@ -69,6 +72,7 @@ std::string scriptHelp() {
            "                          bodies particles joints contacts time selected modified\n"
            "                          playing problem newest.x newest.y gravity elasticity rain\n"
            "                          strays steps property.KEY branches speed fps\n"
+           "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
            "  whole                   fails if a text of the window is cut\n"
@@ -166,6 +170,10 @@ void Script::start(const Words& words) {
             fail("the action " + words[1] + " is not there or not available");
     } else if (words[0] == "slide" && words.size() == 3) {
         slide(number(words[1]), number(words[2]));
+    } else if (words[0] == "plot-drag" && words.size() == 3) {
+        dragPlot(number(words[1]), number(words[2]));
+    } else if (words[0] == "plot-wheel" && words.size() == 3) {
+        frame_.plot().turnWheel(number(words[1]), static_cast<int>(number(words[2])));
     } else if (!startPointer(words) && !startWorld(words) && !startFile(words)) {
         fail("\"" + words[0] + "\" with " + std::to_string(words.size() - 1) +
              " words is no command; see --script-help");
@@ -280,6 +288,26 @@ void Script::slide(double from, double to) {
     });
 }
 
+void Script::dragPlot(double from, double to) {
+    const wxRect plot = frame_.plot().plotOnScreen();
+    const auto place = [plot](double share) {
+        return wxPoint(plot.GetLeft() + static_cast<int>(std::lround(share * plot.GetWidth())),
+                       plot.GetTop() + plot.GetHeight() / 2);
+    };
+    simulator_.MouseMove(place(from));
+    if (from == to) {
+        waitForFrames(20, {});
+        return;
+    }
+    simulator_.MouseDown();
+    simulator_.MouseMove(place((from + to) / 2));
+    simulator_.MouseMove(place(to));
+    waitForFrames(10, [this] {
+        simulator_.MouseUp();
+        waitForFrames(10, {});
+    });
+}
+
 // --- world and files -------------------------------------------------------------------------
 
 bool Script::startWorld(const Words& words) {
@@ -353,6 +381,8 @@ bool Script::startFile(const Words& words) {
         if (!frame_.saveFile(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "save-moment") {
         if (!frame_.saveMoment(words[1])) fail(frame_.lastProblem());
+    } else if (words[0] == "save-plot") {
+        if (!frame_.savePlot(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "screenshot") {
         waitForFrames(8, [this, file = words[1]] { saveScreen(frame_.GetScreenRect(), file); });
     } else {
@@ -399,6 +429,15 @@ double Script::quantity(const std::string& name) const {
     if (name == "speed") return frame_.sceneView().speedPermille() / 1000.0;
     if (name == "fps") return frame_.sceneView().framesPerSecond();
     if (name == "slide-cost") return slideCost_;
+    const auto& series = bench.measurements().series();
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    if (name == "series") return static_cast<double>(series.size());
+    if (name == "samples")
+        return series.empty() ? 0 : static_cast<double>(series[0].samples.size());
+    if (name == "plot.from") return frame_.plot().shown().first;
+    if (name == "plot.to") return frame_.plot().shown().second;
+    if (name == "plot.fit") return frame_.plot().fitValue().value_or(none);
+    if (name == "plot.cursor") return frame_.plot().cursorValue().value_or(none);
     if (name == "strays") return static_cast<double>(bench.strays().size());
     if (name == "steps") return static_cast<double>(document.historyPlace());
     if (name == "newest.x" || name == "newest.y") {

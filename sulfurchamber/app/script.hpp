@@ -44,6 +44,7 @@ private:
     /// Goes on with `then` once `done` says so.
     void waitFor(std::function<bool()> done, std::function<void()> then = {});
     void slide(double from, double to);
+    void dragPlot(double from, double to);
     void press(const sulfur::Point& at, std::function<void()> then);
     void moveMouse(const sulfur::Point& at, std::function<void()> then);
     void waitForFrames(int frames, std::function<void()> then);

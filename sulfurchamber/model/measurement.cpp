@@ -18,35 +18,61 @@ using sulfur::Point;
 using sulfur::World;
 using Value = std::optional<double>;
 
+// What is pinned has no part in energies, as in World::energy().
 Value kineticEnergy(const World& world, BodyId body) {
     double sum = 0;
     for (const ParticleId particle : world.particles(body)) {
         const auto info = world.info(particle);
+        if (info.pinned) continue;
         sum +=
             0.5 * static_cast<double>(info.mass) * static_cast<double>(info.velocity.squaredNorm());
     }
     return sum;
 }
 
-Value heightEnergy(const World& world, BodyId body) {
-    const Point g = world.gravity().cast<double>();
-    return -static_cast<double>(world.mass(body)) * g.dot(world.centreOfMass(body));
+// Where a particle was `before` seconds ago, in a straight line.
+Point placeBefore(const World& world, ParticleId particle, double before) {
+    return world.position(particle) - before * world.velocity(particle).cast<double>();
 }
 
-Value elasticEnergy(const World& world, BodyId body) {
+double heightEnergyBefore(const World& world, BodyId body, double before) {
+    const Point g = world.gravity().cast<double>();
+    double sum = 0;
+    for (const ParticleId particle : world.particles(body)) {
+        const auto info = world.info(particle);
+        if (!info.pinned)
+            sum -= static_cast<double>(info.mass) * g.dot(placeBefore(world, particle, before));
+    }
+    return sum;
+}
+
+double elasticEnergyBefore(const World& world, BodyId body, double before) {
     double sum = 0;
     for (const JointId joint : world.joints(body)) {
         const auto info = world.info(joint);
         if (!std::isfinite(info.stiffness)) continue;
-        const double stretch = (world.position(info.a) - world.position(info.b)).norm() -
-                               static_cast<double>(info.restLength);
+        const Point edge = placeBefore(world, info.a, before) - placeBefore(world, info.b, before);
+        const double stretch = edge.norm() - static_cast<double>(info.restLength);
         sum += 0.5 * static_cast<double>(info.stiffness) * stretch * stretch;
     }
     return sum;
 }
 
+Value heightEnergy(const World& world, BodyId body) {
+    return heightEnergyBefore(world, body, 0);
+}
+
+Value elasticEnergy(const World& world, BodyId body) {
+    return elasticEnergyBefore(world, body, 0);
+}
+
+// At the time of the velocities, which is the middle of the last step: else what swings seems to
+// gain and lose energy.
 Value wholeEnergy(const World& world, BodyId body) {
-    return *kineticEnergy(world, body) + *heightEnergy(world, body) + *elasticEnergy(world, body);
+    const double tick = static_cast<double>(world.tickDuration());
+    const double before = tick / std::ceil(480 * tick) / 2;
+    return *kineticEnergy(world, body) + heightEnergyBefore(world, body, before) +
+           elasticEnergyBefore(world, body, before);
 }
 
 Value momentum(const World& world, BodyId body, int axis) {
@@ -89,7 +115,7 @@ Value contactForce(const World& world, BodyId body) {
 constexpr std::array<Quantity, 16> table{{
     {"height", "Height", "m", "Of the centre of mass",
      [](const World& w, BodyId b) -> Value { return w.centreOfMass(b).y(); }},
-    {"x", "Place to the right", "m", "Of the centre of mass",
+    {"x", "Horizontal place", "m", "Of the centre of mass",
      [](const World& w, BodyId b) -> Value { return w.centreOfMass(b).x(); }},
     {"angle", "Angle", "\xC2\xB0", "Anticlockwise, counted on beyond half a turn",
      [](const World& w, BodyId b) -> Value { return w.angle(b) * 180 / std::numbers::pi; }, false,
@@ -98,9 +124,9 @@ constexpr std::array<Quantity, 16> table{{
      [](const World& w, BodyId b) -> Value {
          return static_cast<double>(w.meanVelocity(b).norm());
      }},
-    {"velocity-x", "Velocity to the right", "m/s", "Of the centre of mass",
+    {"velocity-x", "Horizontal velocity", "m/s", "Of the centre of mass",
      [](const World& w, BodyId b) -> Value { return static_cast<double>(w.meanVelocity(b).x()); }},
-    {"velocity-y", "Velocity upwards", "m/s", "Of the centre of mass",
+    {"velocity-y", "Vertical velocity", "m/s", "Of the centre of mass",
      [](const World& w, BodyId b) -> Value { return static_cast<double>(w.meanVelocity(b).y()); }},
     {"spin", "Angular velocity", "rad/s", "Anticlockwise",
      [](const World& w, BodyId b) -> Value { return w.angularVelocity(b); }},
@@ -108,9 +134,9 @@ constexpr std::array<Quantity, 16> table{{
     {"kinetic", "Energy of motion", "J", "Of all particles", kineticEnergy, true},
     {"potential", "Energy of height", "J", "Over a height of 0", heightEnergy, true},
     {"elastic", "Energy of springs", "J", "Of its own elastic joints", elasticEnergy, true},
-    {"momentum-x", "Momentum to the right", "N s", "Mass times velocity",
+    {"momentum-x", "Horizontal momentum", "N s", "Mass times velocity",
      [](const World& w, BodyId b) { return momentum(w, b, 0); }, true},
-    {"momentum-y", "Momentum upwards", "N s", "Mass times velocity",
+    {"momentum-y", "Vertical momentum", "N s", "Mass times velocity",
      [](const World& w, BodyId b) { return momentum(w, b, 1); }, true},
     {"joint-force", "Force of a joint", "N", "Of its joint with the largest; above 0 it pulls",
      [](const World& w, BodyId b) {
@@ -328,7 +354,7 @@ std::optional<SineFit> fitSine(std::span<const Sample> samples) {
     if (!(duration > 0)) return std::nullopt;
     const double middle = (samples.front().time + samples.back().time) / 2;
     // A search over all frequencies on few samples, then the exact one on many.
-    const auto few = thinned(samples, 1000);
+    const auto few = thinned(samples, 500);
     const auto many = thinned(samples, 4000);
     const double step = 0.5 / duration;
     double best = 0;

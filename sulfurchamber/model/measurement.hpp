@@ -99,7 +99,7 @@ struct SineFit {
     double at(double t) const;
 };
 /// Nothing with fewer than eight samples or where nothing varies. Frequencies from half a period
-/// in the time up to 500 periods are found.
+/// in the time up to 250 periods are found.
 std::optional<SineFit> fitSine(std::span<const Sample> samples);
 
 /// A table with a head: the time, then a column for each series, separated by commas.

@@ -1,0 +1,156 @@
+#include "plot_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace sulfurchamber {
+namespace {
+
+constexpr double shortestTime = 0.01;  // seconds that can be shown alone
+constexpr double roomAround = 0.06;    // of the range of values
+
+std::string printed(const char* format, double value) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
+}  // namespace
+
+std::vector<double> roundNumbers(double low, double high, int most) {
+    const double least = (high - low) / std::max(1, most);
+    if (!(least > 0) || !std::isfinite(least)) return {};
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    double step = 10 * power;
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= least) {
+            step = factor * power;
+            break;
+        }
+    std::vector<double> numbers;
+    for (double n = std::ceil(low / step); n * step <= high + 1e-9 * step; ++n)
+        numbers.push_back(n * step == 0 ? 0 : n * step);
+    return numbers;
+}
+
+std::string numberText(double value, double step) {
+    const int digits =
+        step > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9) : 3;
+    if (std::abs(value) >= 1e5 || (digits > 5 && value != 0)) return printed("%.3g", value);
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+    return text.data();
+}
+
+// --- the time that is shown ------------------------------------------------------------------
+
+std::pair<double, double> PlotRange::whole(std::span<const Series> series) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const Series& one : series) {
+        if (one.samples.empty()) continue;
+        low = std::min(low, one.samples.front().time);
+        high = std::max(high, one.samples.back().time);
+    }
+    if (!(low <= high)) return {0, 1};
+    return {low, std::max(high, low + 1)};
+}
+
+void PlotRange::zoom(std::span<const Series> series, double factor, double about) {
+    const auto [low, high] = shown(series);
+    const auto [first, last] = whole(series);
+    double from = about - (about - low) * factor;
+    double to = about + (high - about) * factor;
+    if (to - from < shortestTime) return;
+    from = std::max(from, first);
+    to = std::min(to, last);
+    if (to - from >= (last - first) * 0.999)
+        showAll();
+    else
+        show(from, to);
+}
+
+std::pair<double, double> PlotRange::shown(std::span<const Series> series) const {
+    return part_ ? *part_ : whole(series);
+}
+
+// --- fits ------------------------------------------------------------------------------------
+
+double Fitted::at(double time) const {
+    if (line) return line->at(time);
+    return sine ? sine->at(time) : mean;
+}
+
+std::optional<Fitted> fitted(const Series& series, std::pair<double, double> shown, FitKind fit) {
+    const auto samples = between(series.samples, shown.first, shown.second);
+    const std::string unit =
+        series.quantity->unit.empty() ? "" : " " + std::string(series.quantity->unit);
+    Fitted made;
+    if (samples.empty() || fit == FitKind::none) return std::nullopt;
+    made.mean = mean(samples);
+    if (fit == FitKind::mean) made.text = "mean " + printed("%.4g", made.mean) + unit;
+    if (fit == FitKind::line) {
+        made.line = fitLine(samples);
+        if (!made.line) return std::nullopt;
+        made.text = "slope " + printed("%.4g", made.line->slope) + unit + " per s";
+    }
+    if (fit == FitKind::sine) {
+        made.sine = fitSine(samples);
+        if (!made.sine) return std::nullopt;
+        made.text = "sine " + printed("%.4g", made.sine->frequency) + " Hz, \xC2\xB1" +
+                    printed("%.3g", made.sine->amplitude) + unit;
+    }
+    return made;
+}
+
+// --- scales and curves -----------------------------------------------------------------------
+
+std::vector<std::string_view> unitsOf(std::span<const Series> series) {
+    std::vector<std::string_view> units;
+    for (const Series& one : series)
+        if (std::find(units.begin(), units.end(), one.quantity->unit) == units.end())
+            units.push_back(one.quantity->unit);
+    return units;
+}
+
+std::pair<double, double> valuesOf(std::span<const Series> series, std::string_view unit,
+                                   std::pair<double, double> shown) {
+    double low = INFINITY;
+    double high = -INFINITY;
+    for (const Series& one : series) {
+        if (one.quantity->unit != unit) continue;
+        for (const Sample& sample : between(one.samples, shown.first, shown.second)) {
+            low = std::min(low, sample.value);
+            high = std::max(high, sample.value);
+        }
+    }
+    if (!(low <= high)) return {0, 1};
+    // What hardly changes is no noise that fills the picture.
+    const double least = std::max(1e-3 * std::max(std::abs(low), std::abs(high)), 1e-6);
+    const double room = std::max(roomAround * (high - low), least);
+    return {low - room, high + room};
+}
+
+std::vector<std::pair<double, double>> curve(std::span<const Sample> samples, const PlotScale& time,
+                                             const PlotScale& values) {
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < samples.size();) {
+        const double column = std::floor(time.pixel(samples[i].time));
+        std::size_t lowest = i;
+        std::size_t highest = i;
+        for (; i < samples.size() && std::floor(time.pixel(samples[i].time)) == column; ++i) {
+            if (samples[i].value < samples[lowest].value) lowest = i;
+            if (samples[i].value > samples[highest].value) highest = i;
+        }
+        const auto add = [&](std::size_t at) {
+            points.emplace_back(time.pixel(samples[at].time), values.pixel(samples[at].value));
+        };
+        add(std::min(lowest, highest));
+        if (lowest != highest) add(std::max(lowest, highest));
+    }
+    return points;
+}
+
+}  // namespace sulfurchamber
