@@ -155,6 +155,7 @@ void MainFrame::addToolActions() {
         {ToolKind::pin, "&Pin", 'P', "Hold a particle where it is, or let it go"},
         {ToolKind::cut, "&Cut", 'X', "Cut through joints"},
         {ToolKind::erase, "&Erase", 'E', "Remove bodies"},
+        {ToolKind::measure, "&Measure", '3', "Measure lengths and angles"},
     };
     for (const Entry& entry : entries) {
         const std::string name(toolName(entry.kind));
@@ -168,7 +169,8 @@ void MainFrame::addToolActions() {
              {},
              [this, kind = entry.kind] { return bench_.tool() == kind; }})
             .separatorBefore = entry.kind == ToolKind::box || entry.kind == ToolKind::rope ||
-                               entry.kind == ToolKind::particle || entry.kind == ToolKind::pin;
+                               entry.kind == ToolKind::particle || entry.kind == ToolKind::pin ||
+                               entry.kind == ToolKind::measure;
     }
 }
 
@@ -205,6 +207,15 @@ void MainFrame::addViewActions() {
     toggle("velocities", "&Velocity arrows", 'A', "Arrows as long as the way of 0.12 s", "arrows",
            o.velocities)
         .separatorBefore = true;
+    add({"trails",
+         m,
+         "&Trails of the selection\tCtrl+T",
+         0,
+         "Lines where the centres of mass of what is selected have been",
+         "",
+         [this] { bench_.setTrails(!bench_.trails()); },
+         {},
+         [this] { return bench_.trails(); }});
     toggle("strain", "Joints coloured by st&rain", 'T',
            "Amber and red: stretched by up to 8 %; cyan: pressed", "strain", o.strain);
     toggle("contacts", "&Contacts", 'C', "Where bodies touch, and in which direction", "",

@@ -12,7 +12,7 @@ namespace {
 using Icon = std::pair<std::string_view, std::string_view>;
 
 // Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
-constexpr std::array<Icon, 35> icons{{
+constexpr std::array<Icon, 36> icons{{
     {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
     {"open",
      R"(<path d="M3 19V5h6l2 3h8v3"/><path d="M3 19l3-8h16l-3 8z" fill="ACCENT" fill-opacity="0.25"/>)"},
@@ -73,6 +73,8 @@ constexpr std::array<Icon, 35> icons{{
      R"(<path d="M4 15L14 5l6 6-9 9H8z" fill="ACCENT" fill-opacity="0.25"/><path d="M9 10l6 6M7 20h13"/>)"},
     {"plot",
      R"(<path d="M4 3v17h17"/><path d="M6 17c3 0 3-10 6-10s3 7 5 7 2-4 4-6" stroke="ACCENT" stroke-width="2"/>)"},
+    {"measure",
+     R"(<path d="M3 16L16 3l5 5L8 21z" fill="ACCENT" fill-opacity="0.25"/><path d="M7 12l2 2M10 9l3 3M13 6l2 2"/>)"},
     {"revert", R"(<path d="M6 4v6h6"/><path d="M6.5 10A7 7 0 1 1 6 15"/>)"},
 }};
 

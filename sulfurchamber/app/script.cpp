@@ -48,7 +48,7 @@ std::string scriptHelp() {
     return "A script has one command a line; # begins a comment. Places are in metres.\n"
            "  tool NAME               select box ball jelly wheel polygon draw rope\n"
            "                          chain bridge cloth wall ground particle joint pin cut\n"
-           "                          erase\n"
+           "                          erase measure\n"
            "  click X Y               press and release the left button\n"
            "  drag X Y X2 Y2          press, move, release\n"
            "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"

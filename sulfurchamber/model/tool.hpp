@@ -43,6 +43,8 @@ std::unique_ptr<Tool> makeOutlineTool(Workbench& bench, ToolKind kind);
 std::unique_ptr<Tool> makeParticleTool(Workbench& bench, ToolKind kind);
 /// Ready-made shapes between two points, and the ground.
 std::unique_ptr<Tool> makeCreateTool(Workbench& bench, ToolKind kind);
+/// A ruler that also tells the angle. It changes nothing.
+std::unique_ptr<Tool> makeMeasureTool(Workbench& bench);
 /// Pin, cut and erase.
 std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind);
 

@@ -36,6 +36,8 @@ std::unique_ptr<Tool> makeTool(Workbench& bench, ToolKind kind) {
         case ToolKind::cut:
         case ToolKind::erase:
             return makeChangeTool(bench, kind);
+        case ToolKind::measure:
+            return makeMeasureTool(bench);
         default:
             return makeCreateTool(bench, kind);
     }
@@ -81,8 +83,9 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
 
 std::string_view toolName(ToolKind tool) {
     static constexpr std::array<std::string_view, allTools.size()> names{
-        "select", "box",   "ball", "jelly",  "wheel",    "polygon", "draw", "rope", "chain",
-        "bridge", "cloth", "wall", "ground", "particle", "joint",   "pin",  "cut",  "erase"};
+        "select", "box",   "ball",   "jelly", "wheel",  "polygon", "draw",
+        "rope",   "chain", "bridge", "cloth", "wall",   "ground",  "particle",
+        "joint",  "pin",   "cut",    "erase", "measure"};
     return names[static_cast<std::size_t>(tool)];
 }
 
@@ -148,6 +151,7 @@ void Workbench::tick() {
     if (rain_ > 0) addRainBox();
     document_.tick();
     measurements_.sample(document_.world());
+    if (trailing_) trails_.sample(document_.world());
 }
 
 void Workbench::setRain(double boxesPerSecond) {
@@ -237,7 +241,7 @@ void Workbench::measure(std::vector<const Quantity*> quantities) {
 }
 
 void Workbench::watchSelection() {
-    if (measured_.empty() && measurements_.series().empty()) return;
+    if (measured_.empty() && measurements_.series().empty() && !trailing_) return;
     const World& world = document_.world();
     std::vector<Measurements::Subject> subjects;
     for (const BodyId body : selection_) {
@@ -254,6 +258,22 @@ void Workbench::watchSelection() {
     if (subjects.empty()) subjects.push_back({BodyId{}, 0, "the scene"});
     subjects_ = std::move(subjects);
     measurements_.watch(subjects_, measured_);
+    if (!trailing_) return;
+    const std::array<const Quantity*, 2> place{quantity("x"), quantity("height")};
+    trails_.watch(subjects_, place);
+}
+
+void Workbench::clearMeasurements() {
+    measurements_.clear();
+    trails_.clear();
+}
+
+void Workbench::setTrails(bool on) {
+    trailing_ = on;
+    if (on)
+        watchSelection();
+    else
+        trails_.watch({}, {});
 }
 
 void Workbench::selectAll() {

@@ -34,13 +34,14 @@ enum class ToolKind : std::uint8_t {
     joint,
     pin,
     cut,
-    erase
+    erase,
+    measure
 };
-inline constexpr std::array<ToolKind, 18> allTools{
+inline constexpr std::array<ToolKind, 19> allTools{
     ToolKind::select,  ToolKind::box,  ToolKind::ball,   ToolKind::jelly,    ToolKind::wheel,
     ToolKind::polygon, ToolKind::draw, ToolKind::rope,   ToolKind::chain,    ToolKind::bridge,
     ToolKind::cloth,   ToolKind::wall, ToolKind::ground, ToolKind::particle, ToolKind::joint,
-    ToolKind::pin,     ToolKind::cut,  ToolKind::erase};
+    ToolKind::pin,     ToolKind::cut,  ToolKind::erase,  ToolKind::measure};
 
 /// "select", "box", ...: for scripts and settings.
 std::string_view toolName(ToolKind tool);
@@ -57,7 +58,17 @@ struct Pointer {
 
 /// What a tool shows while it is at work.
 struct Preview {
-    enum class Kind : std::uint8_t { none, rectangle, circle, line, band, stroke, spring, outline };
+    enum class Kind : std::uint8_t {
+        none,
+        rectangle,
+        circle,
+        line,
+        band,
+        stroke,
+        spring,
+        outline,
+        ruler
+    };
     Kind kind = Kind::none;
     sulfur::Point from{0, 0};
     sulfur::Point to{0, 0};
@@ -129,7 +140,12 @@ public:
     void measure(std::vector<const Quantity*> quantities);
     const std::vector<const Quantity*>& measured() const { return measured_; }
     const Measurements& measurements() const { return measurements_; }
-    void clearMeasurements() { measurements_.clear(); }
+    void clearMeasurements();
+    /// Lets what is selected leave trails from now on.
+    void setTrails(bool on);
+    bool trails() const { return trailing_; }
+    /// Pairs of series: the way to the right and the height of each.
+    const Measurements& trailMeasurements() const { return trails_; }
 
     // -- transforming, each one step --
 
@@ -168,6 +184,8 @@ private:
     std::vector<const Quantity*> measured_;
     std::vector<Measurements::Subject> subjects_;
     Measurements measurements_;
+    Measurements trails_;
+    bool trailing_ = false;
     double snap_ = 0;
     double rain_ = 0;
     double rainDue_ = 0;

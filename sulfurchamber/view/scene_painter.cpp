@@ -25,6 +25,8 @@ constexpr float fullStrain = 0.08f;    // at which the colour is strongest
 constexpr float arrowSeconds = 0.12f;  // an arrow is the way of this time
 constexpr float innerJointPixels = 9;  // shorter inner joints would only be noise
 constexpr float smallestDotPixels = 2.6f;
+constexpr double trailSeconds = 20;
+constexpr std::size_t trailPoints = 600;  // of one trail
 
 float toFloat(sulfur::Real value) {
     return static_cast<float>(value);
@@ -171,6 +173,7 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     if (options.contacts) paintContacts();
     if (options.velocities) paintVelocities();
     if (bench.tool() == ToolKind::select && !document.playing()) paintHandles(bench);
+    if (bench.trails()) paintTrails(bench);
     paintPreview(bench.preview());
 }
 
@@ -330,6 +333,24 @@ void ScenePainter::paintVelocities() {
     }
 }
 
+// What is old fades. In a moment that was rewound to, what came later is not shown.
+void ScenePainter::paintTrails(const Workbench& bench) {
+    const auto& series = bench.trailMeasurements().series();
+    const double now = world_->time();
+    for (std::size_t i = 0; i + 1 < series.size(); i += 2) {
+        const auto x = between(series[i].samples, now - trailSeconds, now);
+        const auto y = between(series[i + 1].samples, now - trailSeconds, now);
+        const std::size_t step = x.size() / trailPoints + 1;
+        for (std::size_t k = step; k < x.size() && k < y.size(); k += step) {
+            const auto from = sulfur::Point(x[k - step].value, y[k - step].value);
+            const auto to = sulfur::Point(x[k].value, y[k].value);
+            const auto age = static_cast<float>((now - x[k].time) / trailSeconds);
+            canvas_->line(Vec2(from), Vec2(to), 2 * pixel_,
+                          palette::amber.withAlpha(0.85f * (1 - age)));
+        }
+    }
+}
+
 void ScenePainter::paintContacts() {
     for (const auto& contact : world_->contacts()) {
         const Vec2 at = contact.point;
@@ -375,6 +396,17 @@ void ScenePainter::paintPreview(const Preview& preview) {
                                 palette::amber.withAlpha(0.6f));
             canvas_->circle(from, 4 * pixel_, palette::amber);
             break;
+        case Preview::Kind::ruler: {
+            const float length = atlax::length(to - from);
+            if (!(length > 0)) break;
+            const Vec2 across = atlax::perpendicular((to - from) / length) * (6 * pixel_);
+            canvas_->line(from, to, width, palette::amber);
+            canvas_->line(from - across, from + across, width, palette::amber);
+            canvas_->line(to - across, to + across, width, palette::amber);
+            canvas_->dashedLine(from, from + Vec2{length / 2, 0}, pixel_, 4 * pixel_, 4 * pixel_,
+                                palette::amber.withAlpha(0.6f));
+            break;
+        }
         case Preview::Kind::stroke:
             canvas_->dashedLine(from, to, 2 * pixel_, 8 * pixel_, 5 * pixel_, palette::hot);
             break;

@@ -61,6 +61,7 @@ private:
     void paintPins();
     void paintStrain();
     void paintVelocities();
+    void paintTrails(const Workbench& bench);
     void paintContacts();
     void paintPreview(const Preview& preview);
     void paintHandles(const Workbench& bench);

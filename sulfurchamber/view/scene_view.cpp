@@ -6,6 +6,7 @@
 #include <atlax/log.hpp>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "../model/geometry.hpp"
 #include "debug_painter.hpp"
@@ -258,9 +259,25 @@ void SceneView::draw(atlax::Canvas& canvas, double alpha) {
         paintDebug(canvas, bench_.document().world(), bench_.document().playing() ? alpha : 1.0);
     }
     if (options_.rulers) paintRulers(canvas, camera_, *font_);
+    paintRulerText(canvas);
     paintClock(canvas);
     if (onFrame) onFrame();
     applyTime();
+}
+
+// Length and angle beside the middle of the ruler.
+void SceneView::paintRulerText(atlax::Canvas& canvas) {
+    const Preview preview = bench_.preview();
+    if (preview.kind != Preview::Kind::ruler || !(preview.size > 0)) return;
+    const float scale = canvas.scaleFactor();
+    const sulfur::Point by = preview.to - preview.from;
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.3f m  %.1f\xC2\xB0", preview.size,
+                  std::atan2(by.y(), by.x()) * 180 / std::numbers::pi);
+    const sulfur::Point middle = (preview.from + preview.to) / 2;
+    const atlax::Vec2 at = camera_.toScreen(atlax::Vec2(middle), canvas.size()) / scale;
+    canvas.setScreenSpace(scale);
+    canvas.text(*font_, text.data(), {at.x + 12, at.y - 8}, {16, palette::amber});
 }
 
 void SceneView::paintClock(atlax::Canvas& canvas) {

@@ -85,6 +85,7 @@ private:
     Pointer pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const;
     void guarded(const std::function<void()>& body);
     void followSlider();
+    void paintRulerText(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
     std::string clockState() const;
 

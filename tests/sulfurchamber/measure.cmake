@@ -84,7 +84,11 @@ expect series = 0
 do plot-x
 do select-all
 expect series = 3
+do trails
 run 6
+key 3
+drag -3.2 3.4 -1.5 1.7
+expect modified = 0
 do fit-sine
 expect plot.fit > 0.36
 expect plot.fit < 0.46

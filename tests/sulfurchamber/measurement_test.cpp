@@ -256,5 +256,23 @@ TEST(Measurement, NoMoreThanItsLimit) {
     EXPECT_TRUE(measurements.series()[0].samples.empty());
 }
 
+TEST(Measurement, TrailsFollowWhatIsSelected) {
+    Workbench bench;
+    addBox(bench, {0, 3}, {1, 4});
+    bench.setTrails(true);
+    tickOn(bench, 100);
+    const auto& series = bench.trailMeasurements().series();
+    ASSERT_EQ(series.size(), 2u);
+    EXPECT_EQ(series[0].samples.size(), 100u);
+    EXPECT_NEAR(series[0].samples.back().value, 0.5, 1e-6);
+    EXPECT_LT(series[1].samples.back().value, series[1].samples.front().value);
+    EXPECT_TRUE(bench.measurements().series().empty());
+    bench.clearMeasurements();
+    EXPECT_TRUE(series[0].samples.empty());
+    bench.setTrails(false);
+    EXPECT_TRUE(bench.trailMeasurements().series().empty());
+    tickOn(bench, 10);
+}
+
 }  // namespace
 }  // namespace sulfurchamber

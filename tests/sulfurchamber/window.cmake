@@ -91,7 +91,7 @@ foreach(size 640x480 900x600 1280x800)
   list(GET sides 1 height)
   set(script "open ${SCENES}/jelly-tower.json\n")
   foreach(tool select box ball jelly wheel polygon draw rope chain bridge cloth wall ground particle joint pin
-      cut erase)
+      cut erase measure)
     string(APPEND script "tool ${tool}\nwhole\n")
   endforeach()
   string(APPEND script "do page-object\nwhole\ndo select-all\nwhole\ndo page-history\nwhole\n")
