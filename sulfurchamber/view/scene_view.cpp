@@ -277,7 +277,7 @@ void SceneView::paintRulerText(atlax::Canvas& canvas) {
     const sulfur::Point middle = (preview.from + preview.to) / 2;
     const atlax::Vec2 at = camera_.toScreen(atlax::Vec2(middle), canvas.size()) / scale;
     canvas.setScreenSpace(scale);
-    canvas.text(*font_, text.data(), {at.x + 12, at.y - 8}, {16, palette::amber});
+    canvas.text(*font_, text.data(), {at.x + 12, at.y - 8}, {16, palette::ice});
 }
 
 void SceneView::paintClock(atlax::Canvas& canvas) {
