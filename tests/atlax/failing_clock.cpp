@@ -14,9 +14,9 @@ namespace {
 using namespace atlax;
 
 constexpr std::int64_t millisecond = 1'000'000;
-constexpr std::int64_t day = 24 * 3600 * 1000 * millisecond;
+constexpr std::int64_t wholeDay = 24 * 3600 * 1000 * millisecond;
 
-WindowOptions smallWindow() {
+WindowOptions tinyWindow() {
     WindowOptions options;
     options.size = {64, 48};
     options.tickRateHz = 500;
@@ -27,8 +27,8 @@ WindowOptions smallWindow() {
 class TimedPlatform : public BackendPlatform {
 public:
     TimedPlatform(ScriptedApp& app, const FakeClock& clock)
-        : BackendPlatform(app, smallWindow(), [&clock] { return clock.now(); }),
-          screen_(smallWindow().size) {
+        : BackendPlatform(app, tinyWindow(), [&clock] { return clock.now(); }),
+          screen_(tinyWindow().size) {
         handle(WindowResized{screen_.size(), 1});
         begin();
     }
@@ -101,18 +101,20 @@ TEST_F(FailingClock, standsStill) {
 
 TEST_F(FailingClock, goesBack) {
     runASecond();
-    for (const std::int64_t back : {millisecond, day, 365 * day}) expectToGoOnAfter(-back);
+    for (const std::int64_t back : {millisecond, wholeDay, 365 * wholeDay})
+        expectToGoOnAfter(-back);
 }
 
 TEST_F(FailingClock, leapsAhead) {
     runASecond();
-    for (const std::int64_t ahead : {1000 * millisecond, day, 365 * day}) expectToGoOnAfter(ahead);
+    for (const std::int64_t ahead : {1000 * millisecond, wholeDay, 365 * wholeDay})
+        expectToGoOnAfter(ahead);
 }
 
 TEST_F(FailingClock, failsWhileATickIsMade) {
     runASecond();
     app.onTick = [&] {
-        if (app.ticks % 7 == 0) clock.advance(app.ticks % 2 == 0 ? day : -day);
+        if (app.ticks % 7 == 0) clock.advance(app.ticks % 2 == 0 ? wholeDay : -wholeDay);
     };
     for (int i = 0; i < 20; ++i) {
         clock.advance(20 * millisecond);

@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 10312478677431052266u);
+    EXPECT_EQ(world.hash(), 15484717061560677063u);
 #else
-    EXPECT_EQ(world.hash(), 7409153725109991385u);
+    EXPECT_EQ(world.hash(), 294006831256380198u);
 #endif
 }
 
