@@ -50,34 +50,20 @@ public:
         if (pairs_.empty()) return;
         unheld_.assign(core_.ways.begin(), core_.ways.end());
         held_.assign(movers_.size(), 0);
-        std::size_t kept = 0;
-        const std::size_t most = tuned::keptPairs * (core_.awakeMovers.size() + tuned::fewMovers);
         for (round_ = 1; round_ <= mostKeepingRounds && !pairs_.empty(); ++round_) {
-            if (kept >= most) leaveToWalls();
-            kept += priceOfPairs();
-            state_.statistics.fastPairs += static_cast<std::uint32_t>(pairs_.size());
             moved_.clear();
-            for (const auto pair : pairs_) hold(core_.pairs[pair]);
+            for (const auto pair : pairs_)
+                if (hasWorkFor(core_.pairs[pair])) hold(core_.pairs[pair]);
             collectAgain();
         }
         giveBack();
     }
 
 private:
-    /// Pairs of single corners and sides take several times as long as convex ones.
-    std::size_t priceOfPairs() const {
-        const auto loose = std::count_if(pairs_.begin(), pairs_.end(), [&](std::uint32_t pair) {
-            return core_.pairs[pair].isManifold == 0;
-        });
-        return pairs_.size() + tuned::loosePair * static_cast<std::size_t>(loose);
-    }
-
     /// Where there is no work left, what stands fast or is driven still holds everybody back.
-    void leaveToWalls() {
-        std::erase_if(pairs_, [&](std::uint32_t pair) {
-            const Pair& p = core_.pairs[pair];
-            return isDynamic(p.a) && isDynamic(p.b);
-        });
+    bool hasWorkFor(const Pair& p) const {
+        const std::size_t most = tuned::keptPairs * (core_.awakeMovers.size() + tuned::fewMovers);
+        return spent_ < most || !isDynamic(p.a) || !isDynamic(p.b);
     }
     bool isDynamic(std::uint32_t chunk) const {
         const auto slot = core_.shapes.chunks[chunk].body;
@@ -151,7 +137,8 @@ private:
     }
     static Real leastOf(const PairWatch& w) { return fast * static_cast<Real>(w.fineness); }
     void add(std::uint32_t pair) {
-        if (core_.encounters[core_.pairs[pair].encounter].rowless == 0) pairs_.push_back(pair);
+        const Pair& p = core_.pairs[pair];
+        if (core_.encounters[p.encounter].rowless == 0 && hasWorkFor(p)) pairs_.push_back(pair);
     }
 
     /// Lists those of whoever was moved in this round, who may be in the way of others, and be fast
@@ -208,6 +195,8 @@ private:
     }
 
     void hold(const Pair& pair) {
+        ++state_.statistics.fastPairs;
+        spent_ += priceOf(core_, pair);
         find(pair);
         if (core_.passings.empty()) return;
         Real moment = 1;
@@ -311,6 +300,7 @@ private:
     std::pmr::vector<int> held_;        // by mover, the last round in which it was moved
     std::pmr::vector<std::uint32_t> everHeld_, moved_;  // movers; those of this round
     int round_ = 0;
+    std::size_t spent_ = 0;  // pairs that were held, as tuned::keptPairs counts them
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ public:
         }
         LooseLook& look = core_.looseLook;
         lookLoosely(state_, a_, b_, known, look);
-        if (look.near.size() > tuned::crowdedTouches && isCrowdOfRows()) keepNearest(look.near);
+        if (look.near.size() > 1 && isCrowdOfRows()) keepNearest(look.near);
         fresh_.clear();
         for (const Nearness& n : look.near) see(n);
         dropUnseen();
@@ -55,9 +55,10 @@ private:
         const auto place = [](const Nearness& n) {
             return std::tuple(n.far, n.corner, n.side, n.end);
         };
-        std::sort(near.begin(), near.end(),
-                  [&](const Nearness& a, const Nearness& b) { return place(a) < place(b); });
-        near.resize(tuned::crowdedTouches);
+        near.front() = *std::min_element(
+            near.begin(), near.end(),
+            [&](const Nearness& a, const Nearness& b) { return place(a) < place(b); });
+        near.resize(1);
     }
 
     void see(const Nearness& n) {

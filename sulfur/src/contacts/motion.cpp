@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "bodies/driven.hpp"
@@ -243,6 +244,29 @@ void updateBoxes(State& state) {
     }
 }
 
+namespace {
+
+/// Looks at the pairs that are listed. Where there are too many for a step, at some, from another
+/// one on in each step: the others keep their rows and are due again.
+void lookAtListed(State& state) {
+    ContactCore& core = state.core;
+    const auto& listed = core.again;
+    const std::size_t most =
+        tuned::lookedPairs * std::size_t{state.work.awakeParticles + tuned::fewMovers};
+    const auto price = std::accumulate(
+        listed.begin(), listed.end(), std::size_t{0},
+        [&](std::size_t sum, std::uint32_t pair) { return sum + priceOf(core, core.pairs[pair]); });
+    const std::size_t first = price > most ? stepNumber(state) * most % listed.size() : 0;
+    std::size_t spent = 0;
+    for (std::size_t i = 0; i < listed.size() && spent < most; ++i) {
+        const auto pair = listed[(first + i) % listed.size()];
+        spent += priceOf(core, core.pairs[pair]);
+        lookAtPair(state, pair);
+    }
+}
+
+}  // namespace
+
 void lookAtPairs(State& state) {
     ContactCore& core = state.core;
     // A look may move watches about: those that are due are listed first.
@@ -251,7 +275,7 @@ void lookAtPairs(State& state) {
     const double* const ahead = core.ahead.data();
     for (PairWatch& w : core.watches)
         if (!(ahead[w.a] + ahead[w.b] < w.limit) && isDue(core, w)) core.again.push_back(w.pair);
-    for (const auto pair : core.again) lookAtPair(state, pair);
+    lookAtListed(state);
     core.heirs.clear();
 }
 
@@ -314,7 +338,7 @@ void refreshRows(State& state) {
         if (core.again.empty() || !anew) break;
         std::sort(core.again.begin(), core.again.end());
         core.again.erase(std::unique(core.again.begin(), core.again.end()), core.again.end());
-        for (const auto pair : core.again) lookAtPair(state, pair);
+        lookAtListed(state);
     }
 }
 

@@ -235,6 +235,11 @@ void endPair(State& state, std::uint32_t pair) {
     core.freePairs.push_back(pair);
 }
 
+std::uint32_t priceOf(const ContactCore& core, const Pair& pair) {
+    const auto& chunks = core.shapes.chunks;
+    return pair.isManifold != 0 ? 1 : (chunks[pair.a].corners + chunks[pair.b].corners) / 2;
+}
+
 void endPairs(State& state, std::uint32_t chunk) {
     ContactCore& core = state.core;
     while (core.shapes.chunks[chunk].firstPair != none)

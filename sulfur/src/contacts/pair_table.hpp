@@ -9,6 +9,7 @@ namespace sulfur::detail {
 struct State;
 struct BodyRecord;
 struct ContactCore;
+struct Pair;
 struct PairWatch;
 struct Motion3;
 
@@ -33,6 +34,9 @@ bool staysApart(const ContactCore& core, const PairWatch& watch, const Motion3& 
 /// two that go alike is moved on.
 bool isDue(ContactCore& core, PairWatch& watch);
 
+/// How long it takes to look at a pair, or at its way, in looks at two convex chunks: longer the
+/// more corners there are that may be before sides.
+std::uint32_t priceOf(const ContactCore& core, const Pair& pair);
 /// Looks at a pair: its rows and its limit become what they are now.
 void lookAtPair(State& state, std::uint32_t pair);
 /// Takes the rows of a pair away; see endPair().

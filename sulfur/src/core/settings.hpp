@@ -142,10 +142,9 @@ inline constexpr int keepingRounds = rounds;
 /// Movers that even the smallest world counts as: what is few may take longer.
 inline constexpr std::uint32_t fewMovers = rounds * rounds;
 /// Pairs for each chunk, and rows for each mover. Where all have more, they are a crowd: a chunk
-/// then has as many with what moves, and a look makes `crowdedTouches`, the nearest ones. Piles
-/// have about six pairs and three rows.
-inline constexpr std::uint32_t crowdedPairs = 2 * rounds, crowdedRows = 2 * rounds,
-                               crowdedTouches = rounds / 2;
+/// then has as many with what moves, and a look makes the nearest row alone. Piles have about six
+/// pairs and three rows.
+inline constexpr std::uint32_t crowdedPairs = 2 * rounds, crowdedRows = 2 * rounds;
 /// Rows that are swept, in all sweeps of a tick, and in a step of several. A pile of three rows for
 /// each mover takes 60.
 inline constexpr std::uint32_t sweptRows = 256, sweptRowsOfStep = 96;
@@ -153,11 +152,13 @@ inline constexpr std::uint32_t sweptRows = 256, sweptRowsOfStep = 96;
 inline constexpr std::uint32_t strainedRows = 320, rowsOfLink = rounds;
 /// Surfaces of a body that was put into another one which are compared with all of the other.
 inline constexpr std::uint32_t mostCompared = rounds * rounds;
-/// Meetings that impacts look at, and pairs that continuous collision does; one of corners and
-/// sides counts as so many more.
-inline constexpr std::uint32_t askedMeetings = 4 * rounds, keptPairs = 2 * rounds, loosePair = 4;
-/// Of networks, for each node: products of blocks, of a step and of its sweeps. A node and a pass
-/// over it count as `productsOfNode`. Sweeps that come after that wait for the last one.
+/// Meetings that impacts look at, and pairs whose ways continuous collision does; for each
+/// particle, pairs that are looked at. Those of corners and sides count as several; see priceOf().
+inline constexpr std::uint32_t askedMeetings = 4 * rounds, keptPairs = 2 * rounds,
+                               lookedPairs = rounds;
+/// Of networks, for each node: products of blocks, of a step and of its sweeps. A node, and in a
+/// pass over them each node and contact, count as `productsOfNode`. Sweeps that come
+/// after that wait for the last one.
 inline constexpr std::uint64_t networkProducts = 2048, productsOfNode = rounds;
 
 // Loads.

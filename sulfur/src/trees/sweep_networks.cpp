@@ -82,7 +82,7 @@ public:
                 best = std::max(worst, tuned::sweptTolerance);
                 keepBest();
             }
-            factor_.work += tuned::productsOfNode * count_;
+            factor_.work += tuned::productsOfNode * (count_ + work_.contacts.size());
             if (done || pass == mostPasses || !(worst < 1e2 * best)) break;
             if (pass == 0 ? isStale() : isSlow(worst, last, tuned::sweptTolerance)) factorise();
             last = worst;

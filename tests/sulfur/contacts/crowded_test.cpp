@@ -72,6 +72,21 @@ TEST(Crowded, TheFastestTangleHasABoundedPrice) {
     EXPECT_EQ(world.validate(), "");
 }
 
+/// The same where every side has many others in it: rows and looks are few for each particle.
+TEST(Crowded, ClothsAtTheLimitOfSpeedHaveABoundedPrice) {
+    World world({.gravity = {0, -1e6}});
+    world.add(shapes::floor({-20, 0}, {20, 0}));
+    for (int i = 0; i < 3; ++i) world.add(shapes::cloth(), {Point(1.2 * i, 1), 0});
+    for (int i = 0; i < 20; ++i) {
+        world.step();
+        const Statistics& now = world.statistics();
+        const std::uint32_t counted = now.particles + 64;
+        ASSERT_LE(now.contacts, 17 * counted) << i;
+        ASSERT_LE(now.looks, 4 * counted) << i;
+    }
+    EXPECT_EQ(world.validate(), "");
+}
+
 /// Who is in a crowd finds room for the floor.
 TEST(Crowded, ACrowdStandsOnTheFloor) {
     World world;
