@@ -75,16 +75,28 @@ std::vector<std::string> refusals(const Scene& scene) {
     World trial(scene.settings);
     std::map<std::string, BodyId, std::less<>> made;
     MechanismMaker maker(made, trial);
+    std::size_t searched = 0;
     for (std::size_t i = 0; i < result.size(); ++i) {
         SceneMechanism mechanism = scene.mechanisms[i];
         try {
             for (const std::string* name : bodiesOf(mechanism)) {
                 const auto found = placements.find(*name);
-                if (found == placements.end() || made.contains(*name)) continue;
-                const Placement& body = *found->second;
-                const BodyId id = trial.add(blueprintOf(scene, body), body.pose);
-                if (body.state) applyState(scene, body, trial, id);
-                made.emplace(*name, id);
+                if (found == placements.end()) continue;
+                if (!made.contains(*name)) {
+                    const Placement& body = *found->second;
+                    const BodyId id = trial.add(blueprintOf(scene, body), body.pose);
+                    if (body.state) applyState(scene, body, trial, id);
+                    made.emplace(*name, id);
+                }
+                searched += trial.particles(made.at(*name)).size();
+            }
+            if (searched > Limits::searchedParticles) {
+                result[i] = "its bodies and those of mechanisms before it have " +
+                            std::to_string(searched) +
+                            " particles, each body counted for each of its mechanisms; allowed are "
+                            "at most " +
+                            std::to_string(Limits::searchedParticles);
+                continue;
             }
             maker.make(mechanism);
         } catch (const Error& e) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "bodies/mechanism_bodies.hpp"
 #include "bodies/sleep.hpp"
@@ -208,13 +209,16 @@ void wakeInTheWay(State& state) {
     if (std::none_of(state.bodies.begin(), state.bodies.end(), sleeps)) return;
     bringMembers(state);
     std::pmr::vector<std::uint32_t> movers(&state.arena), inTheWay(&state.arena);
+    const auto add = [&](std::uint32_t body) {
+        if (body != none && isDynamic(state, body) && state.bodies[body].gone == 0)
+            movers.push_back(body);
+    };
     for (const auto i : state.fresh)
-        if (!state.particles.velocity[i].isZero()) movers.push_back(state.particles.body[i]);
+        if (!state.particles.velocity[i].isZero()) add(state.particles.body[i]);
     for (const auto pair : core.struck)
         for (const auto chunk : {core.pairs[pair].a, core.pairs[pair].b}) {
             if (chunk == none) continue;  // the pair has ended since
-            const auto body = state.bodySlots.denseOf(core.shapes.chunks[chunk].body);
-            if (body != none && isDynamic(state, body)) movers.push_back(body);
+            add(state.bodySlots.denseOf(core.shapes.chunks[chunk].body));
         }
     std::sort(movers.begin(), movers.end());
     movers.erase(std::unique(movers.begin(), movers.end()), movers.end());
@@ -222,9 +226,11 @@ void wakeInTheWay(State& state) {
         const BodyBounds way = boundsOf(state, index, static_cast<double>(state.h));
         const std::array<double, 2> low{way.min()[0], way.min()[1]},
             high{way.max()[0], way.max()[1]};
+        std::uint32_t last = none;  // the chunks of a body lie together in the grid
         core.grid.forEachIn(core.shapes.chunks, low, high, [&](std::uint32_t c) {
             const auto other = state.bodySlots.denseOf(core.shapes.chunks[c].body);
             if (other == none || !state.bodies[other].asleep) return;
+            if (std::exchange(last, other) == other) return;
             const BodyRecord &mover = state.bodies[index], &sleeper = state.bodies[other];
             if (mayTouch(state, mover, sleeper) && !passThrough(core, mover.id, sleeper.id) &&
                 boundsOf(state, other, 0).intersects(way))

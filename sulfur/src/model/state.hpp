@@ -278,6 +278,12 @@ inline Point moreGravity(const State& state, std::uint32_t body) {
 }
 
 /// By what share of the world's gravity a mover that is awake falls.
+/// m/s^2, that acts on a body.
+inline Point gravityOf(const State& state, std::uint32_t body) {
+    Point gravity = state.settings.gravity.cast<double>();
+    if (state.gravityScaled) gravity += moreGravity(state, body);
+    return gravity;
+}
 inline Real gravityScaleOf(const State& state, std::uint32_t mover) {
     if (!state.gravityScaled) return 1;
     return state.bodies[state.bodySlots.denseOf(state.core.movers.body[mover])].gravityScale;

@@ -37,6 +37,7 @@ struct ChainScratch {
         Pair velocity{0, 0};      // m/s
         Pair moved{0, 0};         // m, since the tick began
         Pair acceleration{0, 0};  // m/s^2
+        Pair gravity{0, 0};       // m/s^2, of that
         Pair startVelocity{0, 0};
         double inverseMass = 0;  // 1/kg
     };
@@ -102,7 +103,7 @@ struct StepScratch {
 
     struct Node {
         Motion start;
-        Point acceleration{0, 0};
+        Point acceleration{0, 0}, gravity{0, 0};  // m/s^2; that of gravity is in the other too
         double angular = 0;
         double inverseMass = 0, inverseInertia = 0;
         double mostSpin = 0;  // rad/s

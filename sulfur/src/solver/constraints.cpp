@@ -47,7 +47,7 @@ int sweepsFor(const State& state, std::uint32_t rowsOfMover, std::size_t rows, i
 int sweepsFor(const State& state, int most) {
     const std::uint32_t rows =
         std::max(tuned::sweptRows / stepsPerTick(state.settings.tickRate), tuned::sweptRowsOfStep);
-    return std::max(sweepsFor(state, rows, state.core.rows.size(), most), 2);
+    return std::max(sweepsFor(state, rows, state.core.rows.size(), most), std::min(2, most));
 }
 /// The same of sweeps for strain, which solve trees too.
 int sweepsForStrain(const State& state) {

@@ -83,13 +83,13 @@ void startFreshParticles(State& state) {
     for (const auto i : state.young) {
         const double w = static_cast<double>(particles.inverseMass[i]);
         if (w == 0) continue;
-        const Point acceleration = state.settings.gravity.cast<double>() + w * particles.force[i];
-        particles.velocity[i] -= lastStepOf(state, i) / 2 * acceleration;
+        const Point gravity = gravityOf(state, particles.body[i]);
+        const Point rest = state.settings.gravity.cast<double>() - gravity + w * particles.force[i];
+        particles.velocity[i] -= lastStepOf(state, i) / 2 * gravity + state.lastStep / 2 * rest;
         stirClusters(state, i);
         if (state.discTurns.empty() || particles.cluster[i] == none) continue;
         Cluster& c = state.clusters.list[particles.cluster[i]];
-        if (isDisc(c))
-            c.spin -= lastStepOf(state, i) / 2 * torqueOn(state, c) * c.freeInverseInertia;
+        if (isDisc(c)) c.spin -= state.lastStep / 2 * torqueOn(state, c) * c.freeInverseInertia;
     }
 }
 

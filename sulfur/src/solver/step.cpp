@@ -90,7 +90,10 @@ void updateBroadPhase(State& state) {
 void updateNarrowPhase(State& state) {
     lookAtPairs(state);
     refreshRows(state);
-    if (state.callbacks.preSolve) askAboutRows(state);
+    if (state.callbacks.preSolve)
+        askAboutRows(state);
+    else
+        state.core.passedBy.clear();
     const ContactCore& core = state.core;
     const bool manyNew = core.newRows > 0 && tuned::newShare * core.newRows >= core.rows.size();
     if (core.loadsAgain != 0 || manyNew) loadStacks(state);

@@ -328,23 +328,6 @@ double lastStepOf(const State& state, std::uint32_t particle) {
     return tree == none ? state.lastStep : state.trees.list[tree].lastStep;
 }
 
-namespace {
-
-/// With the gravity of its body, which is among the forces in steps only.
-ClusterLoad wholeLoadOf(const State& state, const Cluster& c) {
-    ClusterLoad load = loadOf(state, c);
-    if (!state.gravityScaled) return load;
-    const Point more = moreGravity(state, c.body);
-    if (c.freeInverseMass > 0)
-        load.acceleration += more;
-    else
-        load.turning += static_cast<double>(c.inverseInertia) *
-                        cross(turned(c.heading, c.massCentre), Point(c.mass * more));
-    return load;
-}
-
-}  // namespace
-
 void dissolveTrees(State& state) {
     for (const Tree& tree : state.trees.list) {
         const double late = (state.lastStep - tree.lastStep) / 2;
@@ -353,14 +336,10 @@ void dissolveTrees(State& state) {
             const TreeNode& n = state.trees.nodes[k];
             if (n.cluster != none) {
                 Cluster& c = state.clusters.list[n.cluster];
-                const ClusterLoad load = wholeLoadOf(state, c);
-                c.velocity -= late * load.acceleration;
-                c.spin -= late * load.turning;
+                if (c.inverseMass > 0) c.velocity -= late * gravityOf(state, c.body);
             } else if (n.particle != none && state.particles.inverseMass[n.particle] > 0) {
-                Point fall = state.settings.gravity.cast<double>();
-                if (state.gravityScaled)
-                    fall += moreGravity(state, state.particles.body[n.particle]);
-                state.particles.velocity[n.particle] -= late * fall;
+                state.particles.velocity[n.particle] -=
+                    late * gravityOf(state, state.particles.body[n.particle]);
             }
         }
     }

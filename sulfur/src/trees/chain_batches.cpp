@@ -119,7 +119,7 @@ private:
         batch.firsts = lanes.firsts.data();
         batch.heldRoot = lanes.heldRoot;
         // Those that need as many steps go together.
-        for (std::uint32_t waiting = (1u << lanes.lanes) - 1; waiting != 0;) {
+        for (std::uint32_t waiting = inLanes(lanes); waiting != 0;) {
             batch.steps = tree(lanes, static_cast<std::size_t>(std::countr_zero(waiting))).steps;
             batch.lanes = 0;
             for (std::size_t k = 0; k < chainLanes; ++k) {
@@ -130,6 +130,25 @@ private:
             waiting &= ~batch.lanes;
             stepTogether(lanes, batch);
         }
+    }
+
+    /// Lanes of chains on which the world's gravity acts; the others go alone.
+    std::uint32_t inLanes(const LanesOfChains& lanes) {
+        std::uint32_t all = (1u << lanes.lanes) - 1;
+        if (!state_.gravityScaled) return all;
+        for (std::uint32_t k = 0; k < lanes.lanes; ++k) {
+            const Tree& chain = tree(lanes, k);
+            const auto isScaled = [&](std::uint32_t node) {
+                const auto p = state_.trees.nodes[node].particle;
+                return state_.bodies[state_.particles.body[p]].gravityScale != 1;
+            };
+            bool any = false;
+            for (auto node = chain.first; node < chain.last; ++node) any |= isScaled(node);
+            if (!any) continue;
+            left_.push_back(lanes.trees[k]);
+            all &= ~(1u << k);
+        }
+        return all;
     }
 
     /// One chain is as fast by itself; and the shortest steps are judged more mildly.

@@ -25,6 +25,7 @@ void loadParticle(const State& state, std::uint32_t p, NodeData& data) {
     data.inverseMass = static_cast<double>(particles.inverseMass[p]);
     if (data.inverseMass > 0) {
         data.start.velocity = particles.velocity[p];
+        data.gravity = gravityOf(state, particles.body[p]);
         data.acceleration =
             state.settings.gravity.cast<double>() + data.inverseMass * particles.force[p];
     } else {  // as the caller drives it; the stage before has set the displacement
@@ -56,6 +57,7 @@ void loadNode(const State& state, const TreeNode& node, NodeData& data) {
         data.acceleration = load.acceleration;
         data.angular = load.turning;
         data.inverseMass = static_cast<double>(c.inverseMass);
+        if (data.inverseMass > 0) data.gravity = gravityOf(state, c.body);
         data.inverseInertia = static_cast<double>(c.inverseInertia);
         data.mostSpin = maxSpeed / c.reach;
     } else if (node.particle != none) {
@@ -73,13 +75,13 @@ void predictNodes(const State& state, const std::vector<NodeData>& nodes, NodeKi
                   double step, std::vector<Motion>& motion) {
     const double half = kick.forces * static_cast<double>(state.settings.airFriction) / 2;
     const double keep = (1 - half) / (1 + half), push = kick.forces / (1 + half);
-    const Point falls = (kick.gravity - kick.forces) * state.settings.gravity.cast<double>();
+    const double longer = kick.gravity - kick.forces;
     const double limit = maxSpeed;
     for (std::size_t i = 0; i < motion.size(); ++i) {
         Motion& m = motion[i];
         const NodeData& data = nodes[i];
         if (data.inverseMass > 0)
-            m.velocity = (keep * m.velocity + push * data.acceleration + falls)
+            m.velocity = (keep * m.velocity + push * data.acceleration + longer * data.gravity)
                              .cwiseMax(-limit)
                              .cwiseMin(limit);
         if (data.inverseInertia > 0)

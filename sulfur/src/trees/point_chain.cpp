@@ -92,10 +92,11 @@ private:
         n.inverseMass = static_cast<double>(particles.inverseMass[p]);
         if (n.inverseMass > 0) {
             n.startVelocity = pairOf(particles.velocity[p]);
+            n.gravity = pairOf(gravityOf(state_, particles.body[p]));
             n.acceleration = pairOf(gravity + n.inverseMass * particles.force[p]);
         } else {  // as the caller drives it; the stage before has set the displacement
             n.startVelocity = pairOf(particles.displacement[p].cast<double>() / tick_);
-            n.acceleration = Pair{0, 0};
+            n.acceleration = n.gravity = Pair{0, 0};
         }
     }
 
@@ -166,12 +167,12 @@ private:
     void predict(NodeKick kick, double step) {
         const double half = kick.forces * static_cast<double>(state_.settings.airFriction) / 2;
         const double keep = (1 - half) / (1 + half), push = kick.forces / (1 + half);
-        const Pair falls =
-            pairOf((kick.gravity - kick.forces) * state_.settings.gravity.cast<double>());
+        const double longer = kick.gravity - kick.forces;
         for (std::size_t i = 0; i < count_; ++i) {
             ChainNode& n = nodes_[i];
             if (n.inverseMass > 0)
-                n.velocity = limitedTo(maxSpeed, keep * n.velocity + push * n.acceleration + falls);
+                n.velocity = limitedTo(
+                    maxSpeed, keep * n.velocity + push * n.acceleration + longer * n.gravity);
             n.displacement = step * n.velocity;
         }
     }

@@ -68,6 +68,22 @@ TEST(ScenesThatBroke, SpringsGiveBothSidesTheSame) {
     EXPECT_EQ(textOf(judge(scene, {Law::momentum, Law::angularMomentum})), "");
 }
 
+/// The steps of a rope that whips become shorter and longer; it is as weightless in all of them.
+TEST(ScenesThatBroke, ARopeWithoutGravityStaysWhereItIs) {
+    World world;
+    const Body rope = world.add(shapes::rope({.from = {0, 0}, .to = {1, 0}, .links = 20}));
+    rope.setGravityScale(0);
+    world.setVelocity(rope.particles().back(), Vec2(0, 60));
+    world.setVelocity(rope.front(), Vec2(0, -60));
+    std::uint32_t most = 0;
+    for (int i = 0; i < 500; ++i) {
+        world.step();
+        most = std::max(most, world.statistics().chainSteps);
+        EXPECT_LT(rope.meanVelocity().norm(), 1e-5) << "tick " << i;
+    }
+    EXPECT_GT(most, 1u);
+}
+
 /// Sleepers that are struck in the tick in which the caller throws something at them.
 TEST(ScenesThatBroke, WhoIsMetAtOnceIsAwake) {
     const Thing crate{

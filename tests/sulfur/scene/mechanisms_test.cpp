@@ -164,6 +164,22 @@ TEST(MechanismsInFiles, AreLimitedInNumber) {
         << errorOf(with(many)).what();
 }
 
+/// Each looks for the particles that hold its points.
+TEST(MechanismsInFiles, AreLimitedByTheParticlesOfTheirBodies) {
+    std::string hinges;
+    for (int i = 0; i < 300; ++i)
+        hinges += std::string(i == 0 ? "" : ",\n") +
+                  R"({"type": "hinge", "a": "rope", "b": "post", "at": [0, 0]})";
+    const std::string text = R"({"format": "sulfur-scene", "version": 1, "blueprints": {
+        "post": {"kind": "fixed", "particles": [{"position": [0, 0]}]},
+        "rope": {"shape": "rope", "links": 20000, "to": [900, 0], "bending": 0}},
+      "bodies": [{"id": "post", "blueprint": "post"}, {"id": "rope", "blueprint": "rope"}],
+      "mechanisms": [)" + hinges +
+                             "]}";
+    const std::string message = errorOf(text).message();
+    EXPECT_NE(message.find("allowed are at most 4000000"), std::string::npos) << message;
+}
+
 // --- in worlds -------------------------------------------------------------------------------
 
 /// All kinds between boxes that swing, roll and hang.

@@ -16,12 +16,15 @@ namespace sulfur::scene {
 
 /// Bounds of what a file may contain.
 struct Limits {
-    static constexpr std::size_t particles = 24'000;    ///< of all bodies, and of all blueprints
-    static constexpr std::size_t joints = 72'000;       ///< the same, with connections and angles
-    static constexpr std::size_t bodies = 24'000;       ///< of a scene
-    static constexpr std::size_t vetoes = 72'000;       ///< of a scene
-    static constexpr std::size_t fields = 1'000;        ///< of a scene
-    static constexpr std::size_t mechanisms = 24'000;   ///< of a scene
+    static constexpr std::size_t particles = 24'000;   ///< of all bodies, and of all blueprints
+    static constexpr std::size_t joints = 72'000;      ///< the same, with connections and angles
+    static constexpr std::size_t bodies = 24'000;      ///< of a scene
+    static constexpr std::size_t vetoes = 72'000;      ///< of a scene
+    static constexpr std::size_t fields = 1'000;       ///< of a scene
+    static constexpr std::size_t mechanisms = 24'000;  ///< of a scene
+    /// Summed over the bodies of each mechanism of a scene, because the particles that hold its
+    /// points are searched for.
+    static constexpr std::size_t searchedParticles = 4'000'000;
     static constexpr double coordinate = 1'000;         ///< metres, either way
     static constexpr double speed = 2'000;              ///< m/s
     static constexpr double spin = 1e6;                 ///< rad/s, of discs
