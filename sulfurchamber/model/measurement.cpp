@@ -1,5 +1,6 @@
 #include "measurement.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,8 +70,9 @@ Value elasticEnergy(const World& world, BodyId body) {
 // At the time of the velocities, which is the middle of the last step: else what swings seems to
 // gain and lose energy.
 Value wholeEnergy(const World& world, BodyId body) {
-    const double tick = static_cast<double>(world.tickDuration());
-    const double before = tick / std::ceil(480 * tick) / 2;
+    // Rates are whole numbers; a duration as a float is not quite one over them.
+    const double rate = std::round(1 / static_cast<double>(world.tickDuration()));
+    const double before = 1 / rate / std::ceil(480 / rate) / 2;
     return *kineticEnergy(world, body) + heightEnergyBefore(world, body, before) +
            elasticEnergyBefore(world, body, before);
 }

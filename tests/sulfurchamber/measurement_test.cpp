@@ -79,6 +79,21 @@ TEST(Measurement, FreeFallFitsGravity) {
                 1e-5 * std::abs(energies.back().value));
 }
 
+// At each rate the steps of a tick are others, and so is the time of the velocities.
+TEST(Measurement, WhatFallsKeepsItsEnergyAtEachRate) {
+    const auto box = sulfur::scene::makePrefab("box", sulfur::shapes::BoxOptions{});
+    for (const int rate : {60, 120, 240, 480, 500}) {
+        sulfur::World world(sulfur::WorldSettings{.tickRate = rate});
+        const auto body = world.add(box.blueprint, {}).id();
+        const Quantity& energy = *quantity("energy");
+        world.step();
+        const double before = *energy.get(world, body);
+        for (int i = 1; i < rate; ++i) world.step();
+        const double mass = static_cast<double>(world.mass(body));
+        EXPECT_NEAR(*energy.get(world, body), before, 0.002 * mass) << rate << " Hz";
+    }
+}
+
 TEST(Measurement, WhatLiesIsHeldByItsWeight) {
     Workbench bench;
     const BodyId box = addBox(bench, {0, 0.1}, {1, 1.1});
