@@ -58,6 +58,13 @@ std::pair<double, double> PlotRange::whole(std::span<const Series> series) {
     return {low, std::max(high, low + 1)};
 }
 
+void PlotRange::show(double from, double to) {
+    if (std::abs(to - from) >= shortestTime)
+        part_ = std::minmax({from, to});
+    else
+        showAll();
+}
+
 void PlotRange::zoom(std::span<const Series> series, double factor, double about) {
     const auto [low, high] = shown(series);
     const auto [first, last] = whole(series);
@@ -140,7 +147,8 @@ std::vector<std::pair<double, double>> curve(std::span<const Sample> samples, co
         const double column = std::floor(time.pixel(samples[i].time));
         std::size_t lowest = i;
         std::size_t highest = i;
-        for (; i < samples.size() && std::floor(time.pixel(samples[i].time)) == column; ++i) {
+        // An empty range has no pixels, and NaN is not itself: one sample goes on in any case.
+        for (++i; i < samples.size() && std::floor(time.pixel(samples[i].time)) == column; ++i) {
             if (samples[i].value < samples[lowest].value) lowest = i;
             if (samples[i].value > samples[highest].value) highest = i;
         }

@@ -32,8 +32,8 @@ class PlotRange {
 public:
     /// Of all samples, a second at least.
     static std::pair<double, double> whole(std::span<const Series> series);
-    /// Shows a part; all again where it is nearly all.
-    void show(double from, double to) { part_ = std::minmax({from, to}); }
+    /// Shows the part between two times, in either order; all where it is shorter than 0.01 s.
+    void show(double from, double to);
     void showAll() { part_.reset(); }
     /// Smaller than 1 shows less time around `about`.
     void zoom(std::span<const Series> series, double factor, double about);

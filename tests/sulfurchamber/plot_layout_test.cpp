@@ -44,7 +44,8 @@ TEST(Plot, ZoomKeepsTheTimeUnderThePointerAndEndsAtTheWhole) {
     EXPECT_FALSE(range.zoomed());
     range.show(6, 5);
     EXPECT_EQ(range.shown(series), (std::pair<double, double>{5, 6}));
-    range.showAll();
+    range.show(5, 5);  // no time at all
+    EXPECT_FALSE(range.zoomed());
     EXPECT_EQ(PlotRange::whole({}), (std::pair<double, double>{0, 1}));
 }
 
@@ -86,6 +87,12 @@ TEST(Plot, ACurveLosesNoPeak) {
     for (const auto& [x, y] : points) top = std::min(top, y);
     EXPECT_DOUBLE_EQ(top, values.pixel(7));
     EXPECT_DOUBLE_EQ(time.value(time.pixel(4.5)), 4.5);
+}
+
+TEST(Plot, ACurveOverAnEmptyRangeEnds) {
+    const Series series = ramp("height", 1);
+    const auto points = curve(series.samples, {5, 5, 0, 300}, {0, 10, 200, 0});
+    EXPECT_LE(points.size(), series.samples.size());
 }
 
 }  // namespace
