@@ -55,27 +55,14 @@ struct Timeline::Branch {
         std::variant<Push, Arrival> what;
     };
     std::uint32_t parent = 0;  // 0: none
-    std::uint64_t begin = 0;   // tick at which it parted from it
+    std::uint64_t begin = 0;   // its first key's tick, at which it parted from its parent
     std::uint64_t last = 0;
     std::uint64_t used = 0;  // when it was last shown
-    std::vector<Key> keys;
+    std::vector<Key> keys;   // one at least
     std::vector<Input> inputs;
     std::vector<Mark> marks;
     std::vector<Seen> seen;
 };
-
-std::string textOf(const Mark& mark) {
-    const std::string count = std::to_string(mark.count);
-    switch (mark.kind) {
-        case Mark::Kind::contact:
-            return count + (mark.count == 1 ? " first contact" : " first contacts");
-        case Mark::Kind::breakage:
-            return count + (mark.count == 1 ? " joint breaks" : " joints break");
-        case Mark::Kind::edit:
-            break;
-    }
-    return mark.label;
-}
 
 Timeline::Timeline(const TimelineLimits& limits) : limits_(limits) {}
 Timeline::~Timeline() = default;
@@ -152,7 +139,7 @@ void Timeline::changed(const World& world) {
     exact_ = true;
     // The key of this tick, if there is one, shows the world before the edit. It may be what others
     // of its group differ from only if there are others, which are later.
-    if (!branch.keys.empty() && branch.keys.back().tick == world.ticks()) {
+    if (branch.keys.back().tick == world.ticks()) {
         packed_ -= branch.keys.back().packed.size();
         branch.keys.pop_back();
     }
@@ -243,11 +230,11 @@ void Timeline::scheduleKey(const Branch& branch, const World& world) {
     nextKey_ = world.ticks() + ticksOf(world, seconds);
 }
 
-const Timeline::Key* Timeline::keyBefore(const Branch& branch, std::uint64_t tick) const {
+const Timeline::Key& Timeline::keyBefore(const Branch& branch, std::uint64_t tick) const {
     const auto later =
         std::upper_bound(branch.keys.begin(), branch.keys.end(), tick,
                          [](std::uint64_t t, const Key& key) { return t < key.tick; });
-    return later == branch.keys.begin() ? nullptr : &*std::prev(later);
+    return *std::prev(later);
 }
 
 Snapshot Timeline::unpack(const Branch& branch, const Key& key) {
@@ -288,7 +275,11 @@ void Timeline::dropUnstepped() {
 
 void Timeline::comeBack(const Place& place) {
     dropUnstepped();
-    if (!place.moment || !branches_.contains(place.moment->branch)) {
+    const auto kept = [this](const Moment& one) {
+        return branches_.contains(one.branch) && one.tick >= first(one.branch) &&
+               one.tick <= last(one.branch);
+    };
+    if (!place.moment || !kept(*place.moment)) {
         leave();
         return;
     }
@@ -315,14 +306,10 @@ Moment Timeline::go(World& world, const Moment& wanted, double budget) {
     goal.tick = std::clamp(goal.tick, first(goal.branch), last(goal.branch));
     const std::uint32_t id = owner(goal);
     Branch& branch = at(id);
-    const Key* key = keyBefore(branch, goal.tick);
-    if (key == nullptr) {  // its first keys are gone
-        key = &branch.keys.front();
-        goal.tick = key->tick;
-    }
+    const Key& key = keyBefore(branch, goal.tick);
     const bool onTheWay = now_ && exact_ && owner(*now_) == id && now_->tick <= goal.tick &&
-                          now_->tick >= key->tick && now_->tick == world.ticks();
-    if (!onTheWay) world.restore(unpack(branch, *key));
+                          now_->tick >= key.tick && now_->tick == world.ticks();
+    if (!onTheWay) world.restore(unpack(branch, key));
     simulate(world, branch, goal.tick, until - milliseconds());
     line_ = goal.branch;
     now_ = Moment{line_, world.ticks()};
@@ -360,11 +347,7 @@ void Timeline::simulate(World& world, const Branch& branch, std::uint64_t to, do
 // --- what there is ---------------------------------------------------------------------------
 
 std::uint64_t Timeline::first(std::uint32_t line) const {
-    for (const std::uint32_t id : pathTo(line)) {
-        const Branch& branch = at(id);
-        if (!branch.keys.empty()) return branch.keys.front().tick;
-    }
-    return last(line);
+    return line == 0 ? 0 : at(pathTo(line).front()).begin;
 }
 
 std::uint64_t Timeline::last(std::uint32_t line) const {
@@ -428,22 +411,22 @@ std::size_t Timeline::keys() const {
 // --- forgetting ------------------------------------------------------------------------------
 
 void Timeline::trim(const World& world) {
+    const std::uint64_t longest = ticksOf(world, limits_.longest);
+    while (last(line_) - first(line_) > longest)
+        if (!dropOldestOfLine()) break;
     // Unpacking another group takes room too.
     const std::size_t spare = growing_.bytes.size();
     while (bytes() + spare > limits_.bytes)
         if (!dropOldestOther() && !dropOldestOfLine()) return;
-    const std::uint64_t longest = ticksOf(world, limits_.longest);
-    while (last(line_) - first(line_) > longest)
-        if (!dropOldestOfLine()) return;
 }
 
-// The branch beside the line that was shown longest ago. Branches that others come from are kept
-// as far as these need them.
+// The branch beside the line that was shown longest ago, then what of the line's own branches is
+// beside it.
 bool Timeline::dropOldestOther() {
     const auto path = pathTo(line_);
     std::uint32_t oldest = 0;
     for (const auto& [id, branch] : branches_) {
-        if (branch.keys.empty() || std::find(path.begin(), path.end(), id) != path.end()) continue;
+        if (std::find(path.begin(), path.end(), id) != path.end()) continue;
         if (oldest == 0 || branch.used < at(oldest).used) oldest = id;
     }
     if (oldest != 0) {
@@ -455,7 +438,7 @@ bool Timeline::dropOldestOther() {
         Branch& branch = at(path[i]);
         const std::uint64_t parted = at(path[i + 1]).begin;
         if (branch.last <= parted) continue;
-        while (!branch.keys.empty() && branch.keys.back().tick > parted) {
+        while (branch.keys.back().tick > parted) {  // the first is not
             packed_ -= branch.keys.back().packed.size();
             branch.keys.pop_back();
         }
@@ -468,18 +451,16 @@ bool Timeline::dropOldestOther() {
 }
 
 bool Timeline::dropOldestOfLine() {
-    for (const std::uint32_t id : pathTo(line_)) {
-        const Branch& branch = at(id);
-        if (branch.keys.empty()) continue;
-        // The last group stays: the world must be able to come back to what it just was.
-        if (id == line_ && branch.keys.front().base == branch.keys.back().base) return false;
-        dropFront(id);
-        return true;
-    }
-    return false;
+    const std::uint32_t id = pathTo(line_).front();
+    const Branch& branch = at(id);
+    // The last group stays: the world must be able to come back to what it just was.
+    if (id == line_ && branch.keys.front().base == branch.keys.back().base) return false;
+    dropFront(id);
+    return true;
 }
 
-// A key with all that differ from it.
+// A key with all that differ from it. No line leads across what is gone: what comes after it and
+// what parted from it begin by themselves.
 void Timeline::dropFront(std::uint32_t id) {
     Branch& branch = at(id);
     const std::uint64_t base = branch.keys.front().base;
@@ -487,25 +468,28 @@ void Timeline::dropFront(std::uint32_t id) {
         if (key.base == base) packed_ -= key.packed.size();
         return key.base == base;
     });
-    if (branch.keys.empty()) {
-        erase(id);
+    const bool gone = branch.keys.empty();
+    cut(branch);
+    if (!gone) branch.begin = branch.keys.front().tick;
+    for (auto& [other, child] : branches_)
+        if (child.parent == id && (gone || child.begin < branch.begin)) cut(child);
+    if (gone) {
+        branches_.erase(id);
         return;
     }
-    const std::uint64_t begin = branch.keys.front().tick;
-    std::erase_if(branch.inputs, [&](const auto& input) { return input.tick < begin; });
-    std::erase_if(branch.marks, [&](const auto& mark) { return mark.tick < begin; });
+    std::erase_if(branch.inputs, [&](const auto& input) { return input.tick < branch.begin; });
+    std::erase_if(branch.marks, [&](const auto& mark) { return mark.tick < branch.begin; });
 }
 
-// Those that came from it begin by themselves now.
-void Timeline::erase(std::uint32_t id) {
-    const Branch gone = std::move(at(id));
-    branches_.erase(id);
-    for (auto& [other, branch] : branches_) {
-        if (branch.parent != id) continue;
-        branch.parent = 0;
-        for (const Seen& one : gone.seen)
-            if (one.tick <= branch.begin) branch.seen.push_back(one);
+// From those that it came from. It keeps who had touched before.
+void Timeline::cut(Branch& branch) {
+    std::uint64_t until = branch.begin;
+    for (std::uint32_t id = branch.parent; id != 0; id = at(id).parent) {
+        for (const Seen& one : at(id).seen)
+            if (one.tick <= until) branch.seen.push_back(one);
+        until = std::min(until, at(id).begin);
     }
+    branch.parent = 0;
 }
 
 }  // namespace sulfurchamber

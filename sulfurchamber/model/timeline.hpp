@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "mark.hpp"
+
 namespace sulfurchamber {
 
 /// A force on a particle during one tick, newtons. It wakes the body.
@@ -36,17 +38,6 @@ struct Moment {
     std::uint64_t tick = 0;
     bool operator==(const Moment&) const = default;
 };
-
-/// What a time bar shows of a tick or of a tenth of a second.
-struct Mark {
-    enum class Kind : std::uint8_t { edit, contact, breakage };
-    std::uint64_t tick = 0;
-    Kind kind = Kind::edit;
-    std::string label;      ///< of an edit
-    std::size_t count = 1;  ///< of contacts or of joints
-};
-/// "Move", "2 first contacts", "1 joint breaks".
-std::string textOf(const Mark& mark);
 
 struct TimelineLimits {
     std::size_t bytes = std::size_t{64} << 20;  ///< of memory, all branches together
@@ -99,7 +90,8 @@ public:
         std::uint64_t serial = 0;
     };
     Place place() const { return {now_, exact_, serial_}; }
-    /// The world was brought back to what it was when place() gave this.
+    /// The world was brought back to what it was when place() gave this. Where that moment is no
+    /// longer recorded, as leave().
     void comeBack(const Place& place);
     /// The world is stamped anew: it is at no recorded moment.
     void leave();
@@ -149,7 +141,7 @@ private:
     void startBranch(const sulfur::World& world);
     void addKey(Branch& branch, const sulfur::World& world);
     void scheduleKey(const Branch& branch, const sulfur::World& world);
-    const Key* keyBefore(const Branch& branch, std::uint64_t tick) const;
+    const Key& keyBefore(const Branch& branch, std::uint64_t tick) const;
     sulfur::Snapshot unpack(const Branch& branch, const Key& key);
     void simulate(sulfur::World& world, const Branch& branch, std::uint64_t to,
                   double milliseconds) const;
@@ -160,7 +152,7 @@ private:
     bool dropOldestOther();
     bool dropOldestOfLine();
     void dropFront(std::uint32_t id);
-    void erase(std::uint32_t id);
+    void cut(Branch& branch);
     void recallSeen();
 
     TimelineLimits limits_;

@@ -234,6 +234,105 @@ TEST(Timeline, OlderThanTheLongestIsForgotten) {
     EXPECT_LT(timeline.keys(), 30u);
 }
 
+void run(Timeline& timeline, sulfur::World& world, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        timeline.prepare(world);
+        world.step();
+        timeline.ticked(world);
+    }
+}
+
+// What a caller that asks until it is there relies on.
+void expectEachTickIsReached(Timeline& timeline, sulfur::World& world, std::uint32_t line) {
+    ASSERT_LE(timeline.first(line), timeline.last(line));
+    for (std::uint64_t wish = 0; wish <= timeline.last(line) + 50; wish += 50) {
+        const std::uint64_t tick = std::clamp(wish, timeline.first(line), timeline.last(line));
+        ASSERT_EQ(timeline.go(world, {line, wish}, 1e9), (Moment{line, tick}));
+        ASSERT_EQ(world.ticks(), tick);
+    }
+}
+
+void addFalling(sulfur::World& world, int count) {
+    const auto box = sulfur::scene::makePrefab("box", sulfur::shapes::BoxOptions{});
+    for (int i = 0; i < count; ++i) world.add(box.blueprint, {.position = {2.0 * i, 0}});
+}
+
+TEST(Timeline, ABranchThatPartedFromWhatIsForgottenBeginsByItself) {
+    Timeline timeline({.bytes = 64u << 20, .assured = 1, .longest = 2, .interval = 0.1});
+    sulfur::World world;
+    addFalling(world, 1);
+    run(timeline, world, 500);
+    const std::uint32_t old = timeline.line();
+    timeline.go(world, {old, 100}, 1e9);
+    const Timeline::Place early = timeline.place();
+    run(timeline, world, 10);
+    const std::uint32_t side = timeline.line();
+    timeline.go(world, {old, 500}, 1e9);
+    for (int i = 0; i < 3000 && timeline.first(old) <= 110; ++i) run(timeline, world, 1);
+    const std::uint64_t first = timeline.first(old);
+    const std::uint64_t last = timeline.last(old);
+    const std::uint64_t hash = world.hash();
+    ASSERT_GT(first, 110u);
+    EXPECT_EQ(timeline.first(side), 100u);
+    EXPECT_EQ(timeline.last(side), 110u);
+    expectEachTickIsReached(timeline, world, side);
+    ASSERT_EQ(timeline.others().size(), 1u);
+    EXPECT_EQ(timeline.others()[0].from, first);
+    EXPECT_EQ(timeline.others()[0].last, last);
+    // It goes on, and takes nothing from the other, however long it gets.
+    run(timeline, world, 1500);
+    EXPECT_GT(timeline.first(side), 100u);
+    EXPECT_EQ(timeline.first(old), first);
+    timeline.go(world, {old, last}, 1e9);
+    EXPECT_EQ(world.ticks(), last);
+    EXPECT_EQ(world.hash(), hash);
+    // A moment that is forgotten is none to come back to.
+    timeline.comeBack(early);
+    EXPECT_FALSE(timeline.now());
+}
+
+TEST(Timeline, ASideBranchThatLostItsBeginningCanBeReached) {
+    Timeline timeline({.bytes = 600'000, .assured = 1, .longest = 1e4, .interval = 0.02});
+    sulfur::World world;
+    addFalling(world, 20);
+    run(timeline, world, 200);
+    const std::uint32_t old = timeline.line();
+    timeline.go(world, {old, 100}, 1e9);
+    run(timeline, world, 300);
+    const std::uint32_t side = timeline.line();
+    ASSERT_EQ(timeline.first(side), 0u);
+    timeline.go(world, {old, 200}, 1e9);
+    for (int i = 0; i < 20000 && timeline.first(side) <= 100; ++i) run(timeline, world, 1);
+    ASSERT_GT(timeline.first(side), 100u);
+    ASSERT_LT(timeline.first(side), 400u);
+    EXPECT_EQ(timeline.first(old), 0u);
+    expectEachTickIsReached(timeline, world, side);
+    expectEachTickIsReached(timeline, world, old);
+}
+
+TEST(Timeline, APlaceInAFutureThatIsForgottenIsLeft) {
+    Timeline timeline({.bytes = 600'000, .assured = 1, .longest = 1e4, .interval = 0.02});
+    sulfur::World world;
+    addFalling(world, 20);
+    run(timeline, world, 200);
+    const std::uint32_t old = timeline.line();
+    const Timeline::Place end = timeline.place();
+    const sulfur::Snapshot then = world.snapshot();
+    timeline.go(world, {old, 100}, 1e9);
+    run(timeline, world, 1);
+    const std::uint32_t line = timeline.line();
+    for (int i = 0; i < 20000 && timeline.last(old) > 100; ++i) run(timeline, world, 1);
+    ASSERT_EQ(timeline.last(old), 100u);
+    world.restore(then);
+    timeline.comeBack(end);
+    EXPECT_FALSE(timeline.now());
+    run(timeline, world, 10);
+    EXPECT_EQ(timeline.first(timeline.line()), 200u);
+    EXPECT_EQ(timeline.last(timeline.line()), 210u);
+    expectEachTickIsReached(timeline, world, old);
+    expectEachTickIsReached(timeline, world, line);
+}
+
 TEST(Timeline, AStepInTimeStopsWhenItsTimeIsSpentAndGoesOnWhenAskedAgain) {
     Workbench bench;
     drag(bench, ToolKind::box, {0, 3}, {0.6, 3.6});
