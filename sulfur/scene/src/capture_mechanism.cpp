@@ -8,6 +8,7 @@ namespace sulfur::scene {
 namespace {
 
 constexpr double sameValue = 1e-9;  // rad or m
+constexpr double sameAxis = 1e-6;   // rad, which float can tell
 
 /// What is beyond all that a file can say counts as without bound.
 Real bounded(Real value, double most) {
@@ -117,6 +118,9 @@ void MechanismCapture::know(const SceneMechanism& mechanism, const MadeMechanism
 bool MechanismCapture::isAsMade(const Wheel& wheel, const MadeMechanism& made) const {
     if (!world_.contains(made.id) || !world_.contains(made.spring)) return false;
     const auto spring = world_.info(made.spring), motor = world_.info(made.id);
+    const Point axis = wheel.axis.cast<double>().normalized();
+    const Point axisNow = spring.axis.cast<double>();
+    if ((axisNow - axis).norm() > sameAxis || spring.collide != wheel.options.collide) return false;
     return std::abs(spring.value) < sameValue && std::abs(motor.value) < sameValue &&
            (spring.pointB - wheel.at).norm() < sameValue &&
            same(spring.drive, wheel.options.spring) && same(motor.drive, wheel.options.motor);

@@ -272,6 +272,22 @@ TEST(MechanismsInFiles, KeepIdsAndUnknownMembersAndAWheelThatIsAsItWasMade) {
     EXPECT_FALSE(std::get<Hinge>(changed.mechanisms[4].spec).options.pin);
 }
 
+TEST(MechanismsInFiles, GiveTheAxisOfAWheelWhoseCartHasTurnedAboutIt) {
+    const Scene scene = parse(R"({"format": "sulfur-scene", "version": 1,
+      "blueprints": {"beam": {"shape": "box", "size": [1, 0.2]}},
+      "bodies": [{"id": "cart", "blueprint": "beam"}, {"id": "wheel", "blueprint": "beam"}],
+      "mechanisms": [{"type": "wheel", "a": "cart", "b": "wheel", "at": [0, 0], "axis": [0, 1]}]})",
+                              "a");
+    World world(scene.settings);
+    const Instance instance = instantiate(scene, world);
+    EXPECT_EQ(capture(world, scene, instance).mechanisms.size(), 1u);
+    for (const char* id : {"cart", "wheel"}) world.setPose(instance.body(id), {.angle = 0.5});
+    const Scene turned = capture(world, scene, instance);
+    ASSERT_EQ(turned.mechanisms.size(), 2u) << "a slider and a hinge";
+    const auto& slider = std::get<Slider>(turned.mechanisms[0].spec);
+    EXPECT_NEAR(static_cast<double>(slider.axis.x()), -std::sin(0.5), 1e-5);
+}
+
 TEST(MechanismsInFiles, KeepParticlesOfSoftBodiesWhereverTheyAre) {
     World world;
     const auto post = world.add({.kind = sulfur::BodyKind::fixed, .particles = {{}}}).id();
