@@ -107,6 +107,8 @@ void Document::merge(const std::string& into, const std::string& single, std::ui
     if (state) {
         state->positions.push_back(place);
         state->velocities.emplace_back(0, 0);
+        state->angle.reset();  // it is no single disc any more
+        state->spin = 0;
     }
     sulfur::JointSpec made = joint;
     made.a = other;

@@ -1,6 +1,8 @@
 // What changes a document: each function changes the plan and the world in the same moment.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "document_steps.hpp"
 #include "follow.hpp"
@@ -86,12 +88,8 @@ BodyId Document::add(const Prefab& prefab, const Placement& placement) {
     const sulfur::Body body =
         world_->add(scaled(plan_.blueprint(id), constants_), plan_.body(id).pose);
     world_->setUserData(body.id(), keyOf(id));
-    if (placement.state && world_->kind(body.id()) != sulfur::BodyKind::fixed) {
-        const auto particles = world_->particles(body.id());
-        for (std::size_t i = 0; i < particles.size(); ++i) {
-            world_->setPosition(particles[i], placement.state->positions.at(i));
-            world_->setVelocity(particles[i], placement.state->velocities.at(i));
-        }
+    if (placement.state) {
+        sulfur::scene::applyState(plan_.scene(), plan_.body(id), *world_, body);
     } else if (placement.velocity != Vec2(0, 0)) {
         world_->setVelocity(body.id(), placement.velocity);
     }
@@ -251,7 +249,10 @@ void Document::place(BodyId body, const Pose& pose) {
     placement.pose = pose;
     plan_.carryMechanisms(id, before, pose);
     if (!placement.state) return;
-    const Eigen::Rotation2Dd turned(pose.angle - before.angle);
+    const double turn = pose.angle - before.angle;
+    if (auto& angle = placement.state->angle)
+        angle = std::remainder(*angle + turn, 2 * std::numbers::pi);
+    const Eigen::Rotation2Dd turned(turn);
     for (Point& place : placement.state->positions)
         place = pose.position + turned * (place - before.position);
     for (Vec2& velocity : placement.state->velocities)

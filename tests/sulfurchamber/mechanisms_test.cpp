@@ -172,5 +172,41 @@ TEST(MechanismsOfDocuments, FollowWhatIsMovedInAMoment) {
     EXPECT_NEAR((opened.hinge().at - Point(0.5, 0)).norm(), 0, 1e-3);
 }
 
+// --- discs with a state ----------------------------------------------------------------------
+
+const std::string turning = R"({"format": "sulfur-scene", "version": 1,
+  "settings": {"gravity": [0, 0]},
+  "blueprints": {"disc": {"particles": [{"position": [0, 0], "radius": 0.5}]}},
+  "bodies": [{"id": "disc", "blueprint": "disc", "angle": 0.3,
+              "state": {"positions": [[1, 2]], "velocities": [[0, 0]], "angle": 0.8, "spin": 3}}]})";
+
+TEST(DiscsOfDocuments, ArePastedInAMomentAsTheyTurn) {
+    Workbench bench;
+    Document& document = bench.document();
+    document.open(fileOf(turning, "disc.json"));
+    document.tick();
+    const auto& world = document.world();
+    const BodyId disc = document.bodyOf("disc");
+    const double angle = world.angle(disc);
+    ASSERT_GT(angle, 0.8);
+    bench.select({disc});
+    bench.paste(bench.copy(), {10, 2});
+    const BodyId copy = document.bodyOf(document.scene().bodies.at(1).id);
+    EXPECT_NEAR(world.angle(copy), angle, 1e-5);
+    EXPECT_NEAR(world.angularVelocity(copy), 3, 1e-5);
+}
+
+TEST(DiscsOfDocuments, AreTurnedWithTheirState) {
+    Workbench bench;
+    Document& document = bench.document();
+    document.open(fileOf(turning, "disc.json"));
+    const BodyId disc = document.bodyOf("disc");
+    document.edit("Turn", [&] { document.place(disc, {.position = {1, 2}, .angle = 1.1}); });
+    EXPECT_NEAR(document.plan().body("disc").state->angle.value(), 1.1, 1e-6);
+    document.tick();
+    document.reset();
+    EXPECT_NEAR(document.world().angle(document.bodyOf("disc")), 1.1, 1e-6);
+}
+
 }  // namespace
 }  // namespace sulfurchamber

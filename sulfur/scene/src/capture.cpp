@@ -158,9 +158,12 @@ private:
             state.velocities.push_back(info.velocity);
         }
         if (state.positions.size() == 1 && world_.info(world_.particles(body)[0]).radius > 0) {
-            state.angle = world_.angle(body);
-            state.spin = world_.angularVelocity(body);
-            moved = moved || std::abs(state.angle - placement.pose.angle) > 1e-9 || state.spin != 0;
+            const double angle = world_.angle(body);
+            state.angle = angle;
+            // A tiny disc may spin faster than a file can say.
+            state.spin =
+                std::clamp<double>(world_.angularVelocity(body), -Limits::spin, Limits::spin);
+            moved = moved || std::abs(angle - placement.pose.angle) > 1e-9 || state.spin != 0;
         }
         if (moved) placement.state = std::move(state);
     }

@@ -97,7 +97,7 @@ std::string formatState(const Placement& body, std::size_t indent) {
     for (const auto& velocity : body.state->velocities) velocities.push_back(json(velocity));
     text.add("positions", wrapped(positions, indent + 2));
     text.add("velocities", wrapped(velocities, indent + 2));
-    text.precise("angle", body.state->angle, 0, 0, 0);
+    if (body.state->angle) text.add("angle", json(*body.state->angle));
     text.precise("spin", body.state->spin, 0, 0, 0);
     text.finish();
     return text.inLines(indent);

@@ -30,8 +30,8 @@ void applyState(const Scene& scene, const Placement& placement, World& world, Bo
         throw ReadError(scene.file, 0, placement.id,
                         "state has not one position and one velocity for each of the " +
                             std::to_string(particles.size()) + " particles");
-    if (state.angle != 0 && particles.size() == 1)
-        world.setPose(body, {state.positions[0], state.angle});
+    if (state.angle && particles.size() == 1)
+        world.setPose(body, {state.positions[0], *state.angle});
     for (std::size_t i = 0; i < particles.size(); ++i)
         world.setPosition(particles[i], state.positions[i]);
     if (world.kind(body) == BodyKind::fixed) return;

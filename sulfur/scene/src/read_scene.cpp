@@ -158,7 +158,7 @@ private:
             if (count != 1)
                 member->fail("is given to a body of " + std::to_string(count) +
                              " particles; allowed are those of one");
-            (key[0] == 'a' ? state.angle : state.spin) =
+            (key[0] == 'a' ? state.angle.emplace() : state.spin) =
                 member->number(-Limits::spin, Limits::spin);
         }
         reader.finish();

@@ -210,6 +210,30 @@ TEST(Capture, HoldsHowDiscsTurn) {
     EXPECT_EQ(again.meanVelocity(same), world.meanVelocity(ball));
 }
 
+TEST(Capture, HoldsDiscsThatHaveTurnedBackToZero) {
+    const Scene scene = parse(R"({"format": "sulfur-scene", "version": 1,
+      "settings": {"gravity": [0, 0]},
+      "blueprints": {"disc": {"particles": [{"position": [0, 0], "radius": 0.5}]}},
+      "bodies": [{"id": "disc", "blueprint": "disc", "angle": 0.3}]})",
+                              "a");
+    World world(scene.settings);
+    const Instance instance = instantiate(scene, world);
+    world.setPose(instance.body("disc"), {.position = {1, 0}, .angle = 0});
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    World again(captured.settings);
+    EXPECT_NEAR(again.angle(instantiate(captured, again).body("disc")), 0, 1e-9);
+}
+
+TEST(Capture, HoldsDiscsThatSpinFasterThanAFileCanSay) {
+    World world({.gravity = {0, 0}});
+    const auto disc = world.add({.particles = {{.radius = Real(0.0005)}}}).id();
+    world.applyAngularImpulse(disc, Real(0.2));
+    world.step();
+    ASSERT_GT(world.angularVelocity(disc), Limits::spin);
+    const Scene captured = parse(format(capture(world)), "saved");
+    EXPECT_EQ(captured.bodies.at(0).state->spin, Limits::spin);
+}
+
 TEST(Capture, OfAWorldWithoutAScene) {
     World world;
     world.add(sulfur::shapes::floor({-5, 0}, {5, 0}));

@@ -37,6 +37,11 @@ struct Instance {
 /// that read() would accept; the world then holds a part of it.
 Instance instantiate(const Scene& scene, World& world);
 
+/// Puts the particles of a body that was made at the pose of its placement where the state of that
+/// says, with their velocities; a disc also turns and spins so. The placement must have a state.
+/// Throws ReadError when that has another number of particles, before anything changes.
+void applyState(const Scene& scene, const Placement& placement, World& world, BodyId body);
+
 /// Adds mechanisms of a scene between bodies that are in a world, with their ids in the scene.
 /// Throws sulfur::Error or ReadError when one cannot be made; those before it are there then.
 std::vector<MadeMechanism> makeMechanisms(std::span<const SceneMechanism> mechanisms,

@@ -51,8 +51,9 @@ struct Limits {
 struct BodyState {
     std::vector<Point> positions;  ///< in the world, one per particle
     std::vector<Vec2> velocities;  ///< one per particle
-    double angle = 0;              ///< rad, of a body that is a single disc
-    double spin = 0;               ///< rad/s, of a body that is a single disc
+    /// rad, of a body that is a single disc; that of its pose when not given
+    std::optional<double> angle = std::nullopt;
+    double spin = 0;  ///< rad/s, of a body that is a single disc
 };
 
 /// One body: an instance of a prefab.
