@@ -36,6 +36,16 @@ bool hasItsShape(const World& world, BodyId body, const sulfur::Blueprint& plan,
     return true;
 }
 
+// Where the frame of a body is when the scene begins: a state may have left the pose.
+Pose startOf(const Plan& plan, const std::string& id) {
+    const Placement& placement = plan.body(id);
+    if (!placement.state) return placement.pose;
+    World trial(plan.scene().settings);
+    const BodyId body = trial.add(plan.blueprint(id), placement.pose);
+    sulfur::scene::applyState(plan.scene(), placement, trial, body);
+    return trial.pose(body);
+}
+
 }  // namespace
 
 std::vector<std::string> Document::idsOf(std::span<const BodyId> bodies) const {
@@ -207,7 +217,7 @@ void Document::bringPlanHere(std::span<const BodyId> bodies) {
         const auto found = here.find(id);
         if (found == here.end()) continue;
         Placement& placement = plan_.body(id);
-        const Pose before = placement.pose;
+        const Pose before = startOf(plan_, id);
         placement.pose = world_->pose(found->second);
         plan_.carryMechanisms(id, before, placement.pose);
         placement.velocity = Vec2(0, 0);

@@ -172,6 +172,25 @@ TEST(MechanismsOfDocuments, FollowWhatIsMovedInAMoment) {
     EXPECT_NEAR((opened.hinge().at - Point(0.5, 0)).norm(), 0, 1e-3);
 }
 
+// A saved moment begins where its states say, not at the poses that it has kept.
+TEST(MechanismsOfDocuments, KeepTheirLimitsWhenASavedMomentIsChangedInAMoment) {
+    Opened opened;
+    for (int i = 0; i < 500 && std::abs(opened.info(0).value) < 0.2; ++i) opened.document().tick();
+    const auto file = fileOf("", "works-begun.json");
+    opened.document().saveMoment(file);
+    opened.document().open(file);
+    auto& document = opened.document();
+    ASSERT_TRUE(document.plan().body("door").state);
+    ASSERT_GT(std::abs(opened.hinge().options.value), 0.1);
+    for (int i = 0; i < 20; ++i) document.tick();
+    const double value = opened.info(0).value;
+    const BodyId door = opened.body("door");
+    document.edit("Move", [&] { document.translate({&door, 1}, {0.5, 0}); });
+    document.reset();
+    EXPECT_NEAR(opened.info(0).value, value, 1e-4);
+    EXPECT_NEAR((opened.hinge().at - Point(0.5, 0)).norm(), 0, 1e-3);
+}
+
 // --- discs with a state ----------------------------------------------------------------------
 
 const std::string turning = R"({"format": "sulfur-scene", "version": 1,
