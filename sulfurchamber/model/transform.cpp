@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <type_traits>
 
 namespace sulfurchamber {
@@ -95,6 +96,9 @@ struct Scaling {
     double factor;
 
     Point point(const Point& p) const { return about + factor * (p - about); }
+    Vec2 direction(const Vec2& d) const { return d; }
+    double turn(double) const { return 0; }
+    double value(bool isAngle) const { return isAngle ? 1 : factor; }
     template <class Spec>
     void operator()(Spec& spec) const {
         const auto f = static_cast<Real>(factor);
@@ -118,10 +122,15 @@ struct Mirroring {
     Point about;
 
     Point point(const Point& p) const { return {2 * about.x() - p.x(), p.y()}; }
+    Vec2 direction(const Vec2& d) const { return {-d.x(), d.y()}; }
+    // By which the frame of a body at an angle turns, rad.
+    double turn(double angle) const { return wrapped(-2 * angle); }
+    // By what the value of a mechanism is multiplied.
+    double value(bool isAngle) const { return isAngle ? -1 : 1; }
     template <class Spec>
     void operator()(Spec& spec) const {
         using namespace sulfur::scene;
-        if constexpr (requires { spec.axis; }) spec.axis.x() = -spec.axis.x();
+        if constexpr (requires { spec.axis; }) spec.axis = direction(spec.axis);
         if constexpr (std::is_same_v<Spec, Hinge>)
             spec.options.drive = mirroredDrive(spec.options.drive);
         if constexpr (std::is_same_v<Spec, Hinge> || std::is_same_v<Spec, Weld>)
@@ -133,22 +142,85 @@ struct Mirroring {
     }
 };
 
-// The mechanisms of the plan with the points of what is selected mapped, and all else of those
+using sulfur::scene::SceneMechanism;
+
+// Maps one of the two bodies of a slider. The zero of its line goes with a, its point with b.
+template <class Map>
+void mapEnd(sulfur::scene::Slider& slider, const std::string& id, const Map& map) {
+    if (slider.a != id && slider.b != id) return;
+    const Point axis = slider.axis.template cast<double>().normalized();
+    Point zero = slider.at - slider.options.value * axis;
+    if (slider.a == id) {
+        zero = map.point(zero);
+        slider.axis = map.direction(slider.axis);
+    }
+    if (slider.b == id) slider.at = map.point(slider.at);
+    const Point now = slider.axis.template cast<double>().normalized();
+    slider.options.value = now.dot(slider.at - zero);
+}
+
+// Maps one body, at an angle, of a mechanism whose other one stays: the limits stay where they are.
+template <class Map>
+void mapEnd(SceneMechanism& mechanism, const std::string& id, double angle, const Map& map) {
+    if (auto* slider = std::get_if<sulfur::scene::Slider>(&mechanism.spec)) {
+        mapEnd(*slider, id, map);
+        return;
+    }
+    const auto carry = [&](auto& spec) {
+        if constexpr (requires { spec.axis; }) {
+            if (spec.a == id) spec.axis = map.direction(spec.axis);
+        } else if constexpr (requires { spec.options.value; }) {
+            if (spec.b == id) spec.options.value += map.turn(angle);
+            if (spec.a == id) spec.options.value -= map.turn(angle);
+        }
+    };
+    std::visit(carry, mechanism.spec);
+    for (Point* point : pointsOf(mechanism, id)) *point = map.point(*point);
+}
+
+// A gear goes on to join both of its parts, of which each counts in another way than before.
+void mapGear(sulfur::scene::Gear& gear, double first, double second) {
+    using sulfur::scene::Limits;
+    const double ratio = static_cast<double>(gear.ratio) * first / second;
+    const double size = std::clamp(std::abs(ratio), Limits::leastRatio, Limits::ratio);
+    gear.ratio = static_cast<Real>(std::copysign(size, ratio));
+    if (!gear.drive) return;
+    gear.drive =
+        first < 0 ? mirroredDrive(*gear.drive) : scaledDrive(*gear.drive, static_cast<Real>(first));
+}
+
+// The mechanisms of the plan with the ends of what is selected mapped, and all else of those
 // between what is selected.
 template <class Map>
-std::vector<sulfur::scene::SceneMechanism> mapped(const Workbench& bench, const Map& map) {
+std::vector<SceneMechanism> mapped(const Workbench& bench, const Map& map) {
+    using namespace sulfur::scene;
     const Document& document = bench.document();
-    std::vector<std::string> ids;
-    for (const BodyId body : bench.selection()) ids.push_back(document.idOf(body));
+    std::map<std::string, double> angles;  // of what is selected, rad
+    for (const BodyId body : bench.selection())
+        angles.emplace(document.idOf(body), document.world().pose(body).angle);
+    std::map<std::string, double> values;  // by what those between what is selected are multiplied
     auto mechanisms = document.scene().mechanisms;
     for (auto& mechanism : mechanisms) {
-        std::size_t chosen = 0;
-        const auto names = bodiesOf(mechanism);
-        for (const std::string& id : ids) {
-            for (Point* point : pointsOf(mechanism, id)) *point = map.point(*point);
-            for (const std::string* name : names) chosen += *name == id ? 1 : 0;
+        if (auto* gear = std::get_if<Gear>(&mechanism.spec)) {
+            const auto first = values.find(gear->first), second = values.find(gear->second);
+            if (first != values.end() && second != values.end())
+                mapGear(*gear, first->second, second->second);
+            continue;
         }
-        if (chosen == names.size()) std::visit(map, mechanism.spec);
+        const auto names = bodiesOf(mechanism);
+        const bool isWhole = std::all_of(names.begin(), names.end(),
+                                         [&](const auto* name) { return angles.contains(*name); });
+        if (!isWhole) {
+            for (const auto& [id, angle] : angles) mapEnd(mechanism, id, angle, map);
+            continue;
+        }
+        for (const auto& [id, angle] : angles)
+            for (Point* point : pointsOf(mechanism, id)) *point = map.point(*point);
+        std::visit(map, mechanism.spec);
+        const auto& spec = mechanism.spec;
+        values.emplace(mechanism.id, map.value(std::holds_alternative<Hinge>(spec) ||
+                                               std::holds_alternative<Weld>(spec) ||
+                                               std::holds_alternative<Wheel>(spec)));
     }
     return mechanisms;
 }

@@ -191,6 +191,45 @@ TEST(MechanismsOfDocuments, KeepTheirLimitsWhenASavedMomentIsChangedInAMoment) {
     EXPECT_NEAR((opened.hinge().at - Point(0.5, 0)).norm(), 0, 1e-3);
 }
 
+TEST(MechanismsOfDocuments, KeepTheirLimitsWhenOneBodyIsMirroredOrScaled) {
+    Opened opened;
+    auto& document = opened.document();
+    const BodyId door = opened.body("door");
+    constexpr double turn = 0.4;
+    document.edit("Turn", [&] {
+        document.place(door,
+                       {.position = {0.5 * std::cos(turn), 0.5 * std::sin(turn)}, .angle = turn});
+    });
+    ASSERT_NEAR(opened.hinge().options.value, turn, 1e-6);
+    opened.bench.select({door});
+    opened.bench.mirror();
+    EXPECT_NEAR(opened.hinge().options.value, -turn, 1e-5) << "the frame has turned back";
+    const BodyId wagon = opened.body("wagon");
+    document.edit("Move", [&] { document.translate({&wagon, 1}, {0.25, 0}); });
+    opened.bench.select({wagon});
+    const Point at = opened.slider().at;
+    opened.bench.scale(2);
+    const double way = opened.slider().at.x() - at.x();
+    EXPECT_NEAR(opened.slider().options.value, 0.25 + way, 1e-5);
+    EXPECT_EQ(std::get<sulfur::scene::Gear>(document.scene().mechanisms[2].spec).ratio,
+              sulfur::Real(0.5));
+}
+
+TEST(MechanismsOfDocuments, GearsBetweenAnglesAndWaysAreMirroredAndScaled) {
+    Opened opened;
+    const auto ratio = [&] {
+        return static_cast<double>(
+            std::get<sulfur::scene::Gear>(opened.document().scene().mechanisms[2].spec).ratio);
+    };
+    opened.bench.selectAll();
+    opened.bench.mirror();
+    EXPECT_NEAR(ratio(), -0.5, 1e-6);
+    opened.bench.mirror();
+    EXPECT_NEAR(ratio(), 0.5, 1e-6);
+    opened.bench.scale(2);
+    EXPECT_NEAR(ratio(), 0.25, 1e-6) << "the same turn moves the wagon twice as far";
+}
+
 // --- discs with a state ----------------------------------------------------------------------
 
 const std::string turning = R"({"format": "sulfur-scene", "version": 1,
