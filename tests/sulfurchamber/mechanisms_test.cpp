@@ -1,6 +1,7 @@
 // Mechanisms of a scene in the sandbox: kept, carried along, copied, and gone with their bodies.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -189,6 +190,29 @@ TEST(MechanismsOfDocuments, KeepTheirLimitsWhenASavedMomentIsChangedInAMoment) {
     document.reset();
     EXPECT_NEAR(opened.info(0).value, value, 1e-4);
     EXPECT_NEAR((opened.hinge().at - Point(0.5, 0)).norm(), 0, 1e-3);
+}
+
+TEST(MechanismsOfDocuments, AreWhereTheirBodiesHaveFallenToBeforeAMomentWasSaved) {
+    const std::string pair = R"({"format": "sulfur-scene", "version": 1, "blueprints": {
+      "beam": {"shape": "box", "size": [1, 0.2]}},
+      "bodies": [{"id": "left", "blueprint": "beam", "position": [-0.5, 0]},
+                 {"id": "right", "blueprint": "beam", "position": [0.5, 0]}],
+      "mechanisms": [{"type": "hinge", "a": "left", "b": "right", "at": [0, 0]}]})";
+    Opened opened;
+    auto& document = opened.document();
+    document.open(fileOf(pair, "pair.json"));
+    while (document.world().pose(opened.body("left")).position.y() > -5) document.tick();
+    const auto file = fileOf("", "pair-fallen.json");
+    document.saveMoment(file);
+    document.open(file);
+    document.tick();
+    const Point at = opened.info(0).pointB;
+    ASSERT_LT(at.y(), -5);
+    const BodyId left = opened.body("left"), right = opened.body("right");
+    const std::array<BodyId, 2> both{left, right};
+    document.edit("Move", [&] { document.translate(both, {1, 0}); });
+    document.reset();
+    EXPECT_NEAR((opened.hinge().at - at - Point(1, 0)).norm(), 0, 1e-3);
 }
 
 TEST(MechanismsOfDocuments, KeepTheirLimitsWhenOneBodyIsMirroredOrScaled) {
