@@ -123,7 +123,7 @@ const Wrong wrongMechanisms[] = {
      "\"rigid\""},
     {R"({"type": "hinge", "a": "post", "b": "beam", "at": [0, 0], "drive": {"motorMax": -1}})",
      "motorMax"},
-    {R"({"type": "hinge", "a": "post", "b": "beam", "at": [0, 0], "drive": {"strength": 1e-300}})",
+    {R"({"type": "hinge", "a": "post", "b": "beam", "at": [0, 0], "drive": {"strength": 0}})",
      "more than 0"},
     {R"({"type": "hinge", "a": "post", "b": "beam", "at": [0, 0], "drive": []})", "an object"},
     {R"({"type": "hinge", "a": "bar", "b": "beam", "at": [3.5, 1]})", "cannot hold that point"},

@@ -81,8 +81,8 @@ TEST(Areas, AJellySqueezedToATenthHasItsShapeAgain) {
     }
     EXPECT_GT(pressed, 0u);
     world.remove(lid);
-    test::run(world, 4);
-    EXPECT_GT(leastShare(world, jelly), 0.8);
+    test::run(world, 8);  // it springs up, and then trembles for some seconds
+    EXPECT_GT(leastShare(world, jelly), 0.95);
     EXPECT_EQ(world.statistics().pressedTriangles, 0u);
 }
 
