@@ -1,12 +1,14 @@
-// Looking at a pair: which corners are near which sides, and what follows for its rows.
+// Looking at pairs: which of them are due, and what follows for their rows.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "contacts/encounters.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
+#include "contacts/stages.hpp"
 #include "core/settings.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
@@ -118,6 +120,35 @@ void lookAtPair(State& state, std::uint32_t pair) {
         lookAtManifold(state, pair);
     else
         lookAtTouches(state, pair);
+}
+
+void lookAtListed(State& state) {
+    ContactCore& core = state.core;
+    const auto& listed = core.again;
+    const std::size_t most =
+        tuned::lookedPairs * std::size_t{state.work.awakeParticles + tuned::fewMovers};
+    const auto price = std::accumulate(
+        listed.begin(), listed.end(), std::size_t{0},
+        [&](std::size_t sum, std::uint32_t pair) { return sum + priceOf(core, core.pairs[pair]); });
+    const std::size_t first = price > most ? stepNumber(state) * most % listed.size() : 0;
+    std::size_t spent = 0;
+    for (std::size_t i = 0; i < listed.size() && spent < most; ++i) {
+        const auto pair = listed[(first + i) % listed.size()];
+        spent += priceOf(core, core.pairs[pair]);
+        lookAtPair(state, pair);
+    }
+}
+
+void lookAtPairs(State& state) {
+    ContactCore& core = state.core;
+    // A look may move watches about: those that are due are listed first.
+    core.newRows = 0;
+    core.again.clear();
+    const double* const ahead = core.ahead.data();
+    for (PairWatch& w : core.watches)
+        if (!(ahead[w.a] + ahead[w.b] < w.limit) && isDue(core, w)) core.again.push_back(w.pair);
+    lookAtListed(state);
+    core.heirs.clear();
 }
 
 void keepRows(State& state, std::uint32_t index) {

@@ -32,6 +32,9 @@ const Heir* findHeir(const ContactCore& core, const std::array<std::uint32_t, 3>
 void leaveToHeirs(ContactCore& core, const std::array<std::uint32_t, 3>& particles, Real pressing,
                   Real rubbing);
 
+/// Looks at the pairs that are listed in ContactCore::again. Where there are too many for a step,
+/// at some, from another one on in each step: the others keep their rows and are due again.
+void lookAtListed(State& state);
 /// Both chunks are convex: one row of up to two points.
 void lookAtManifold(State& state, std::uint32_t pair);
 /// Something of either may move by itself: a row for each corner that is near a side.
