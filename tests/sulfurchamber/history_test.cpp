@@ -137,6 +137,20 @@ void actAtRandom(Workbench& bench, std::mt19937& random) {
     bench.cancel();
 }
 
+/// The same, but that more than so many particles are deleted.
+void actOrClear(Workbench& bench, std::mt19937& random, std::size_t most) {
+    if (bench.document().plan().particles() > most) {
+        bench.selectAll();
+        bench.deleteSelection();
+        return;
+    }
+    try {
+        actAtRandom(bench, random);
+    } catch (const std::exception&) {  // what the program would tell in a sentence
+        bench.cancel();
+    }
+}
+
 TEST(History, AThousandRandomCommandsUndoneAndRedoneGiveIdenticalBytes) {
     std::mt19937 random(11);
     Workbench bench;
@@ -151,16 +165,7 @@ TEST(History, AThousandRandomCommandsUndoneAndRedoneGiveIdenticalBytes) {
     };
     for (int i = 0; i < 1000; ++i) {
         const std::size_t before = document.historyPlace();
-        if (document.plan().particles() > 200) {
-            bench.selectAll();
-            bench.deleteSelection();
-        } else {
-            try {
-                actAtRandom(bench, random);
-            } catch (const std::exception&) {  // what the program would tell in a sentence
-                bench.cancel();
-            }
-        }
+        actOrClear(bench, random, 200);
         if (document.historyPlace() == before) continue;
         if (document.historyPlace() == texts.size()) note();
         // The world goes on between steps; what undo restores is where the step began.
@@ -225,15 +230,8 @@ TEST(History, StaysWholeWhileOneRewindsAndBranches) {
         } else if (random() % 12 == 0 && document.canRedo()) {
             document.redo();
             ASSERT_EQ(document.text(), texts[document.historyPlace()]);
-        } else if (document.plan().particles() > 150) {
-            bench.selectAll();
-            bench.deleteSelection();
         } else {
-            try {
-                actAtRandom(bench, random);
-            } catch (const std::exception&) {  // what the program would tell in a sentence
-                bench.cancel();
-            }
+            actOrClear(bench, random, 150);
         }
         bench.documentChanged();
         if (timeline.line() != line) ++branches;

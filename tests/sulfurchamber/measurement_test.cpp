@@ -104,22 +104,25 @@ TEST(Measurement, WhatLiesIsHeldByItsWeight) {
     EXPECT_NEAR(mean(between(samples, 1.0, 1.2)), weight, 0.02 * weight);
 }
 
-TEST(Measurement, ThePendulumSwingsAsItsLengthSays) {
-    // A ball on a rigid rod of 1 m, pulled aside by 0.1 rad: a physical pendulum.
-    Workbench bench;
-    Document& document = bench.document();
+/// A particle that a joint holds to a pin at the origin.
+sulfur::scene::Prefab pendulum(sulfur::Vec2 at) {
     auto prefab = sulfur::scene::makePrefab("bob", sulfur::shapes::BoxOptions{});
     prefab.generator = {};
     auto& plan = prefab.blueprint;
     plan = {};
     plan.name = "bob";
     plan.particles.resize(2);
-    plan.particles[0].position = {0, 0};
     plan.particles[0].pinned = true;
-    plan.particles[1].position = {std::sin(0.1f), -std::cos(0.1f)};
-    plan.joints.push_back({});
-    plan.joints[0].a = 0;
-    plan.joints[0].b = 1;
+    plan.particles[1].position = at;
+    plan.joints.push_back({.a = 0, .b = 1});
+    return prefab;
+}
+
+TEST(Measurement, ThePendulumSwingsAsItsLengthSays) {
+    // A ball on a rigid rod of 1 m, pulled aside by 0.1 rad: a physical pendulum.
+    Workbench bench;
+    Document& document = bench.document();
+    const auto prefab = pendulum({std::sin(0.1f), -std::cos(0.1f)});
     document.edit("Add pendulum", [&] { document.add(prefab, fourMetresUp()); });
     const BodyId bob = document.world().bodies().back();
     bench.select({bob});
@@ -222,18 +225,9 @@ TEST(Measurement, AnglesGoOnBeyondHalfATurn) {
 TEST(Measurement, JointsTellTheirForceAndStrain) {
     Workbench bench;
     Document& document = bench.document();
-    auto prefab = sulfur::scene::makePrefab("bob", sulfur::shapes::BoxOptions{});
-    prefab.generator = {};
+    auto prefab = pendulum({0, -1});
     auto& plan = prefab.blueprint;
-    plan = {};
-    plan.name = "spring";
-    plan.particles.resize(2);
-    plan.particles[0].pinned = true;
-    plan.particles[1].position = {0, -1};
     plan.particles[1].mass = 2;
-    plan.joints.push_back({});
-    plan.joints[0].a = 0;
-    plan.joints[0].b = 1;
     plan.joints[0].stiffness = 200;
     plan.joints[0].damping = 20;
     document.edit("Add spring", [&] { document.add(prefab, fourMetresUp()); });
