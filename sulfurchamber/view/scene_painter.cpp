@@ -245,9 +245,19 @@ void ScenePainter::paintDiscs(const Posed& body) {
         canvas_->circle(at, std::max(radius - 2 * pixel_, radius * 0.5f), body.fill);
         canvas_->circle(at + Vec2{-0.3f, 0.34f} * radius, radius * 0.22f, body.rim.withAlpha(0.4f));
     }
-    for (const std::uint32_t index : body.look->lone)
-        if (!(world_->info(particles[index]).radius > 0))
-            canvas_->circle(body.points[index], smallestDotPixels * pixel_, body.rim);
+    for (const std::uint32_t index : body.look->lone) {
+        const auto info = world_->info(particles[index]);
+        const Vec2 at = body.points[index];
+        if (!(info.radius > 0)) {
+            canvas_->circle(at, smallestDotPixels * pixel_, body.rim);
+            continue;
+        }
+        // Else one would not see it roll.
+        const float radius = toFloat(info.radius), angle = static_cast<float>(info.angle);
+        const Vec2 outward = Vec2{std::cos(angle), std::sin(angle)} * radius;
+        canvas_->line(at + 0.35f * outward, at + 0.9f * outward, 2 * pixel_,
+                      body.rim.withAlpha(0.7f));
+    }
 }
 
 void ScenePainter::paintConnections() {
