@@ -99,11 +99,16 @@ void Rope::tieHand(sulfur::World& world, sulfur::ParticleId hand) {
 
 void Rope::hold(sulfur::World& world, sulfur::ParticleId hand, Real speed) {
     if (state_ != State::attached) return;
+    const Real tick = world.tickDuration();
+    reelSpeed_ = std::clamp(speed, reelSpeed_ - rules_.reelStart * tick,
+                            reelSpeed_ + rules_.reelYield * tick);
+    const bool stalls = tension(world) > static_cast<double>(rules_.reelForce);
+    if (stalls) reelSpeed_ = std::max(reelSpeed_, Real(0));
     const Real before = static_cast<Real>(restLength());
-    if (speed < 0 && tension(world) > static_cast<double>(rules_.reelForce)) speed = 0;
-    if (speed != 0) reel(world, hand, speed * world.tickDuration());
+    if (reelSpeed_ != 0) reel(world, hand, reelSpeed_ * tick);
     const Real changed = static_cast<Real>(restLength()) - before;
-    damp(world, hand, changed / world.tickDuration());
+    if (changed == 0) reelSpeed_ = 0;
+    damp(world, hand, changed / tick);
 }
 
 /// Keeps the link at the hand between a half and one and a half links long. Its stiffness goes
@@ -159,7 +164,8 @@ void Rope::damp(sulfur::World& world, sulfur::ParticleId hand, Real wantedRate) 
     if (static_cast<double>(distance) < restLength() || distance <= 0) return;
     const Vec2 along = span / distance;
     const Vec2 relative = world.velocity(hand) - world.velocity(beads_.front());
-    const Vec2 force = along * (-rules_.axialDamping * (relative.dot(along) - wantedRate));
+    const Real damping = reelSpeed_ == 0 ? rules_.axialDamping : rules_.reelDamping;
+    const Vec2 force = along * (-damping * (relative.dot(along) - wantedRate));
     world.applyForce(hand, force);
     world.applyForce(beads_.front(), -force);
 }
@@ -197,7 +203,7 @@ std::uint64_t Rope::hash() const {
     for (const sulfur::ParticleId bead : beads_) {
         hash.add(static_cast<std::uint64_t>(bead.index));
     }
-    return hash.add(handLink_).value();
+    return hash.add(handLink_).add(reelSpeed_).value();
 }
 
 }  // namespace quaoar

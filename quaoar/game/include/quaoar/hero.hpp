@@ -18,7 +18,7 @@ struct HeroRules {
     /// N s/m of every spring. Together with the rope's link it stays below the limit at which the
     /// library would have to integrate the hero implicitly and swallow the swing's energy.
     sulfur::Real damping = sulfur::Real(2.5);
-    sulfur::Real speedLimit = 9;  ///< m/s of the whole hero
+    sulfur::Real speedLimit = 11;  ///< m/s of the whole hero
     sulfur::Real push = 5;        ///< N, sideways, while swinging
 };
 

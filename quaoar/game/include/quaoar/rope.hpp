@@ -12,17 +12,23 @@ namespace quaoar {
 /// Numbers of the rope.
 struct RopeRules {
     sulfur::Real linkLength = sulfur::Real(0.05);  ///< m
-    sulfur::Real linkMass = sulfur::Real(0.05);    ///< kg of a particle
+    sulfur::Real linkMass = sulfur::Real(0.02);    ///< kg of a particle
     sulfur::Real stiffness = 5000;                 ///< N/m of a link of linkLength
     sulfur::Real damping = 1;                      ///< N s/m of a link of linkLength
-    sulfur::Real axialDamping = 6;                 ///< N s/m between hand and anchor
+    sulfur::Real axialDamping = 3;                 ///< N s/m between hand and anchor
     sulfur::Real radius = sulfur::Real(0.012);     ///< m: what a particle collides with
+    sulfur::Real reelDamping = 12;                 ///< N s/m of the same while the reel turns
     sulfur::Real reach = 3;                        ///< m: flight of the head, longest rope
     sulfur::Real shortest = sulfur::Real(0.3);     ///< m: no reeling beyond
     sulfur::Real headSpeed = 30;                   ///< m/s
     sulfur::Real reelSpeed = sulfur::Real(1.5);    ///< m/s
     sulfur::Real boostSpeed = 3;                   ///< m/s
     sulfur::Real reelForce = 160;                  ///< N: above this tension the reel stalls
+    /// m/s^2 by which the reel begins to draw, or brakes while it gives out.
+    sulfur::Real reelStart = 30;
+    /// m/s^2 by which it begins to give out, or ends to draw: less than gravity, so that whoever
+    /// hangs on the rope follows it and it stays taut.
+    sulfur::Real reelYield = 5;
 };
 
 /// The rope of one hero in one world. It is made of particles that are bodies of their own and of
@@ -50,8 +56,8 @@ public:
     void shoot(sulfur::Point from, sulfur::Vec2 direction);
     /// Moves a flying head by one tick; lays the rope when it sticks.
     Landing fly(sulfur::World& world, sulfur::ParticleId hand, const Grip& grip);
-    /// Shortens (negative) or lengthens the rope by `speed` m/s during this tick, within its
-    /// bounds. Then applies the axial damping. Only when attached.
+    /// Brings the reel nearer to `speed` m/s (negative shortens) and turns it for this tick, within
+    /// the rope's bounds. Then applies the axial damping. Only when attached.
     void hold(sulfur::World& world, sulfur::ParticleId hand, sulfur::Real speed);
     /// Whether what it is tied to is still there. Only when attached.
     bool tied(const sulfur::World& world) const;
@@ -90,7 +96,8 @@ private:
     std::vector<sulfur::ParticleId> beads_;
     sulfur::JointId handJoint_;
     sulfur::AttachmentId anchor_;
-    sulfur::Real handLink_ = 0;  ///< m: rest length of the link at the hand
+    sulfur::Real handLink_ = 0;   ///< m: rest length of the link at the hand
+    sulfur::Real reelSpeed_ = 0;  ///< m/s, negative: the rope becomes shorter
 };
 
 }  // namespace quaoar
