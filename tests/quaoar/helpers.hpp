@@ -55,6 +55,22 @@ inline std::shared_ptr<const Level> firstLevel() {
     return std::make_shared<const Level>(readLevel(levelsFolder() / "01-cold-wake.json"));
 }
 
+/// The room with more members of "level", on line 10.
+inline std::string roomWith(const std::string& members, const std::string& text = roomText) {
+    return replaced(text, "\"killDepth\": -3,", "\"killDepth\": -3, " + members + ",");
+}
+
+/// A level with one more body, of a blueprint of its own given as members, at a place such as "[1,
+/// 2]".
+inline std::string withBody(const std::string& text, const std::string& id,
+                            const std::string& blueprint, const std::string& position) {
+    const std::string planned =
+        replaced(text, "\"box\":", "\"" + id + "\": {" + blueprint + "},\n    \"box\":");
+    return replaced(planned, "{\"id\": \"box-1\"",
+                    "{\"id\": \"" + id + "\", \"blueprint\": \"" + id +
+                        "\", \"position\": " + position + "},\n    {\"id\": \"box-1\"");
+}
+
 /// A folder of its own for every test, removed afterwards.
 class Folder {
 public:

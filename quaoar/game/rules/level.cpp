@@ -1,5 +1,7 @@
 #include <quaoar/level.hpp>
 
+#include <algorithm>
+
 #include "hash.hpp"
 
 namespace quaoar {
@@ -28,6 +30,12 @@ Medal Level::medalFor(double seconds) const {
     if (seconds <= medals.silver) return Medal::silver;
     if (seconds <= medals.bronze) return Medal::bronze;
     return Medal::none;
+}
+
+std::optional<std::size_t> Level::signal(std::string_view name) const {
+    const auto found = std::lower_bound(signals.begin(), signals.end(), name);
+    if (found == signals.end() || *found != name) return std::nullopt;
+    return static_cast<std::size_t>(found - signals.begin());
 }
 
 std::uint64_t contentHash(std::string_view bytes) {

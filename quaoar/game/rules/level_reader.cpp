@@ -5,26 +5,15 @@
 #include <quaoar/level.hpp>
 #include <quaoar/session.hpp>
 
+#include "reading.hpp"
+
 namespace quaoar {
 namespace {
 
+using reading::farthest;
+using reading::refuseUnknown;
+using reading::requireInside;
 using sulfur::scene::Node;
-
-constexpr double farthest = sulfur::scene::Limits::coordinate;
-
-/// Typing mistakes in the game's own section would otherwise pass in silence.
-void refuseUnknown(const Node& object, std::initializer_list<std::string_view> known) {
-    for (const Node& member : object.members()) {
-        bool found = false;
-        for (const std::string_view key : known) found = found || key == member.key();
-        if (found) continue;
-        std::string allowed;
-        for (const std::string_view key : known) {
-            allowed += (allowed.empty() ? "" : ", ") + std::string(key);
-        }
-        member.fail("is not known here; allowed are " + allowed);
-    }
-}
 
 std::uint32_t readColour(const Node& node) {
     const std::string text = node.string(0, 20);
@@ -35,8 +24,12 @@ std::uint32_t readColour(const Node& node) {
 }
 
 Exit readExit(const Node& node) {
-    refuseUnknown(node, {"position", "radius"});
-    return {node.at("position").point(farthest), node.at("radius").number(0.1, 10)};
+    refuseUnknown(node, {"position", "radius", "needs"});
+    Exit exit;
+    exit.position = node.at("position").point(farthest);
+    exit.radius = node.at("radius").number(0.1, 10);
+    if (const auto needs = node.find("needs")) exit.needs = reading::signalName(*needs);
+    return exit;
 }
 
 void readBounds(const Node& node, Level& level) {
@@ -76,9 +69,12 @@ void readSurfaces(const Node& node, Level& level) {
         if (!level.scene.body(member.key())) {
             member.fail("names no body of this scene; allowed are the ids under \"bodies\"");
         }
-        refuseUnknown(member, {"sticky", "look"});
+        refuseUnknown(member, {"sticky", "deadly", "cuts", "crumbles", "look"});
         Surface surface;
         if (const auto sticky = member.find("sticky")) surface.sticky = sticky->boolean();
+        if (const auto deadly = member.find("deadly")) surface.deadly = deadly->boolean();
+        if (const auto cuts = member.find("cuts")) surface.cuts = cuts->boolean();
+        if (const auto c = member.find("crumbles")) surface.crumbles = c->number(0, 60);
         if (const auto look = member.find("look")) {
             surface.look =
                 static_cast<Surface::Look>(look->choice({"ice", "mirror", "metal", "rock", "peg"}));
@@ -100,15 +96,12 @@ Theme readTheme(const Node& node) {
     return theme;
 }
 
-void requireInside(const Node& node, const Level& level, const sulfur::Point& place) {
-    const bool inside = place.x() >= level.boundsMin.x() && place.x() <= level.boundsMax.x() &&
-                        place.y() >= level.boundsMin.y() && place.y() <= level.boundsMax.y();
-    if (!inside) node.fail("lies outside of the level; allowed is a place within \"bounds\"");
-}
-
 void readSection(const Node& node, Level& level) {
-    refuseUnknown(node, {"name", "number", "spawn", "exit", "bounds", "viewHeight", "killDepth",
-                         "hints", "medals", "surfaces", "theme"});
+    refuseUnknown(
+        node,
+        {"name",        "number",  "spawn",    "exit",   "bounds",    "viewHeight", "killDepth",
+         "hints",       "medals",  "surfaces", "theme",  "countdown", "speedLimit", "reach",
+         "checkpoints", "pickups", "zones",    "movers", "switches",  "monsters",   "respawns"});
     level.name = node.at("name").string(1, 60);
     level.number = static_cast<int>(node.at("number").integer(1, 999));
     readBounds(node.at("bounds"), level);
@@ -125,6 +118,10 @@ void readSection(const Node& node, Level& level) {
     level.medals = readMedals(node.at("medals"));
     if (const auto s = node.find("surfaces")) readSurfaces(*s, level);
     if (const auto t = node.find("theme")) level.theme = readTheme(*t);
+    if (const auto c = node.find("countdown")) level.countdown = c->number(1, 3600);
+    if (const auto s = node.find("speedLimit")) level.speedLimit = s->real(1, 60);
+    if (const auto r = node.find("reach")) level.reach = r->real(0.5, 20);
+    reading::readMechanics(node, level);
 }
 
 void requireTickRate(const Level& level, const std::filesystem::path& file) {

@@ -11,7 +11,7 @@ constexpr std::string_view firstLine = "quaoar-recording 1";
 
 int buttons(const TickInput& input) {
     return (input.fire ? 1 : 0) + (input.reelIn ? 2 : 0) + (input.reelOut ? 4 : 0) +
-           (input.boost ? 8 : 0) + (input.restart ? 16 : 0);
+           (input.boost ? 8 : 0) + (input.restart ? 16 : 0) + (input.retry ? 32 : 0);
 }
 
 std::string hexadecimal(std::uint64_t value) {
@@ -81,7 +81,7 @@ InputRun readRun(const Lines& lines, std::string_view line) {
     std::int64_t values[5] = {};
     constexpr std::int64_t low[5] = {1, -32767, -32767, 0, -127};
     constexpr std::int64_t high[5] = {static_cast<std::int64_t>(Recording::maxTicks), 32767, 32767,
-                                      31, 127};
+                                      63, 127};
     for (int i = 0; i < 5; ++i) {
         const std::size_t space = line.find(' ');
         if ((space == std::string_view::npos) != (i == 4)) {
@@ -99,6 +99,7 @@ InputRun readRun(const Lines& lines, std::string_view line) {
     run.input.reelOut = (values[3] & 4) != 0;
     run.input.boost = (values[3] & 8) != 0;
     run.input.restart = (values[3] & 16) != 0;
+    run.input.retry = (values[3] & 32) != 0;
     run.input.push = static_cast<std::int8_t>(values[4]);
     return run;
 }

@@ -37,7 +37,7 @@ void Session::restart() {
 }
 
 void Session::tick(const TickInput& input) {
-    if (input.restart) {
+    if (input.restart || input.retry) {
         restart();
         return;
     }

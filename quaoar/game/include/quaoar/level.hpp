@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <quaoar/mechanics.hpp>
 #include <string>
 #include <string_view>
 #include <sulfur/scene.hpp>
@@ -11,10 +13,16 @@
 
 namespace quaoar {
 
-/// How the surface of a body looks and whether the rope holds on it.
+/// How the surface of a body looks and what it does to what touches it. (Friction, and the speed of
+/// a conveyor belt, are the scene's.) Pieces that break off keep it.
 struct Surface {
     enum class Look : std::uint8_t { ice, mirror, metal, rock, peg };
-    bool sticky = true;
+    bool sticky = true;   ///< the rope holds on it
+    bool deadly = false;  ///< kills the hero
+    bool cuts = false;    ///< cuts the rope
+    /// Seconds of being touched by the hero or hooked by the rope after which it comes loose: a
+    /// fixed body then falls.
+    std::optional<double> crumbles;
     Look look = Look::ice;
 };
 
@@ -28,6 +36,7 @@ struct Hint {
 struct Exit {
     sulfur::Point position{0, 0};  ///< metres
     double radius = 0.5;           ///< metres: the hero's middle must come this near
+    std::string needs;             ///< a signal without which it is closed; empty: always open
 };
 
 /// Times in seconds that earn a medal, each at least as long as the one before.
@@ -65,6 +74,17 @@ struct Level {
     std::vector<Hint> hints;
     MedalTimes medals;
     std::map<std::string, Surface, std::less<>> surfaces;  ///< by id of a body
+    std::vector<Checkpoint> checkpoints;
+    std::vector<Pickup> pickups;
+    std::vector<Zone> zones;
+    std::vector<Mover> movers;
+    std::vector<Switch> switches;
+    std::vector<Monster> monsters;
+    std::vector<Respawn> respawns;
+    std::optional<double> countdown;         ///< seconds, after which the attempt ends
+    std::optional<sulfur::Real> speedLimit;  ///< m/s of the hero, instead of HeroRules'
+    std::optional<sulfur::Real> reach;       ///< m of the rope, instead of RopeRules'
+    std::vector<std::string> signals;        ///< all that something turns on, sorted
     Theme theme;
     std::uint64_t contentHash = 0;  ///< of the file's bytes
 
@@ -72,6 +92,8 @@ struct Level {
     Surface surface(std::string_view bodyId) const;
     /// The medal for a time in seconds.
     Medal medalFor(double seconds) const;
+    /// The place of a name in `signals`, or nothing.
+    std::optional<std::size_t> signal(std::string_view name) const;
 };
 
 /// Reads a level file: a scene (see sulfur/scene) with a top-level member "level", described by

@@ -31,7 +31,8 @@ struct InputRun {
 ///
 /// The file is text, version 1: a line "quaoar-recording 1", lines "key value" (level, level-hash,
 /// library, numbers, ticks, final-hash), a line "inputs", one line "ticks aimX aimY buttons push"
-/// a run (buttons: a sum of 1 fire, 2 reel in, 4 reel out, 8 boost, 16 restart), a line "end".
+/// a run (buttons: a sum of 1 fire, 2 reel in, 4 reel out, 8 boost, 16 restart, 32 retry), a line
+/// "end".
 class Recording {
 public:
     static constexpr std::size_t maxBytes = std::size_t{4} << 20;

@@ -16,6 +16,7 @@ struct TickInput {
     bool reelOut = false;  ///< lengthen it
     bool boost = false;    ///< reel twice as fast
     bool restart = false;  ///< back to the spawn, at once
+    bool retry = false;    ///< back to the last checkpoint, at once; without one to the spawn
     std::int8_t push = 0;  ///< -127 left to 127 right; acts weakly, and only while swinging
 
     friend bool operator==(const TickInput&, const TickInput&) = default;
