@@ -89,6 +89,25 @@ TEST(Session, TheHeroComesToRestOnTheGround) {
     EXPECT_LT(session.heroVelocity().norm(), 0.25f);  // it breathes by a millimetre or two
 }
 
+/// A roll over flat ice ends within a second, and where it ended he stays.
+TEST(Session, RollingOnFlatIceEndsWithinASecond) {
+    for (const double speed : {1.0, 3.0, 5.0}) {
+        const std::string wide = replaced(replaced(roomText, "[-4, 0], [4, 0], [4, 3], [-4, 3]",
+                                                   "[-40, 0], [40, 0], [40, 9], [-40, 9]"),
+                                          "[0, 0.3]", "[-3, 0.17]");
+        Session session(room(wide));
+        play(session, {}, 500);
+        session.world().setVelocity(session.hero(), {static_cast<sulfur::Real>(speed), 0},
+                                    -speed / 0.12);
+        play(session, {}, 500);
+        const double stopped = session.heroPosition().x();
+        EXPECT_GT(stopped, -3 + 0.05 * speed);  // he did roll
+        play(session, {}, 2500);
+        EXPECT_NEAR(session.heroPosition().x(), stopped, 0.05) << "from " << speed << " m/s";
+        EXPECT_LT(session.heroVelocity().norm(), 0.02f) << "from " << speed << " m/s";
+    }
+}
+
 TEST(Session, TheRopeSticksAndHangsTheHero) {
     Session session(room());
     hang(session, 0.4, 1);

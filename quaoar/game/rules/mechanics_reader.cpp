@@ -52,7 +52,7 @@ sulfur::Point readPlace(const Node& node, const Level& level) {
 std::vector<Checkpoint> readCheckpoints(const Node& node, const Level& level) {
     std::vector<Checkpoint> checkpoints;
     std::set<std::string> taken;
-    for (const Node& item : node.array(0, mostOfAKind)) {
+    for (const Node& item : node.array(0, Checkpoint::most)) {
         refuseUnknown(item, {"id", "position", "radius"});
         Checkpoint checkpoint;
         checkpoint.id = readId(item, taken);

@@ -1,8 +1,7 @@
 #include <quaoar/session.hpp>
 
 #include <algorithm>
-
-#include "hash.hpp"
+#include <cmath>
 
 namespace quaoar {
 
@@ -10,7 +9,24 @@ using sulfur::Point;
 using sulfur::Real;
 using sulfur::Vec2;
 
-Session::Session(std::shared_ptr<const Level> level) : level_(std::move(level)) {
+namespace {
+
+HeroRules heroRulesOf(const Level& level) {
+    HeroRules rules;
+    if (level.speedLimit) rules.speedLimit = *level.speedLimit;
+    return rules;
+}
+
+RopeRules ropeRulesOf(const Level& level) {
+    RopeRules rules;
+    if (level.reach) rules.reach = *level.reach;
+    return rules;
+}
+
+}  // namespace
+
+Session::Session(std::shared_ptr<const Level> level)
+    : level_(std::move(level)), heroRules_(heroRulesOf(*level_)), rope_(ropeRulesOf(*level_)) {
     build();
     start_ = snapshot();
 }
@@ -20,25 +36,37 @@ Session::~Session() = default;
 void Session::build() {
     world_ = std::make_unique<sulfur::World>(level_->scene.settings);
     instance_ = sulfur::scene::instantiate(level_->scene, *world_);
-    for (const auto& [id, surface] : level_->surfaces) {
-        if (!surface.sticky) slippery_.push_back(instance_.body(id));
+    for (const sulfur::scene::Placement& placement : level_->scene.bodies) {
+        const sulfur::BodyId body = instance_.body(placement.id);
+        surfaces_.push_back(level_->surface(placement.id));
+        world_->setUserData(body, surfaces_.size());  // pieces that break off inherit it
+        if (surfaces_.back().cuts) blades_.push_back(body);
+        deadly_ = deadly_ || surfaces_.back().deadly;
     }
-    std::sort(slippery_.begin(), slippery_.end());
     const sulfur::Body hero = world_->add(heroBlueprint(heroRules_), {.position = level_->spawn});
     hero_ = hero.id();
     hand_ = hero.front();
 }
 
-void Session::restart() {
-    restore(*start_);
-    ++restarts_;
-    events_ = {};
-    events_.restarted = true;
+std::optional<std::size_t> Session::origin(sulfur::BodyId body) const {
+    const std::uint64_t place = world_->userData(body);
+    if (place == 0) return std::nullopt;
+    return static_cast<std::size_t>(place - 1);
+}
+
+const Surface& Session::surface(sulfur::BodyId body) const {
+    static const Surface plain;
+    const auto place = origin(body);
+    return place ? surfaces_[*place] : plain;
 }
 
 void Session::tick(const TickInput& input) {
-    if (input.restart || input.retry) {
+    if (input.restart) {
         restart();
+        return;
+    }
+    if (input.retry) {
+        retry();
         return;
     }
     events_ = {};
@@ -49,9 +77,11 @@ void Session::tick(const TickInput& input) {
         drawIntoGate();
     }
     if (rope_.state() == Rope::State::attached && !rope_.tied(*world_)) rope_.release(*world_);
+    brakeRolling();
     limitSpeed();
     world_->step();
-    noticeImpact();
+    noticeContacts();
+    cutRope();
     judge();
 }
 
@@ -114,50 +144,45 @@ void Session::drawIntoGate() {
     }
 }
 
+/// What is soft rolls for ever on flat ground, because no material resists it, and its wobbling
+/// walks it along. On the ground and without a rope a couple brakes him as the library's rolling
+/// resistance does rigid discs, c R m g and a part that goes with the speed, at most what stops him
+/// in this tick; and what his outline does beside the motion of a rigid body dies away. On what is
+/// slick he slides all the same.
+void Session::brakeRolling() {
+    if (rope_.state() == Rope::State::attached || !state_.touching) return;
+    if (world_->asleep(hero_)) return;
+    const Real spin = static_cast<Real>(world_->angularVelocity(hero_));
+    const Real inertia = world_->inertia(hero_);
+    const Real weight = heroRules_.mass * world_->gravity().norm();
+    const Real couple = heroRules_.rollingResistance * heroRules_.radius * weight +
+                        heroRules_.rollingDamping * inertia * std::abs(spin);
+    const Real most = inertia * std::abs(spin) / world_->tickDuration();
+    world_->applyTorque(hero_, (spin > 0 ? -1 : 1) * std::min(couple, most));
+
+    const Vec2 mean = world_->meanVelocity(hero_);
+    const Point middle = world_->centreOfMass(hero_);
+    for (const sulfur::ParticleId particle : world_->particles(hero_)) {
+        const Vec2 arm = (world_->position(particle) - middle).cast<Real>();
+        const Vec2 rigid = mean + spin * Vec2(-arm.y(), arm.x());
+        const Vec2 wobble = world_->velocity(particle) - rigid;
+        world_->applyForce(particle, wobble * (-heroRules_.settling * world_->info(particle).mass));
+    }
+}
+
 void Session::limitSpeed() {
     const Vec2 mean = world_->meanVelocity(hero_);
     const Real speed = mean.norm();
-    if (speed <= heroRules_.speedLimit) return;
-    const Vec2 excess = mean * ((speed - heroRules_.speedLimit) / speed);
+    const Real limit = heroRules_.speedLimit;
+    if (speed <= limit) return;
+    const Vec2 excess = mean * ((speed - limit) / speed);
     for (const sulfur::ParticleId particle : world_->particles(hero_)) {
         world_->setVelocity(particle, world_->velocity(particle) - excess);
     }
 }
 
-void Session::noticeImpact() {
-    for (const sulfur::ContactBegun& contact : world_->events().contactsBegun) {
-        if (contact.a != hero_ && contact.b != hero_) continue;
-        events_.impact = std::max(events_.impact, static_cast<float>(contact.speed));
-    }
-}
-
-void Session::judge() {
-    if (state_.phase == Phase::finished) return;
-    const Point hero = heroPosition();
-    if (hero.y() < level_->killDepth) {
-        restart();
-        return;
-    }
-    const Point gap = hero - level_->exit.position;
-    if (gap.squaredNorm() > level_->exit.radius * level_->exit.radius) return;
-    state_.phase = Phase::finished;
-    state_.finishTick = state_.ticks;
-    rope_.release(*world_);
-    events_.finished = true;
-}
-
-std::uint64_t Session::timerTicks() const {
-    if (state_.firstAction == 0) return 0;
-    const std::uint64_t end = state_.phase == Phase::finished ? state_.finishTick : state_.ticks;
-    return end - state_.firstAction + 1;
-}
-
-Medal Session::medal() const {
-    return state_.phase == Phase::finished ? level_->medalFor(seconds()) : Medal::none;
-}
-
 bool Session::holds(sulfur::BodyId body) const {
-    return !std::binary_search(slippery_.begin(), slippery_.end(), body);
+    return surface(body).sticky;
 }
 
 AimPreview Session::preview(Vec2 direction) const {
@@ -171,28 +196,6 @@ AimPreview Session::preview(Vec2 direction) const {
     preview.hits = true;
     preview.sticks = holds(hit->body);
     return preview;
-}
-
-std::uint64_t Session::hash() const {
-    Hash hash;
-    hash.add(world_->hash()).add(rope_.hash());
-    hash.add(static_cast<std::uint64_t>(state_.phase)).add(state_.ticks);
-    hash.add(state_.firstAction).add(state_.finishTick);
-    hash.add(static_cast<std::uint64_t>(state_.buffer));
-    hash.add(static_cast<std::uint64_t>(state_.cooldown));
-    hash.add(static_cast<std::uint64_t>(state_.fireHeld ? 1 : 0)).add(state_.aim);
-    return hash.value();
-}
-
-std::shared_ptr<const Session::Snapshot> Session::snapshot() const {
-    return std::make_shared<const Snapshot>(Snapshot{world_->snapshot(), rope_, state_});
-}
-
-void Session::restore(const Snapshot& snapshot) {
-    world_->restore(snapshot.world);
-    rope_ = snapshot.rope;
-    state_ = snapshot.state;
-    events_ = {};
 }
 
 }  // namespace quaoar

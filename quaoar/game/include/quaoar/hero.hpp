@@ -20,6 +20,16 @@ struct HeroRules {
     sulfur::Real damping = sulfur::Real(2.5);
     sulfur::Real speedLimit = 11;  ///< m/s of the whole hero
     sulfur::Real push = 5;        ///< N, sideways, while swinging
+    /// On the ground and without a rope a couple brakes his rolling: by this share of his weight at
+    /// the lever of his radius ...
+    sulfur::Real rollingResistance = sulfur::Real(0.3);
+    /// ... and 1/s in proportion to how fast he turns.
+    sulfur::Real rollingDamping = 5;
+    sulfur::Real settling = 20;  ///< 1/s: of his wobbling, on the ground and without a rope
+    /// Squeezed flat: two opposite points of the outline are nearer to each other than this share
+    /// of their distance at rest, for so many ticks, between things that touch him on both sides.
+    sulfur::Real flat = sulfur::Real(0.45);
+    int flatTicks = 20;
 };
 
 /// Bits of sulfur::Filter that the game uses. Levels leave bodies in `scenery` unless they have a

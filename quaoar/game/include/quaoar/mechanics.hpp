@@ -16,6 +16,7 @@ namespace quaoar {
 
 /// A place to which the hero comes back when he dies.
 struct Checkpoint {
+    static constexpr std::size_t most = 64;
     std::string id;
     sulfur::Point position{0, 0};  ///< metres: where he begins anew, at rest
     double radius = 0.5;           ///< metres: his middle must come this near to reach it

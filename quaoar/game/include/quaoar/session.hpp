@@ -28,7 +28,11 @@ struct TickEvents {
     bool missed = false;   ///< flew to its end
     bool released = false;
     bool finished = false;
-    bool restarted = false;
+    bool restarted = false;   ///< back at the spawn
+    bool died = false;        ///< back at the last checkpoint, or at the spawn
+    bool checkpoint = false;  ///< one was reached for the first time
+    bool pickedUp = false;
+    bool cut = false;  ///< the rope, by something sharp
     float impact = 0;  ///< m/s at which the hero began to touch something, 0: it did not
 };
 
@@ -56,6 +60,9 @@ public:
     void tick(const TickInput& input);
     /// Back to the spawn: everything is as in a new session.
     void restart();
+    /// What death does: back to the last checkpoint with the world as it was when that was reached,
+    /// while the timer goes on; to the spawn where none was.
+    void retry();
 
     const Level& level() const { return *level_; }
     Phase phase() const { return state_.phase; }
@@ -68,10 +75,25 @@ public:
     Medal medal() const;
     /// Times that this session went back to the spawn. Not part of the hash.
     int restarts() const { return restarts_; }
+    /// Times that the hero came back to a checkpoint in this attempt.
+    int deaths() const { return state_.deaths; }
+    /// The place in the level's list of the last checkpoint that was reached, or nothing.
+    std::optional<std::size_t> checkpoint() const;
+    bool reached(std::size_t checkpoint) const { return (state_.reached >> checkpoint & 1) != 0; }
+    bool pickedUp(std::size_t pickup) const { return (state_.pickedUp >> pickup & 1) != 0; }
+    /// How many of the level's pick-ups are collected.
+    int pickups() const;
+    /// Seconds until the level's countdown ends the attempt; nothing where there is none.
+    std::optional<double> secondsLeft() const;
 
     sulfur::World& world() { return *world_; }
     const sulfur::World& world() const { return *world_; }
     const sulfur::scene::Instance& instance() const { return instance_; }
+    /// The body of the scene that this one is, or that it broke off from, as a place in the scene's
+    /// list; nothing for the hero and the rope.
+    std::optional<std::size_t> origin(sulfur::BodyId body) const;
+    /// The surface of any body of the world.
+    const Surface& surface(sulfur::BodyId body) const;
     sulfur::BodyId hero() const { return hero_; }
     /// The particle in the middle of the hero, where the rope is tied.
     sulfur::ParticleId hand() const { return hand_; }
@@ -102,23 +124,44 @@ private:
         int cooldown = 0;  ///< ticks until the arm can shoot
         bool fireHeld = false;
         sulfur::Vec2 aim{1, 0};
+        bool touching = false;  ///< the hero touched something in the last tick
+        int squeezed = 0;       ///< ticks for which the hero has been squeezed flat
+        int deaths = 0;
+        std::uint64_t reached = 0;   ///< bits of checkpoints
+        std::uint64_t pickedUp = 0;  ///< bits of pick-ups
+        int checkpoint = -1;         ///< the last one that was reached
+        /// The attempt when that was first reached, and its hash.
+        std::shared_ptr<const Snapshot> saved;
+        std::uint64_t savedHash = 0;
     };
 
     bool holds(sulfur::BodyId body) const override;
     void build();
+    void placeHero(sulfur::Point at);
     void act(const TickInput& input);
     void updateRope(const TickInput& input);
     void pushHero(const TickInput& input);
     void drawIntoGate();
+    void brakeRolling();
     void limitSpeed();
-    void noticeImpact();
+    void lookAtContacts();
+    void noticeContacts();
+    void cutRope();
+    void collect();
     void judge();
+    bool mustDie();
+    bool touchedOnBothSides() const;
+    bool squeezedFlat();
+    void finish();
 
     std::shared_ptr<const Level> level_;
     HeroRules heroRules_;
     std::unique_ptr<sulfur::World> world_;
     sulfur::scene::Instance instance_;
-    std::vector<sulfur::BodyId> slippery_;
+    std::vector<Surface> surfaces_;           ///< of the scene's bodies, in its order
+    std::vector<sulfur::BodyId> blades_;      ///< bodies that cut the rope
+    bool deadly_ = false;                     ///< some body is
+    std::vector<sulfur::ContactInfo> touch_;  ///< the hero's contacts of the last tick
     sulfur::BodyId hero_;
     sulfur::ParticleId hand_;
     Rope rope_;
