@@ -14,23 +14,15 @@ using atlax::Color;
 using atlax::Vec2;
 
 GameView::GameView(Art& art, const Session& session)
-    : art_(art), session_(session), backdrop_(std::make_unique<Backdrop>(session.level())) {
+    : art_(art),
+      session_(session),
+      backdrop_(std::make_unique<Backdrop>(session.level())),
+      follow_(session, OpenSpace(session.level(), fixedShapes(session))) {
     const Level& level = session.level();
-    for (const sulfur::scene::Placement& body : level.scene.bodies) {
-        const sulfur::Blueprint plan = sulfur::scene::blueprintOf(level.scene, body);
-        const Surface surface = level.surface(body.id);
-        if (plan.kind != sulfur::BodyKind::fixed || surface.look == Surface::Look::peg) continue;
-        const std::vector<std::uint32_t> loop = outlineOf(plan);
-        if (loop.empty()) continue;
-        const sulfur::BodyId id = session.instance().body(body.id);
-        std::vector<Vec2> points;
-        for (const std::uint32_t i : loop) {
-            points.emplace_back(session.world().position(session.world().particles(id)[i]));
-        }
-        float radius = 0;
-        for (const auto& joint : plan.joints) radius = std::max(radius, float(joint.radius));
-        ice_.push_back(std::make_unique<IceView>(art_, points, radius, surface, level.theme));
-        iceBodies_.push_back(id);
+    for (const FixedShape& shape : fixedShapes(session)) {
+        ice_.push_back(std::make_unique<IceView>(art_, shape.loop, shape.radius,
+                                                 level.surface(shape.name), level.theme));
+        iceBodies_.push_back(shape.id);
     }
     cut();
 }
@@ -39,14 +31,13 @@ GameView::~GameView() = default;
 
 void GameView::cut() {
     lookAt_.reset();
-    centre_ = Vec2(session_.heroPosition());
-    centreVelocity_ = {};
-    scarf_.now.fill(centre_);
-    scarf_.before.fill(centre_);
-    antenna_ = centre_ + Vec2{0, 0.2f};
+    follow_.cut();
+    const Vec2 hero(session_.heroPosition());
+    scarf_.now.fill(hero);
+    scarf_.before.fill(hero);
+    antenna_ = hero + Vec2{0, 0.2f};
     antennaVelocity_ = {};
     sparks_.clear();
-    shake_ = 0;
 }
 
 void GameView::lookAt(Vec2 centre) {
@@ -54,9 +45,10 @@ void GameView::lookAt(Vec2 centre) {
 }
 
 atlax::Camera GameView::camera(atlax::PixelSize size) const {
+    if (!lookAt_) return follow_.camera(size);
     const Level& level = session_.level();
     const auto metres = static_cast<float>(level.viewHeight);
-    atlax::Camera camera = atlax::Camera::withHeight(lookAt_.value_or(centre_), metres, size);
+    atlax::Camera camera = atlax::Camera::withHeight(*lookAt_, metres, size);
     const Vec2 half = camera.view(size).size * 0.5f;
     const Vec2 low(level.boundsMin), high(level.boundsMax);
     const auto within = [](float value, float from, float to) {
@@ -64,12 +56,12 @@ atlax::Camera GameView::camera(atlax::PixelSize size) const {
     };
     camera.centre.x = within(camera.centre.x, low.x + half.x, high.x - half.x);
     camera.centre.y = within(camera.centre.y, low.y + half.y, high.y - half.y);
-    const float t = static_cast<float>(time_) * 0.14f;
-    camera.centre += Vec2{std::sin(t), std::cos(t * 1.3f)} * (0.03f * shake_ * shake_);
     return camera;
 }
 
 void GameView::draw(atlax::Canvas& canvas, double alpha, const ViewOptions& options) {
+    const Vec2 screen = canvas.size().toVec();
+    follow_.setAspect(screen.x / std::max(screen.y, 1.0f));
     const atlax::Camera eye = camera(canvas.size());
     const double seconds = (static_cast<double>(time_) + alpha) / Session::tickRate;
     const Vec2 middle(session_.world().interpolated(session_.hand(), alpha));

@@ -33,24 +33,12 @@ void GameView::tick() {
     if (events.impact > 2.2f) {
         burst(hero - Vec2{0, 0.1f}, static_cast<int>(events.impact * 2.5f), 0.25f * events.impact,
               palette::frost);
-        shake_ = std::min(1.0f, std::max(shake_, (events.impact - 3) * 0.16f));
+        follow_.shake((events.impact - 3) * 0.16f);
     }
     if (events.finished) burst(Vec2(session_.level().exit.position), 90, 3.2f, palette::glow);
-    shake_ *= 0.985f;
-    moveCamera();
+    follow_.tick();
     moveTrails();
     moveSparks();
-}
-
-/// Critically damped towards a point ahead of the hero.
-void GameView::moveCamera() {
-    const Vec2 velocity(session_.heroVelocity());
-    Vec2 goal = Vec2(session_.heroPosition()) + Vec2(session_.aim()) * 0.45f + Vec2{0, 0.35f};
-    goal += Vec2{std::clamp(velocity.x * 0.22f, -1.2f, 1.2f),
-                 std::clamp(velocity.y * 0.08f, -0.4f, 0.4f)};
-    constexpr float pull = 16, brake = 8;
-    centreVelocity_ += ((goal - centre_) * pull - centreVelocity_ * brake) * tickSeconds;
-    centre_ += centreVelocity_ * tickSeconds;
 }
 
 void GameView::moveTrails() {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <quaoar/session.hpp>
 #include <quaoar/view/art.hpp>
+#include <quaoar/view/follow_camera.hpp>
 #include <vector>
 
 namespace quaoar {
@@ -63,7 +64,6 @@ private:
         float thickness = 0;                 ///< metres, radius of the outline's capsules
     };
 
-    void moveCamera();
     void moveTrails();
     void moveSparks();
     void burst(atlax::Vec2 at, int count, float speed, atlax::Color color);
@@ -99,11 +99,10 @@ private:
     std::vector<Spark> sparks_;
     Trail scarf_;
     atlax::Vec2 antenna_, antennaVelocity_;
-    atlax::Vec2 centre_, centreVelocity_;
+    FollowCamera follow_;
     std::optional<atlax::Vec2> lookAt_;
     std::uint64_t time_ = 0;  ///< ticks since the view was made
     std::uint32_t dice_ = 12345;
-    float shake_ = 0;
 };
 
 }  // namespace quaoar
