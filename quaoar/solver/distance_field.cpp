@@ -17,6 +17,17 @@ bool free(const sulfur::World& world, const Point& from, const Point& to) {
     return !hit || world.kind(hit->body) != sulfur::BodyKind::fixed;
 }
 
+/// Whether the rope would reach something above from here.
+bool supported(const Session& session, const Point& from) {
+    constexpr double across[] = {-0.94, -0.77, -0.5, -0.17, 0.17, 0.5, 0.77, 0.94};
+    const double reach = static_cast<double>(session.rope().rules().reach);
+    for (const double x : across) {
+        const Point to = from + Point(x, std::sqrt(1 - x * x)) * reach;
+        if (session.world().castSegment(from, to, {.mask = Category::scenery})) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 DistanceField::DistanceField(const Session& session) {
@@ -44,12 +55,15 @@ void DistanceField::flood(const Session& session, int startX, int startY) {
         const auto [distance, x, y] = open.top();
         open.pop();
         if (distance > distances_[index(x, y)]) continue;
+        const double weight = supported(session, place(x, y)) ? 1 : 2;
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx) {
                 const int nx = x + dx, ny = y + dy;
                 if (nx < 0 || ny < 0 || nx >= width_ || ny >= height_) continue;
-                const double next = distance + cell * std::sqrt(double(dx * dx + dy * dy));
+                const double step = cell * std::sqrt(static_cast<double>(dx * dx + dy * dy));
+                const double next = distance + weight * step;
                 if (next >= distances_[index(nx, ny)]) continue;
+                if (place(nx, ny).y() < session.level().killDepth) continue;
                 if (!free(session.world(), place(x, y), place(nx, ny))) continue;
                 distances_[index(nx, ny)] = next;
                 open.emplace(next, nx, ny);

@@ -6,8 +6,9 @@
 
 namespace quaoar {
 
-/// Distances to the exit on a grid, flooded around what is solid. A straight line misleads a search
-/// wherever the way first leads away from the exit.
+/// Distances to the exit on a grid, flooded around what is solid and above what is deadly deep. A
+/// straight line misleads a search wherever the way first leads away from the exit. Where nothing
+/// above is in reach of the rope a metre counts as two.
 class DistanceField {
 public:
     static constexpr double cell = 0.25;  ///< metres

@@ -3,56 +3,43 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ideas.hpp"
+
 namespace quaoar {
-namespace {
 
-constexpr double tickSeconds = 1.0 / Session::tickRate;
+Ground::Ground(std::shared_ptr<const Level> of)
+    : level(std::move(of)), field(Session(level)) {}
 
-std::uint32_t ticksOf(double seconds) {
-    return std::max(1u, static_cast<std::uint32_t>(seconds * Session::tickRate));
+Search::Search(Session& session, const DistanceField& field, const SearchOptions& options)
+    : options_(options), session_(session), field_(field), random_(options.seed) {
+    if (options.start) {
+        session_.restore(*options.start);
+    } else {
+        session_.restart();
+    }
+    const Situation here = situationOf(session_);
+    report_.nearest = field_.at(here.place);
+    nodes_.push_back({0, {}, 0, here});
+    states_.push_back({0, session_.snapshot(), report_.nearest, 0});
+    cells_[cellOf(here)] = 0;
 }
 
-}  // namespace
-
-Search::Search(std::shared_ptr<const Level> level, const SearchOptions& options)
-    : options_(options),
-      level_(level),
-      session_(std::move(level)),
-      field_(session_),
-      random_(options.seed) {
-    report_.nearest = DistanceField::unreachable;
-    nodes_.push_back({});
-    states_.push_back({0, session_.snapshot(), field_.at(session_.heroPosition()), 0});
-    cells_[cellOf()] = 0;
-}
-
-/// Not std::uniform_real_distribution, whose results may differ between standard libraries.
-double Search::unit() {
-    return static_cast<double>(random_() >> 11) * 0x1p-53;
-}
-
-int Search::whole(int below) {
-    return static_cast<int>(unit() * below);
-}
-
-Search::Cell Search::cellOf() const {
-    const sulfur::Point p = session_.heroPosition();
-    const sulfur::Vec2 v = session_.heroVelocity();
+Search::Cell Search::cellOf(const Situation& situation) {
     const auto step = [](double value, double size) {
         return static_cast<std::int32_t>(std::floor(value / size));
     };
-    return {step(p.x(), 0.5), step(p.y(), 0.5), step(static_cast<double>(v.x()) + 1.5, 3),
-            step(static_cast<double>(v.y()) + 1.5, 3),
-            session_.rope().state() == Rope::State::attached};
+    return {step(situation.place.x(), 0.5), step(situation.place.y(), 0.5),
+            step(situation.velocity.x() + 1.5, 3), step(situation.velocity.y() + 1.5, 3),
+            situation.tied};
 }
 
 /// A small tournament: few metres to go and few tries win.
 Search::State& Search::choose() {
-    const int rounds = 1 + whole(12);
+    const int rounds = 1 + whole(random_, 12);
     std::size_t best = 0;
     double bestScore = 0;
     for (int i = 0; i < rounds; ++i) {
-        const auto k = static_cast<std::size_t>(whole(static_cast<int>(states_.size())));
+        const auto k = static_cast<std::size_t>(whole(random_, static_cast<int>(states_.size())));
         const double score = states_[k].distance + 0.35 * std::sqrt(states_[k].tries);
         if (i > 0 && score >= bestScore) continue;
         best = k;
@@ -62,92 +49,69 @@ Search::State& Search::choose() {
     return states_[best];
 }
 
-std::vector<InputRun> Search::randomAction() {
-    std::vector<InputRun> action;
-    TickInput input;
-    const double angle = 6.283185307179586 * whole(64) / 64;
-    setAim(input, std::cos(angle), std::sin(angle));
-    const bool tied = session_.rope().state() == Rope::State::attached;
-    const int kind = whole(10);
-    if (kind < 2) {
-        action.push_back({ticksOf(0.05 + 0.45 * unit()), input});
-        return action;
-    }
-    const bool keep = tied && kind < 7;
-    if (!keep) action.push_back({ticksOf(0.02), input});  // let go, so that the press counts
-    input.fire = true;
-    const int reel = whole(3);
-    input.reelIn = reel == 1;
-    input.reelOut = reel == 2;
-    input.boost = reel != 0 && whole(3) == 0;
-    input.push = static_cast<std::int8_t>(127 * (whole(3) - 1));
-    action.push_back({ticksOf(0.05 + 0.6 * unit()), input});
-    return action;
-}
-
-bool Search::carryOut(std::vector<InputRun>& action) {
-    for (std::size_t i = 0; i < action.size(); ++i) {
-        for (std::uint32_t n = 0; n < action[i].ticks; ++n) {
-            session_.tick(action[i].input);
-            report_.simulated += tickSeconds;
-            if (session_.phase() != Session::Phase::finished) continue;
-            action[i].ticks = n + 1;
-            action.resize(i + 1);
-            return true;
-        }
-    }
-    return false;
-}
-
-void Search::insert(std::size_t parent, std::vector<InputRun> action) {
-    std::uint64_t ticks = nodes_[parent].ticks;
-    for (const InputRun& run : action) ticks += run.ticks;
-    if (session_.ticks() != ticks) return;  // it died on the way: the session is at the spawn
-    const double distance = field_.at(session_.heroPosition());
+void Search::insert(std::size_t parent, const Intention& intention, std::uint64_t ticks) {
+    const Situation here = situationOf(session_);
+    const double distance = field_.at(here.place);
     if (distance >= DistanceField::unreachable) return;
     report_.nearest = std::min(report_.nearest, distance);
-    const auto [place, fresh] = cells_.try_emplace(cellOf(), states_.size());
+    const auto [place, fresh] = cells_.try_emplace(cellOf(here), states_.size());
     if (!fresh && nodes_[states_[place->second].node].ticks <= ticks) return;
-    nodes_.push_back({parent, std::move(action), ticks});
-    State state{nodes_.size() - 1, session_.snapshot(), distance, 0};
+    nodes_.push_back({parent, intention, ticks, here});
+    const State state{nodes_.size() - 1, session_.snapshot(), distance, 0};
     if (fresh) {
-        states_.push_back(std::move(state));
+        states_.push_back(state);
     } else {
-        states_[place->second] = std::move(state);
+        states_[place->second] = state;
     }
 }
 
-Recording Search::trace(std::size_t parent, const std::vector<InputRun>& last) const {
-    std::vector<const std::vector<InputRun>*> actions{&last};
-    for (std::size_t node = parent; node != 0; node = nodes_[node].parent) {
-        actions.push_back(&nodes_[node].action);
+Way Search::trace(std::size_t parent, const Intention& last, std::uint64_t ticks,
+                  bool finished) const {
+    Way way;
+    way.ticks = ticks;
+    way.finished = finished;
+    Intention next = last;
+    for (std::size_t node = parent;; node = nodes_[node].parent) {
+        way.steps.push_back({nodes_[node].here, next});
+        if (node == 0) break;
+        next = nodes_[node].intention;
     }
-    Recording recording(*level_);
-    for (auto action = actions.rbegin(); action != actions.rend(); ++action) {
-        for (const InputRun& run : **action) {
-            for (std::uint32_t n = 0; n < run.ticks; ++n) recording.append(run.input);
-        }
-    }
-    recording.finalHash = session_.hash();
-    return recording;
+    std::reverse(way.steps.begin(), way.steps.end());
+    return way;
 }
 
-std::optional<Recording> Search::run() {
-    while (report_.simulated < options_.budget) {
-        const State& from = choose();
-        std::size_t parent = from.node;
-        session_.restore(*from.snapshot);
-        // A few actions in a row reach further than one before the archive cuts in again.
-        const int actions = 1 + whole(4);
-        for (int n = 0; n < actions; ++n) {
-            std::vector<InputRun> action = randomAction();
-            if (carryOut(action)) return trace(parent, action);
-            const std::size_t before = nodes_.size();
-            insert(parent, std::move(action));
-            if (nodes_.size() == before) break;
-            parent = nodes_.size() - 1;
+/// A few ideas in a row reach further than one before the archive cuts in again.
+std::optional<Way> Search::explore() {
+    const State& from = choose();
+    std::size_t parent = from.node;
+    session_.restore(*from.snapshot);
+    Player player(session_);
+    for (int n = 1 + whole(random_, 4); n > 0; --n) {
+        const Intention idea = randomIdea(session_, field_, random_);
+        const std::uint64_t before = player.ticks();
+        const Ending ending = player.carryOut(idea);
+        const std::uint64_t spent = player.ticks() - before;
+        report_.simulated += static_cast<double>(spent) / Session::tickRate;
+        const std::uint64_t ticks = nodes_[parent].ticks + spent;
+        if (ending == Ending::finished) return trace(parent, idea, ticks, true);
+        if (ending != Ending::done) break;
+        const Intention seen = endedBySight(idea, player.trace());
+        if (options_.goal && options_.goal(situationOf(session_))) {
+            return trace(parent, seen, ticks, false);
         }
+        const std::size_t known = nodes_.size();
+        insert(parent, seen, ticks);
+        if (nodes_.size() == known) break;
+        parent = nodes_.size() - 1;
+    }
+    return std::nullopt;
+}
+
+std::optional<Way> Search::run(double until) {
+    while (report_.simulated < std::min(until, options_.budget)) {
+        auto way = explore();
         report_.cells = states_.size();
+        if (way) return way;
     }
     return std::nullopt;
 }

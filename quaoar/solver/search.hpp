@@ -1,27 +1,53 @@
 // Looks for a way through a level.
 //
 // An archive of states that were reached, one for each cell of position, velocity and rope; again
-// and again one that is near the exit and rarely tried is restored and a random action of a
-// player is carried out from it (the scheme of "go-explore": Ecoffet, Huizinga, Lehman, Stanley
+// and again one that is near the exit and rarely tried is restored and something that a player may
+// mean to do is carried out from it (the scheme of "go-explore": Ecoffet, Huizinga, Lehman, Stanley
 // and Clune, 2019, with the distance along free space as its guide).
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
-#include <quaoar/recording.hpp>
 #include <quaoar/session.hpp>
 #include <random>
 #include <vector>
 
 #include "distance_field.hpp"
+#include "intention.hpp"
+#include "player.hpp"
+#include "situation.hpp"
 
 namespace quaoar {
+
+/// One thing to do on a way.
+struct Step {
+    Situation before;
+    Intention intention;
+};
+
+struct Way {
+    std::vector<Step> steps;
+    std::uint64_t ticks = 0;  ///< from the search's start to its goal
+    bool finished = false;    ///< at the exit; else at another goal
+};
+
+/// What is known about a search's world without simulating it, and shared by all that search it.
+struct Ground {
+    explicit Ground(std::shared_ptr<const Level> of);
+    std::shared_ptr<const Level> level;
+    DistanceField field;
+};
 
 struct SearchOptions {
     std::uint64_t seed = 1;
     double budget = 20000;  ///< simulated seconds after which the search gives up
+    /// Where the search starts; at the spawn if not given.
+    std::shared_ptr<const Session::Snapshot> start;
+    /// Whether a state is as good as the exit, besides the exit.
+    std::function<bool(const Situation&)> goal;
 };
 
 struct SearchReport {
@@ -32,10 +58,11 @@ struct SearchReport {
 
 class Search {
 public:
-    Search(std::shared_ptr<const Level> level, const SearchOptions& options);
+    /// Works in `session`, whose state it changes.
+    Search(Session& session, const DistanceField& field, const SearchOptions& options);
 
-    /// The inputs that lead to the exit, or nothing when the budget was spent.
-    std::optional<Recording> run();
+    /// Goes on until a way is found, or until so many seconds were simulated in all.
+    std::optional<Way> run(double until);
     const SearchReport& report() const { return report_; }
 
 private:
@@ -46,11 +73,12 @@ private:
         friend auto operator<=>(const Cell&, const Cell&) = default;
     };
     /// What was done after another node. Never changed once made, so that every way back to the
-    /// spawn stays as it was played.
+    /// start stays as it was played.
     struct Node {
         std::size_t parent = 0;
-        std::vector<InputRun> action;
-        std::uint64_t ticks = 0;  ///< since the spawn
+        Intention intention;  ///< that led from the parent to here
+        std::uint64_t ticks = 0;
+        Situation here;
     };
     struct State {
         std::size_t node = 0;
@@ -59,20 +87,15 @@ private:
         int tries = 0;
     };
 
-    Cell cellOf() const;
+    static Cell cellOf(const Situation& situation);
     State& choose();
-    std::vector<InputRun> randomAction();
-    /// Carries an action out; cuts it short when the exit is reached. Whether it was.
-    bool carryOut(std::vector<InputRun>& action);
-    void insert(std::size_t parent, std::vector<InputRun> action);
-    Recording trace(std::size_t parent, const std::vector<InputRun>& last) const;
-    double unit();
-    int whole(int below);
+    void insert(std::size_t parent, const Intention& intention, std::uint64_t ticks);
+    Way trace(std::size_t parent, const Intention& last, std::uint64_t ticks, bool finished) const;
+    std::optional<Way> explore();
 
     SearchOptions options_;
-    std::shared_ptr<const Level> level_;
-    Session session_;
-    DistanceField field_;
+    Session& session_;
+    const DistanceField& field_;
     std::mt19937_64 random_;
     std::vector<Node> nodes_;
     std::map<Cell, std::size_t> cells_;

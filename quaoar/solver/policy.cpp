@@ -1,0 +1,134 @@
+#include "policy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quaoar {
+namespace {
+
+/// A way that takes a second longer is worth so much less.
+constexpr double patienceOfASecond = 0.995;
+constexpr int sweeps = 60;
+
+/// How much of a place's value is believed of a situation that differs from it.
+double trust(double unlike) {
+    const double beyond = std::max(0.0, unlike - 0.6);
+    return std::exp(-0.5 * beyond * beyond) * (beyond > 0 ? 0.97 : 1);
+}
+
+}  // namespace
+
+double unlikeness(const Situation& a, const Situation& b) {
+    if (a.tied != b.tied) return 6 + (a.place - b.place).norm();
+    // Who is at rest somewhere has time to go to the same spot in his mind.
+    const double speed = std::max(a.velocity.norm(), b.velocity.norm());
+    const double apart = (a.place - b.place).norm() / (0.25 + 0.02 * speed);
+    const double differently = (a.velocity - b.velocity).norm() / (0.8 + 0.1 * speed);
+    double sum = apart * apart + differently * differently;
+    if (a.tied) {
+        const double anchors = (a.anchor - b.anchor).norm() / 0.4;
+        const double lengths = (a.length - b.length) / 0.3;
+        sum += anchors * anchors + lengths * lengths;
+    }
+    return std::sqrt(sum);
+}
+
+Policy::Match Policy::match(const Situation& situation) const {
+    Match best;
+    double most = -1;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (places_[i].best < 0) continue;
+        const double unlike = unlikeness(places_[i].here, situation);
+        const double promise = trust(unlike) * (0.02 + places_[i].value) + 1e-6 / (1 + unlike);
+        if (promise <= most) continue;
+        most = promise;
+        best = {static_cast<int>(i), unlike};
+    }
+    return best;
+}
+
+int Policy::add(Place place) {
+    places_.push_back(std::move(place));
+    const int index = static_cast<int>(places_.size()) - 1;
+    for (Place& other : places_) {
+        for (Choice& choice : other.choices) {
+            for (Try& attempt : choice.tries) {
+                const double unlike = unlikeness(places_.back().here, attempt.after);
+                if (unlike >= attempt.unlike) continue;
+                attempt.nearest = index;
+                attempt.unlike = unlike;
+            }
+        }
+    }
+    return index;
+}
+
+void Policy::addTry(int index, int choice, const Try& attempt) {
+    Try known = attempt;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const double unlike = unlikeness(places_[i].here, attempt.after);
+        if (unlike >= known.unlike) continue;
+        known.nearest = static_cast<int>(i);
+        known.unlike = unlike;
+    }
+    place(index).choices[static_cast<std::size_t>(choice)].tries.push_back(known);
+}
+
+int Policy::addChoice(int index, const Intention& intention) {
+    std::vector<Choice>& choices = place(index).choices;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (choices[i].intention == intention) return static_cast<int>(i);
+    }
+    choices.push_back({intention, {}, 0});
+    return static_cast<int>(choices.size()) - 1;
+}
+
+double Policy::worth(const Try& attempt) const {
+    const double later = std::pow(patienceOfASecond, attempt.seconds);
+    if (attempt.ending == Ending::finished) return later;
+    if (attempt.ending == Ending::died || attempt.nearest < 0) return 0;
+    return later * trust(attempt.unlike) *
+           places_[static_cast<std::size_t>(attempt.nearest)].value;
+}
+
+void Policy::weigh() {
+    for (Place& place : places_) place.value = 0;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        double changed = 0;
+        for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
+            double best = 0;
+            for (std::size_t i = 0; i < place->choices.size(); ++i) {
+                Choice& choice = place->choices[i];
+                double sum = 0;
+                for (const Try& attempt : choice.tries) sum += worth(attempt);
+                // What a file says is believed until it has been tried.
+                if (choice.tries.empty()) sum = 0.1 * choice.value;
+                // Little is believed of what was seldom tried.
+                choice.value = sum / (static_cast<double>(choice.tries.size()) + 0.1);
+                if (choice.value <= best) continue;
+                best = choice.value;
+                place->best = static_cast<int>(i);
+            }
+            changed = std::max(changed, std::abs(best - place->value));
+            place->value = best;
+        }
+        if (changed < 1e-4) break;
+    }
+}
+
+Policy Policy::reduced(const std::vector<bool>& keep) const {
+    Policy policy;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (!keep[i] || places_[i].best < 0) continue;
+        Place place;
+        place.here = places_[i].here;
+        place.value = places_[i].value;
+        const Choice& best = places_[i].choices[static_cast<std::size_t>(places_[i].best)];
+        place.choices.push_back({best.intention, {}, best.value});
+        place.best = 0;
+        policy.places_.push_back(std::move(place));
+    }
+    return policy;
+}
+
+}  // namespace quaoar

@@ -1,0 +1,270 @@
+#include "practice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ideas.hpp"
+#include "workers.hpp"
+
+namespace quaoar {
+namespace {
+
+constexpr int quickTries = 5;
+constexpr int moreTries = 8;
+/// A place that promises less than this wants a way on to be searched for.
+constexpr double hopeless = 0.25;
+/// Simulated seconds for such a search.
+constexpr double searchBudget = 120;
+/// Decisions before a death that are looked at again.
+constexpr std::size_t lookBack = 3;
+
+/// Somewhat other than before, as one varies what did not quite work.
+Intention varied(Intention idea, std::mt19937_64& random) {
+    const auto shift = [&](double size) { return size * (2 * unit(random) - 1); };
+    if (idea.hook == Intention::Hook::shoot) {
+        idea.aim += sulfur::Point(shift(0.25), shift(0.15));
+    }
+    switch (whole(random, 4)) {
+        case 0:
+            idea.push = whole(random, 3) - 1;
+            break;
+        case 1:
+            idea.reel = whole(random, 3) - 1;
+            idea.boost = idea.reel != 0 && whole(random, 2) == 0;
+            break;
+        case 2:
+            idea.until.place += sulfur::Point(shift(0.25), shift(0.25));
+            break;
+        default:
+            break;
+    }
+    if (idea.until.kind == Until::Kind::time) {
+        idea.until.latest = std::max(5, idea.until.latest + static_cast<int>(shift(75)));
+    }
+    makeExact(idea);
+    return idea;
+}
+
+}  // namespace
+
+void learnWay(Policy& policy, Session& session, const Way& way) {
+    session.restart();
+    Player player(session);
+    for (const Step& step : way.steps) {
+        Place place;
+        place.here = situationOf(session);
+        place.snapshot = session.snapshot();
+        const std::uint64_t before = player.ticks();
+        const Ending ending = player.carryOut(step.intention);
+        const double seconds = static_cast<double>(player.ticks() - before) / Session::tickRate;
+        const int index = policy.add(std::move(place));
+        policy.addTry(index, policy.addChoice(index, step.intention),
+                      {ending, situationOf(session), seconds});
+        if (ending != Ending::done) break;
+    }
+    policy.weigh();
+}
+
+Try Practice::attempt(Lesson& lesson, Session& session, const Intention& idea,
+                      const Slip& slip) const {
+    session.restore(*lesson.snapshot);
+    Player player(session);
+    const Ending ending = player.carryOut(idea, slip);
+    const double seconds = static_cast<double>(player.ticks()) / Session::tickRate;
+    lesson.simulated += seconds;
+    Try result{ending, situationOf(session), seconds};
+    for (std::size_t i = 0; i < policy_.places().size(); ++i) {
+        const double unlike = unlikeness(policy_.places()[i].here, result.after);
+        if (unlike >= result.unlike) continue;
+        result.unlike = unlike;
+        result.nearest = static_cast<int>(i);
+    }
+    return result;
+}
+
+double Practice::promise(const Choice& choice) const {
+    double sum = 0;
+    for (const Try& attempt : choice.tries) sum += policy_.worth(attempt);
+    return choice.tries.empty() ? 0 : sum / static_cast<double>(choice.tries.size());
+}
+
+std::vector<Intention> Practice::ideasFor(const Lesson& lesson, Session& session,
+                                          std::mt19937_64& random) const {
+    std::vector<std::pair<double, const Intention*>> near;
+    for (const Place& place : policy_.places()) {
+        if (place.best < 0) continue;
+        near.emplace_back(unlikeness(place.here, lesson.here),
+                          &place.choices[static_cast<std::size_t>(place.best)].intention);
+    }
+    const std::size_t count = std::min<std::size_t>(4, near.size());
+    std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end(),
+                      [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Intention> ideas;
+    for (std::size_t i = 0; i < count; ++i) ideas.push_back(*near[i].second);
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, count); ++i) {
+        ideas.push_back(varied(*near[i].second, random));
+    }
+    session.restore(*lesson.snapshot);
+    for (int n = 0; n < 4; ++n) ideas.push_back(randomIdea(session, ground_.field, random));
+    return ideas;
+}
+
+void Practice::study(Lesson& lesson, Session& session, std::uint64_t seed) const {
+    std::mt19937_64 random(seed);
+    Nerves nerves(options_.skill, seed ^ 0x5bd1e995u);
+    for (Intention& idea : ideasFor(lesson, session, random)) {
+        Choice choice;
+        choice.tries.push_back(attempt(lesson, session, idea, {}));
+        if (choice.tries.back().ending == Ending::died) continue;
+        if (choice.tries.back().ending == Ending::missed) continue;
+        // Random ideas know nothing of lines yet.
+        session.restore(*lesson.snapshot);
+        Player player(session);
+        if (player.carryOut(idea) == Ending::done) idea = endedBySight(idea, player.trace());
+        choice.intention = idea;
+        for (int n = 0; n < quickTries && (n < 2 || promise(choice) > 0.05); ++n) {
+            choice.tries.push_back(attempt(lesson, session, idea, nerves.next()));
+        }
+        lesson.choices.push_back(std::move(choice));
+    }
+    std::sort(lesson.choices.begin(), lesson.choices.end(),
+              [&](const Choice& a, const Choice& b) { return promise(a) > promise(b); });
+    if (lesson.choices.size() > 3) lesson.choices.resize(3);
+    for (Choice& choice : lesson.choices) {
+        if (promise(choice) < 0.05) continue;
+        for (int n = 0; n < moreTries; ++n) {
+            choice.tries.push_back(attempt(lesson, session, choice.intention, nerves.next()));
+        }
+    }
+    double best = 0;
+    for (const Choice& choice : lesson.choices) best = std::max(best, promise(choice));
+    if (best < hopeless) searchOn(lesson, session, seed);
+}
+
+/// Looks for a way from here to where one knows how to go on.
+void Practice::searchOn(Lesson& lesson, Session& session, std::uint64_t seed) const {
+    SearchOptions options;
+    options.seed = seed;
+    options.budget = searchBudget;
+    options.start = lesson.snapshot;
+    options.goal = [this](const Situation& situation) {
+        for (const Place& place : policy_.places()) {
+            if (place.value > 2 * hopeless && unlikeness(place.here, situation) < 0.7) return true;
+        }
+        return false;
+    };
+    Search search(session, ground_.field, options);
+    const auto way = search.run(searchBudget);
+    lesson.simulated += search.report().simulated;
+    if (!way) return;
+    session.restore(*lesson.snapshot);
+    Player player(session);
+    for (const Step& step : way->steps) {
+        Place place;
+        place.here = situationOf(session);
+        place.snapshot = session.snapshot();
+        const std::uint64_t before = player.ticks();
+        const Ending ending = player.carryOut(step.intention);
+        const double seconds = static_cast<double>(player.ticks() - before) / Session::tickRate;
+        place.choices.push_back({step.intention, {{ending, situationOf(session), seconds}}, 0});
+        lesson.wayOn.push_back(std::move(place));
+    }
+}
+
+/// Takes what was learned into the policy, in the order of the lessons.
+void Practice::learn(std::vector<Lesson>& lessons) {
+    const std::uint64_t base = (options_.seed * 1000 + ++round_) * 100000;
+    forAll(ground_.level, options_.jobs, static_cast<int>(lessons.size()),
+           [&](int i, Session& session) {
+               study(lessons[static_cast<std::size_t>(i)], session,
+                     base + static_cast<std::uint64_t>(i));
+           });
+    for (Lesson& lesson : lessons) {
+        simulated_ += lesson.simulated;
+        const int index =
+            lesson.place >= 0 ? lesson.place : policy_.add({lesson.here, lesson.snapshot, {}});
+        ++policy_.place(index).studies;
+        for (const Choice& choice : lesson.choices) {
+            const int at = policy_.addChoice(index, choice.intention);
+            for (const Try& attempt : choice.tries) policy_.addTry(index, at, attempt);
+        }
+        for (std::size_t i = 0; i < lesson.wayOn.size(); ++i) {
+            Place& place = lesson.wayOn[i];
+            const Choice choice = place.choices.front();
+            place.choices.clear();
+            const int step = i == 0 ? index : policy_.add(std::move(place));
+            policy_.addTry(step, policy_.addChoice(step, choice.intention), choice.tries.front());
+        }
+    }
+    policy_.weigh();
+}
+
+void Practice::studyAll() {
+    std::vector<Lesson> lessons;
+    for (std::size_t i = 0; i < policy_.places().size(); ++i) {
+        const Place& place = policy_.places()[i];
+        if (!place.snapshot || place.studies > 0) continue;
+        lessons.push_back({static_cast<int>(i), place.here, place.snapshot, {}, {}, 0});
+    }
+    learn(lessons);
+}
+
+void Practice::wish(std::vector<Lesson>& lessons, const Decision& decision, bool wentWrong) const {
+    const bool strange = decision.match.unlike > 1;
+    if (!strange && !wentWrong) return;
+    for (const Lesson& lesson : lessons) {
+        if (unlikeness(lesson.here, decision.before) < 0.8) return;
+    }
+    Lesson lesson{-1, decision.before, decision.snapshot, {}, {}, 0};
+    const Place& place = policy_.places()[static_cast<std::size_t>(decision.match.place)];
+    if (decision.match.unlike < 0.4 && place.snapshot) {
+        lesson.place = decision.match.place;
+        lesson.here = place.here;
+        lesson.snapshot = place.snapshot;
+    }
+    lessons.push_back(std::move(lesson));
+}
+
+/// What preceded deaths first, then what was not foreseen.
+std::vector<Practice::Lesson> Practice::lessonsOf(const std::vector<Game>& games) const {
+    std::vector<Lesson> lessons;
+    for (const bool deaths : {true, false}) {
+        for (const Game& game : games) {
+            const auto& decisions = game.decisions;
+            for (std::size_t i = 0; i < decisions.size(); ++i) {
+                bool wrong = false;
+                for (std::size_t k = i; k < std::min(i + lookBack, decisions.size()); ++k) {
+                    wrong = wrong || decisions[k].attempt.ending == Ending::died;
+                }
+                if (deaths == wrong) wish(lessons, decisions[i], wrong);
+                if (lessons.size() >= static_cast<std::size_t>(options_.studies)) return lessons;
+            }
+        }
+    }
+    return lessons;
+}
+
+Survival Practice::round() {
+    std::vector<Game> games(static_cast<std::size_t>(options_.games));
+    forAll(ground_.level, options_.jobs, options_.games, [&](int i, Session& session) {
+        BotOptions bot{options_.skill, 0, 3, 10, true};
+        bot.seed = options_.seed * 7919 + 1000003 * (round_ + 1) + static_cast<std::uint64_t>(i);
+        games[static_cast<std::size_t>(i)] = playGame(session, ground_, policy_, bot);
+    });
+    Survival survival;
+    for (const Game& game : games) {
+        ++survival.games;
+        survival.finished += game.finished ? 1 : 0;
+        simulated_ += game.seconds;
+        for (const Decision& decision : game.decisions) {
+            if (decision.match.unlike > 1) continue;
+            policy_.addTry(decision.match.place, decision.choice, decision.attempt);
+        }
+    }
+    std::vector<Lesson> lessons = lessonsOf(games);
+    games.clear();
+    learn(lessons);
+    return survival;
+}
+
+}  // namespace quaoar

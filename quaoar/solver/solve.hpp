@@ -1,0 +1,46 @@
+// Finds a way through a level, makes it last, and proves it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "practice.hpp"
+#include "way_file.hpp"
+
+namespace quaoar {
+
+struct SolveOptions {
+    std::uint64_t seed = 1;
+    int searches = 4;       ///< with as many seeds
+    double budget = 20000;  ///< simulated seconds of each
+    int rounds = 12;        ///< of practice; 0: only a proof
+    int games = 200;        ///< of the robust bot
+    double enough = 0.95;   ///< survival at which practice ends
+    Skill skill;
+    int jobs = 1;
+    bool quiet = false;
+};
+
+/// What was found. The policy is empty when nobody practised.
+struct Solution {
+    Recording proof;
+    Policy policy;
+    Survival survival;
+    double searched = 0;     ///< simulated seconds until the first way
+    double simulated = 0;    ///< in all
+};
+
+/// Ways that searches with several seeds find, the shortest first. Searches go on side by side
+/// until half of them have found one or all have spent their budget. Throws std::runtime_error
+/// when no free space leads from the spawn to the exit, and when none is found.
+std::vector<Way> searchWays(const Ground& ground, const SolveOptions& options, Solution& solution);
+
+/// The ticks of a way played without slips from the spawn; nothing if that does not finish.
+std::optional<Recording> record(const std::shared_ptr<const Level>& level, const Way& way);
+/// The same for a policy, which may find its way from wherever it comes to.
+std::optional<Recording> record(const Ground& ground, const Policy& policy);
+
+/// All of it. `known` is a policy to begin with, null if there is none.
+Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known);
+
+}  // namespace quaoar
