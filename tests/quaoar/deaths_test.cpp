@@ -17,15 +17,6 @@ const std::string deadly = R"("surfaces": {"spikes": {"deadly": true}})";
 const std::string checkpoint =
     R"("checkpoints": [{"id": "first", "position": [-1, 1], "radius": 0.6}])";
 
-/// Puts the hero somewhere, at rest.
-void put(Session& session, double x, double y) {
-    const sulfur::Point by = sulfur::Point(x, y) - session.heroPosition();
-    for (const sulfur::ParticleId particle : session.world().particles(session.hero())) {
-        session.world().setPosition(particle, session.world().position(particle) + by);
-    }
-    session.world().setVelocity(session.hero(), {0, 0}, 0);
-}
-
 /// Ticks until he dies, or -1.
 int ticksToDeath(Session& session, int most, const TickInput& input = {}) {
     for (int n = 0; n < most; ++n) {

@@ -1,6 +1,7 @@
 // What the game's tests share: a small level, and a hand that plays.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -108,6 +109,38 @@ inline TickInput fireAt(double x, double y) {
 
 inline void play(Session& session, const TickInput& input, int ticks) {
     for (int n = 0; n < ticks; ++n) session.tick(input);
+}
+
+/// Puts the hero somewhere, at rest.
+inline void put(Session& session, double x, double y) {
+    const sulfur::Point by = sulfur::Point(x, y) - session.heroPosition();
+    for (const sulfur::ParticleId particle : session.world().particles(session.hero())) {
+        session.world().setPosition(particle, session.world().position(particle) + by);
+    }
+    session.world().setVelocity(session.hero(), {0, 0}, 0);
+}
+
+/// Where a body of the scene is.
+inline sulfur::Point placeOf(const Session& session, const std::string& id) {
+    return session.world().centreOfMass(session.instance().body(id));
+}
+
+/// Plays the same from a snapshot twice, and in a second session from the start: gives the hashes
+/// of all three, which must be equal.
+template <class Play>
+std::array<std::uint64_t, 3> threeWays(const std::shared_ptr<const Level>& level, Play playOn) {
+    Session one(level), other(level);
+    play(one, {}, 300);
+    play(other, {}, 300);
+    const auto snapshot = one.snapshot();
+    playOn(one);
+    const std::uint64_t first = one.hash();
+    one.restart();
+    play(one, {}, 17);
+    one.restore(*snapshot);
+    playOn(one);
+    playOn(other);
+    return {first, one.hash(), other.hash()};
 }
 
 }  // namespace quaoar::test

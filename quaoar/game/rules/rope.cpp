@@ -174,6 +174,11 @@ bool Rope::tied(const sulfur::World& world) const {
     return state_ == State::attached && world.contains(anchor_);
 }
 
+sulfur::BodyId Rope::hooked(const sulfur::World& world) const {
+    if (!tied(world)) return {};
+    return world.info(world.info(anchor_).supports.front()).body;
+}
+
 void Rope::release(sulfur::World& world) {
     for (const sulfur::ParticleId bead : beads_) {
         if (world.contains(bead)) world.remove(world.info(bead).body);

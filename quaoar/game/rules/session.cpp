@@ -46,6 +46,12 @@ void Session::build() {
     const sulfur::Body hero = world_->add(heroBlueprint(heroRules_), {.position = level_->spawn});
     hero_ = hero.id();
     hand_ = hero.front();
+    workings_ = Workings(attempt());
+    exitNeed_ = Signals::place(*level_, level_->exit.needs);
+}
+
+Attempt Session::attempt() {
+    return {*level_, instance_, *world_, rope_, hero_, hand_, heroRules_.radius};
 }
 
 std::optional<std::size_t> Session::origin(sulfur::BodyId body) const {
@@ -77,6 +83,7 @@ void Session::tick(const TickInput& input) {
         drawIntoGate();
     }
     if (rope_.state() == Rope::State::attached && !rope_.tied(*world_)) rope_.release(*world_);
+    work();
     brakeRolling();
     limitSpeed();
     world_->step();
@@ -91,6 +98,19 @@ void Session::act(const TickInput& input) {
     if (anything && state_.firstAction == 0) state_.firstAction = state_.ticks;
     updateRope(input);
     pushHero(input);
+}
+
+/// Signals first, from what the last tick has left; then all that goes by them.
+void Session::work() {
+    const Attempt attempt = this->attempt();
+    Workings& w = workings_;
+    events_.switched = w.switches.look(attempt);
+    w.signals.clear();
+    w.switches.report(w.signals);
+    w.movers.move(attempt, w.signals);
+    w.zones.act(attempt, w.signals);
+    events_.crumbled = w.crumbling.wear(attempt);
+    events_.respawned = w.respawns.act(attempt, w.signals);
 }
 
 void Session::updateRope(const TickInput& input) {

@@ -66,12 +66,12 @@ void Session::judge() {
         return;
     }
     collect();
-    if (near(heroPosition(), level_->exit.position, level_->exit.radius)) finish();
+    if (exitOpen() && near(heroPosition(), level_->exit.position, level_->exit.radius)) finish();
 }
 
 bool Session::mustDie() {
     if (heroPosition().y() < level_->killDepth) return true;
-    if (squeezedFlat()) return true;
+    if (squeezedFlat() || workings_.zones.deadly(*level_, heroPosition())) return true;
     if (!deadly_) return false;
     return std::any_of(touch_.begin(), touch_.end(), [this](const sulfur::ContactInfo& contact) {
         return surface(contact.a == hero_ ? contact.b : contact.a).deadly;

@@ -20,16 +20,17 @@ std::uint64_t Session::hash() const {
     hash.add(static_cast<std::uint64_t>(state_.squeezed));
     hash.add(static_cast<std::uint64_t>(state_.deaths));
     hash.add(state_.reached).add(state_.pickedUp).add(state_.savedHash);
-    return hash.value();
+    return hash.add(workings_.hash()).value();
 }
 
 std::shared_ptr<const Session::Snapshot> Session::snapshot() const {
-    return std::make_shared<const Snapshot>(Snapshot{world_->snapshot(), rope_, state_});
+    return std::make_shared<const Snapshot>(Snapshot{world_->snapshot(), rope_, workings_, state_});
 }
 
 void Session::restore(const Snapshot& snapshot) {
     world_->restore(snapshot.world);
     rope_ = snapshot.rope;
+    workings_ = snapshot.workings;
     state_ = snapshot.state;
     events_ = {};
     touch_.clear();

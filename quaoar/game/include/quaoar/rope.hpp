@@ -61,6 +61,9 @@ public:
     void hold(sulfur::World& world, sulfur::ParticleId hand, sulfur::Real speed);
     /// Whether what it is tied to is still there. Only when attached.
     bool tied(const sulfur::World& world) const;
+    /// The body that it is tied to, also when that broke off from another one; null unless
+    /// attached.
+    sulfur::BodyId hooked(const sulfur::World& world) const;
     /// Lets go and takes the rope out of the world; a flying head is called back.
     void release(sulfur::World& world);
 

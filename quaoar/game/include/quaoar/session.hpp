@@ -8,6 +8,7 @@
 #include <quaoar/level.hpp>
 #include <quaoar/rope.hpp>
 #include <quaoar/tick_input.hpp>
+#include <quaoar/workings.hpp>
 #include <sulfur/world.hpp>
 
 namespace quaoar {
@@ -32,8 +33,11 @@ struct TickEvents {
     bool died = false;        ///< back at the last checkpoint, or at the spawn
     bool checkpoint = false;  ///< one was reached for the first time
     bool pickedUp = false;
-    bool cut = false;  ///< the rope, by something sharp
-    float impact = 0;  ///< m/s at which the hero began to touch something, 0: it did not
+    bool cut = false;        ///< the rope, by something sharp
+    bool switched = false;   ///< a switch went on or off
+    bool crumbled = false;   ///< something came loose
+    bool respawned = false;  ///< something came back to its place
+    float impact = 0;        ///< m/s at which the hero began to touch something, 0: it did not
 };
 
 /// The game, 500 ticks a second. The same level and the same inputs give the same hash() on every
@@ -89,6 +93,10 @@ public:
     sulfur::World& world() { return *world_; }
     const sulfur::World& world() const { return *world_; }
     const sulfur::scene::Instance& instance() const { return instance_; }
+    /// Switches, movers, zones and the like as they are now.
+    const Workings& workings() const { return workings_; }
+    /// Whether the exit lets the hero in.
+    bool exitOpen() const { return workings_.signals.met(exitNeed_); }
     /// The body of the scene that this one is, or that it broke off from, as a place in the scene's
     /// list; nothing for the hero and the rope.
     std::optional<std::size_t> origin(sulfur::BodyId body) const;
@@ -137,6 +145,8 @@ private:
 
     bool holds(sulfur::BodyId body) const override;
     void build();
+    Attempt attempt();
+    void work();
     void placeHero(sulfur::Point at);
     void act(const TickInput& input);
     void updateRope(const TickInput& input);
@@ -165,6 +175,8 @@ private:
     sulfur::BodyId hero_;
     sulfur::ParticleId hand_;
     Rope rope_;
+    Workings workings_;
+    Signals::Place exitNeed_ = Signals::none;
     State state_;
     TickEvents events_;
     std::shared_ptr<const Snapshot> start_;
@@ -174,6 +186,7 @@ private:
 struct Session::Snapshot {
     sulfur::Snapshot world;
     Rope rope;
+    Workings workings;
     State state;
 };
 
