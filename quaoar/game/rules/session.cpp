@@ -88,6 +88,7 @@ void Session::tick(const TickInput& input) {
     limitSpeed();
     world_->step();
     noticeContacts();
+    events_.defeated = workings_.monsters.notice(attempt(), workings_.zones);
     cutRope();
     judge();
 }
@@ -107,10 +108,12 @@ void Session::work() {
     events_.switched = w.switches.look(attempt);
     w.signals.clear();
     w.switches.report(w.signals);
+    w.monsters.report(w.signals);
     w.movers.move(attempt, w.signals);
     w.zones.act(attempt, w.signals);
     events_.crumbled = w.crumbling.wear(attempt);
     events_.respawned = w.respawns.act(attempt, w.signals);
+    events_.noticed = w.monsters.behave(attempt);
 }
 
 void Session::updateRope(const TickInput& input) {

@@ -36,12 +36,18 @@ void Session::noticeContacts() {
     }
 }
 
+/// A defeated monster, or a piece of it.
+bool Session::harmless(sulfur::BodyId body) const {
+    const auto place = origin(body);
+    return place && workings_.monsters.harmless(*place);
+}
+
 /// Where a blade touches it the rope is gone: what would hang from the hand is let go.
 void Session::cutRope() {
     if (rope_.state() != Rope::State::attached) return;
     std::array<sulfur::ContactInfo, 64> contacts;
     for (const sulfur::BodyId blade : blades_) {
-        if (!world_->contains(blade)) continue;
+        if (!world_->contains(blade) || harmless(blade)) continue;
         const std::size_t count = std::min(world_->contacts(blade, contacts), contacts.size());
         for (std::size_t i = 0; i < count; ++i) {
             const sulfur::BodyId other = contacts[i].a == blade ? contacts[i].b : contacts[i].a;
@@ -74,7 +80,8 @@ bool Session::mustDie() {
     if (squeezedFlat() || workings_.zones.deadly(*level_, heroPosition())) return true;
     if (!deadly_) return false;
     return std::any_of(touch_.begin(), touch_.end(), [this](const sulfur::ContactInfo& contact) {
-        return surface(contact.a == hero_ ? contact.b : contact.a).deadly;
+        const sulfur::BodyId other = contact.a == hero_ ? contact.b : contact.a;
+        return surface(other).deadly && !harmless(other);
     });
 }
 

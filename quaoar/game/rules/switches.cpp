@@ -21,7 +21,7 @@ Plate plateOf(const Switch& one) {
     return {one.position - half, one.position + half};
 }
 
-bool touches(const Plate& plate, const Point& middle, double radius) {
+bool reaches(const Plate& plate, const Point& middle, double radius) {
     const Point nearest = middle.cwiseMax(plate.low).cwiseMin(plate.high);
     return (middle - nearest).squaredNorm() <= radius * radius;
 }
@@ -56,11 +56,11 @@ Switches::Switches(const Attempt& attempt) : states_(attempt.level.switches.size
 bool Switches::isPressed(const Attempt& attempt, const Switch& one) {
     const Plate plate = plateOf(one);
     if (one.by == "hero") {
-        return touches(plate, attempt.heroPosition(), static_cast<double>(attempt.heroRadius));
+        return reaches(plate, attempt.heroPosition(), static_cast<double>(attempt.heroRadius));
     }
     if (one.by == "rope") {
         return attempt.rope.state() == Rope::State::attached &&
-               touches(plate, attempt.rope.head(attempt.world), 0);
+               reaches(plate, attempt.rope.head(attempt.world), 0);
     }
     if (one.by == "any") {
         const double weight = weightOn(attempt.world, plate);

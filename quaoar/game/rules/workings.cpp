@@ -10,12 +10,13 @@ Workings::Workings(const Attempt& attempt)
       movers(attempt),
       zones(attempt),
       crumbling(attempt),
-      respawns(attempt) {}
+      respawns(attempt),
+      monsters(attempt) {}
 
 std::uint64_t Workings::hash() const {
     Hash hash;
     hash.add(switches.hash()).add(movers.hash()).add(zones.hash());
-    hash.add(crumbling.hash()).add(respawns.hash());
+    hash.add(crumbling.hash()).add(respawns.hash()).add(monsters.hash());
     return hash.value();
 }
 

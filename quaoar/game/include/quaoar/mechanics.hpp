@@ -120,8 +120,9 @@ struct Monster {
     bool flies = false;            ///< moves through air or liquid, without weight
     double from = 0;               ///< metres: patrols go from this x ...
     double to = 0;                 ///< ... to this one
-    /// N s: a blow of a moved body beyond it defeats the monster. It is also defeated when a tenth
-    /// of its joints is gone, in a deadly zone and below the level's kill depth.
+    /// N s: a blow by something that moves, the hero too, beyond it defeats the monster: its speed
+    /// times m M / (m + M). It is also defeated when a tenth of its joints is gone, in a deadly
+    /// zone and below the level's kill depth.
     double toughness = std::numeric_limits<double>::infinity();
     std::string onDefeat;  ///< a signal that this turns on; may be empty
 };

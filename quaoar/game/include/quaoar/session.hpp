@@ -36,6 +36,8 @@ struct TickEvents {
     bool cut = false;        ///< the rope, by something sharp
     bool switched = false;   ///< a switch went on or off
     bool crumbled = false;   ///< something came loose
+    bool noticed = false;    ///< a monster has seen what it looks for
+    bool defeated = false;   ///< a monster was
     bool respawned = false;  ///< something came back to its place
     float impact = 0;        ///< m/s at which the hero began to touch something, 0: it did not
 };
@@ -156,6 +158,7 @@ private:
     void limitSpeed();
     void lookAtContacts();
     void noticeContacts();
+    bool harmless(sulfur::BodyId body) const;
     void cutRope();
     void collect();
     void judge();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <quaoar/crumbling.hpp>
+#include <quaoar/monsters.hpp>
 #include <quaoar/movers.hpp>
 #include <quaoar/respawns.hpp>
 #include <quaoar/signals.hpp>
@@ -19,6 +20,7 @@ struct Workings {
     Zones zones;
     Crumbling crumbling;
     Respawns respawns;
+    Monsters monsters;
 
     Workings() = default;
     /// Adds to the world what they need and puts bodies where they begin.
