@@ -185,6 +185,29 @@ TEST(Deaths, NoLandingCrushes) {
     EXPECT_LT(session.heroPosition().y(), 0.3);
 }
 
+TEST(Deaths, OutOfTheWorldHeDies) {
+    Session session(room());
+    put(session, 0, 13);
+    play(session, {}, 1);
+    EXPECT_EQ(session.restarts(), 0);
+    put(session, 0, 15);
+    play(session, {}, 1);
+    EXPECT_EQ(session.restarts(), 1);
+    put(session, 15, 1);
+    play(session, {}, 1);
+    EXPECT_EQ(session.restarts(), 2);
+}
+
+TEST(Deaths, WhatFellOutOfTheLevelIsOutOfTheGame) {
+    const std::string text = replaced(roomText, "[-2, 0.3]", "[-9, 0.3]");
+    Session session(room(text));
+    const sulfur::BodyId box = session.instance().body("box-1");
+    play(session, {}, 2000);
+    EXPECT_FALSE(session.world().isEnabled(box));
+    EXPECT_LT(placeOf(session, "box-1").y(), -8);
+    EXPECT_GT(placeOf(session, "box-1").y(), -9);
+}
+
 TEST(Deaths, ABladeCutsTheRope) {
     const std::string text =
         withBody(roomWith(R"("surfaces": {"blade": {"cuts": true}})"), "blade",

@@ -103,6 +103,18 @@ TEST(MechanicsFile, WhatIsNotGivenHasItsDefault) {
     EXPECT_FALSE(level->countdown.has_value());
 }
 
+TEST(MechanicsFile, AStarNamesAllThatBeginSo) {
+    const auto level =
+        room(roomWith(R"("surfaces": {"b*": {"sticky": false}, "box*": {"cuts": true},
+        "room": {"deadly": true}})"));
+    EXPECT_TRUE(level->surface("box-1").cuts);  // the longest counts
+    EXPECT_TRUE(level->surface("box-1").sticky);
+    EXPECT_FALSE(level->surface("barrel").sticky);
+    EXPECT_TRUE(level->surface("room").deadly);
+    EXPECT_FALSE(level->surface("roomy").deadly);
+    expectRefused(R"("surfaces": {"sn*": {"sticky": false}})", {"sn*", "star"});
+}
+
 TEST(MechanicsFile, BodiesMustBeThereAndOfTheRightKind) {
     expectRefused(R"("movers": [{"body": "lorry", "spin": 1}])", {"lorry", "bodies"});
     expectRefused(R"("movers": [{"body": "box-1", "spin": 1}])", {"box-1", "kinematic"});

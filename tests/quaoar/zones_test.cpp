@@ -29,7 +29,7 @@ TEST(Zones, NothingIsBlownFasterThanTheWind) {
     float fastest = 0;
     for (int n = 0; n < 500; ++n) {
         session.tick({});
-        fastest = std::max(fastest, session.heroVelocity().x());
+        fastest = std::max(fastest, static_cast<float>(session.heroVelocity().x()));
     }
     EXPECT_GT(fastest, 1.9f);
     EXPECT_LT(fastest, 2.01f);

@@ -1,5 +1,6 @@
 #include <quaoar/crumbling.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <quaoar/session.hpp>
 
@@ -11,10 +12,12 @@ using sulfur::BodyId;
 
 Crumbling::Crumbling(const Attempt& attempt) {
     std::vector<Plan> plans;
-    for (const auto& [id, surface] : attempt.level.surfaces) {
-        if (!surface.crumbles) continue;
-        const double ticks = std::max(1.0, *surface.crumbles * Session::tickRate);
-        plans.push_back({attempt.instance.body(id), static_cast<int>(std::lround(ticks))});
+    for (const sulfur::scene::Placement& placement : attempt.level.scene.bodies) {
+        const auto seconds = attempt.level.surface(placement.id).crumbles;
+        if (!seconds) continue;
+        const double ticks = std::max(1.0, *seconds * Session::tickRate);
+        plans.push_back(
+            {attempt.instance.body(placement.id), static_cast<int>(std::lround(ticks))});
     }
     touched_.resize(plans.size());
     plans_ = std::make_shared<const std::vector<Plan>>(std::move(plans));

@@ -35,19 +35,18 @@ double surfaceArea(const sulfur::World& world, BodyId body) {
     return area;
 }
 
-/// m^2 that a body encloses, by asking the library at many places. What is open or thin has but
-/// that of its capsules.
-double enclosedArea(const sulfur::World& world, BodyId body) {
+/// m^2 that a body encloses, by asking the library at many places, with nothing else around. What
+/// is open or thin has but that of its capsules.
+double enclosedArea(const sulfur::Blueprint& blueprint) {
     constexpr int places = 24;
+    sulfur::World world;
+    const BodyId body = world.add(blueprint).id();
     const sulfur::Bounds bounds = world.bounds(body);
     const Point size = bounds.high - bounds.low;
-    sulfur::QueryFilter filter;
-    filter.accept = [body](BodyId other) { return other == body; };
     int inside = 0;
     for (int i = 0; i < places * places; ++i) {
         const Point part((i % places + 0.5) / places, (i / places + 0.5) / places);
-        const Point at = bounds.low + size.cwiseProduct(part);
-        inside += world.bodiesAt(at, filter).empty() ? 0 : 1;
+        inside += world.bodiesAt(bounds.low + size.cwiseProduct(part)).empty() ? 0 : 1;
     }
     const double area = size.x() * size.y() * inside / (places * places);
     return std::max(area, surfaceArea(world, body));
@@ -69,9 +68,13 @@ void Zones::findFloats(const Attempt& attempt, Plan& plan) {
     for (const sulfur::scene::Placement& placement : level.scene.bodies) {
         const BodyId body = attempt.instance.body(placement.id);
         plan.floats.emplace_back();
-        if (attempt.world.kind(body) == sulfur::BodyKind::fixed) continue;
+        const bool fixed = attempt.world.kind(body) == sulfur::BodyKind::fixed;
+        if (fixed && !level.surface(placement.id).crumbles) continue;
         const auto [found, isNew] = known.try_emplace(placement.blueprint);
-        if (isNew) found->second = made(enclosedArea(attempt.world, body), body);
+        if (isNew) {
+            found->second =
+                made(enclosedArea(sulfur::scene::blueprintOf(level.scene, placement)), body);
+        }
         plan.floats.back() = found->second;
     }
     const double radius = static_cast<double>(attempt.heroRadius);

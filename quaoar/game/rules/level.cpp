@@ -20,9 +20,27 @@ const char* name(Medal medal) {
     return "none";
 }
 
+/// Of several beginnings of an id, the longest counts.
 Surface Level::surface(std::string_view bodyId) const {
     const auto found = surfaces.find(bodyId);
-    return found == surfaces.end() ? Surface{} : found->second;
+    if (found != surfaces.end()) return found->second;
+    Surface best;
+    std::size_t longest = 0;
+    for (const auto& [key, surface] : surfaces) {
+        if (!namesSeveral(key) || key.size() <= longest || !namesBody(key, bodyId)) continue;
+        best = surface;
+        longest = key.size();
+    }
+    return best;
+}
+
+bool namesSeveral(std::string_view surfaceKey) {
+    return surfaceKey.ends_with('*');
+}
+
+bool namesBody(std::string_view surfaceKey, std::string_view bodyId) {
+    if (!namesSeveral(surfaceKey)) return surfaceKey == bodyId;
+    return bodyId.starts_with(surfaceKey.substr(0, surfaceKey.size() - 1));
 }
 
 Medal Level::medalFor(double seconds) const {

@@ -1,4 +1,5 @@
 // The game's part of a level file: everything is checked here, nothing later.
+#include <algorithm>
 #include <atlax/error.hpp>
 #include <atlax/files.hpp>
 #include <cmath>
@@ -66,8 +67,14 @@ MedalTimes readMedals(const Node& node) {
 void readSurfaces(const Node& node, Level& level) {
     node.requireObject();
     for (const Node& member : node.members()) {
-        if (!level.scene.body(member.key())) {
-            member.fail("names no body of this scene; allowed are the ids under \"bodies\"");
+        const auto& bodies = level.scene.bodies;
+        const bool known = std::any_of(bodies.begin(), bodies.end(), [&](const auto& body) {
+            return namesBody(member.key(), body.id);
+        });
+        if (!known) {
+            member.fail(
+                "names no body of this scene; allowed are the ids under \"bodies\", or their "
+                "beginning and a star");
         }
         refuseUnknown(member, {"sticky", "deadly", "cuts", "crumbles", "look"});
         Surface surface;

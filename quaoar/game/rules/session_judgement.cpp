@@ -61,6 +61,7 @@ void Session::cutRope() {
 }
 
 void Session::judge() {
+    forgetFallen();
     if (state_.phase == Phase::finished) return;
     if (mustDie()) {
         retry();
@@ -75,8 +76,26 @@ void Session::judge() {
     if (exitOpen() && near(heroPosition(), level_->exit.position, level_->exit.radius)) finish();
 }
 
+bool Session::outside() const {
+    constexpr double margin = 10;  // m: he may fly out of the picture and come back
+    const Point hero = heroPosition();
+    return hero.y() < level_->killDepth || hero.y() > level_->boundsMax.y() + margin ||
+           hero.x() < level_->boundsMin.x() - margin || hero.x() > level_->boundsMax.x() + margin;
+}
+
+/// What has fallen out of the level would fall for ever. One body is looked at in each tick.
+void Session::forgetFallen() {
+    constexpr double margin = 5;  // m
+    const auto bodies = world_->bodies();
+    const sulfur::BodyId body = bodies[world_->ticks() % bodies.size()];
+    if (world_->kind(body) != sulfur::BodyKind::dynamic || !world_->isEnabled(body)) return;
+    if (!origin(body) || world_->centreOfMass(body).y() > level_->killDepth - margin) return;
+    if (rope_.hooked(*world_) == body) rope_.release(*world_);
+    world_->setEnabled(body, false);
+}
+
 bool Session::mustDie() {
-    if (heroPosition().y() < level_->killDepth) return true;
+    if (outside()) return true;
     if (squeezedFlat() || workings_.zones.deadly(*level_, heroPosition())) return true;
     if (!deadly_) return false;
     return std::any_of(touch_.begin(), touch_.end(), [this](const sulfur::ContactInfo& contact) {

@@ -73,7 +73,8 @@ struct Level {
     double killDepth = 0;   ///< metres: below this height the attempt ends
     std::vector<Hint> hints;
     MedalTimes medals;
-    std::map<std::string, Surface, std::less<>> surfaces;  ///< by id of a body
+    /// By id of a body, or by the beginning of ids with a star: "icicle-*".
+    std::map<std::string, Surface, std::less<>> surfaces;
     std::vector<Checkpoint> checkpoints;
     std::vector<Pickup> pickups;
     std::vector<Zone> zones;
@@ -95,6 +96,11 @@ struct Level {
     /// The place of a name in `signals`, or nothing.
     std::optional<std::size_t> signal(std::string_view name) const;
 };
+
+/// Whether a key of Level::surfaces ends in a star, and so names all bodies whose ids begin so.
+bool namesSeveral(std::string_view surfaceKey);
+/// Whether a key of Level::surfaces names a body.
+bool namesBody(std::string_view surfaceKey, std::string_view bodyId);
 
 /// Reads a level file: a scene (see sulfur/scene) with a top-level member "level", described by
 /// levels/level.schema.json. Throws sulfur::scene::ReadError naming file, line, object and remedy.

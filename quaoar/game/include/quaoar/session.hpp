@@ -163,6 +163,8 @@ private:
     void collect();
     void judge();
     bool mustDie();
+    bool outside() const;
+    void forgetFallen();
     bool touchedOnBothSides() const;
     bool squeezedFlat();
     void finish();
