@@ -11,9 +11,9 @@ namespace quaoar {
 struct BotOptions {
     Skill skill;
     std::uint64_t seed = 1;
-    int tries = 3;          ///< lives from the spawn, and from each checkpoint
-    double patience = 10;   ///< s without coming nearer to the exit: as bad as a fall
-    bool remember = false;  ///< keep a snapshot of each decision
+    int tries = 3;                   ///< lives from the spawn, and from each checkpoint
+    double patience = 10;            ///< s without coming nearer to the exit: as bad as a fall
+    bool remember = false;           ///< keep a snapshot of each decision
     Recording* recording = nullptr;  ///< for the ticks of the game; not for more than one life
 };
 

@@ -60,12 +60,13 @@ Intention randomIdea(const Session& session, const DistanceField& field, std::mt
         idea.reel = std::min(1, whole(random, 5) - 1);
         if (idea.reel > 0 && whole(random, 2) == 0) idea.reel = -1;
         idea.boost = idea.reel != 0 && whole(random, 3) == 0;
-        idea.push = whole(random, 3) - 1;
+        constexpr int ways[] = {-1, 0, 1, 0, 2};
+        idea.push = ways[whole(random, 5)];
     }
     if (kind % 12 == 0) {  // and now wait until it swings no more
         idea.until.kind = Until::Kind::calm;
         idea.until.latest = 3 * Session::tickRate;
-        if (idea.hook != Intention::Hook::loose && idea.reel == 0) idea.push = 0;
+        idea.push = idea.hook == Intention::Hook::loose ? 0 : -2;
     }
     makeExact(idea);
     return idea;

@@ -30,7 +30,8 @@ public:
 
     std::string word() {
         std::string result;
-        if (!(stream_ >> result)) throw WayError("ends too early; an intention needs \"until ...\"");
+        if (!(stream_ >> result))
+            throw WayError("ends too early; an intention needs \"until ...\"");
         return result;
     }
     double number(double low, double high) {
@@ -90,6 +91,17 @@ Until parseUntil(Words& words) {
     return until;
 }
 
+constexpr std::pair<const char*, int> pushes[] = {
+    {"left", -1}, {"right", 1}, {"along", 2}, {"against", -2}};
+
+/// 0 if the word is none of them.
+int pushOf(const std::string& word) {
+    for (const auto& [known, push] : pushes) {
+        if (word == known) return push;
+    }
+    return 0;
+}
+
 /// Takes one of the words between the hook and "until"; false at "until".
 bool parseManner(Words& words, Intention& intention) {
     const std::string word = words.word();
@@ -100,12 +112,13 @@ bool parseManner(Words& words, Intention& intention) {
     } else if (word == "fast" && (way == "in" || way == "out")) {
         intention.reel = way == "in" ? -1 : 1;
         intention.boost = true;
-    } else if (word == "push" && (way == "left" || way == "right")) {
-        intention.push = way == "left" ? -1 : 1;
+    } else if (word == "push" && pushOf(way) != 0) {
+        intention.push = pushOf(way);
     } else {
         throw WayError("has \"" + word.substr(0, 40) + " " + way.substr(0, 40) +
                        "\"; allowed are \"reel in\", \"reel out\", \"fast in\", \"fast out\", "
-                       "\"push left\", \"push right\" and \"until ...\"");
+                       "\"push left\", \"push right\", \"push along\", \"push against\" and "
+                       "\"until ...\"");
     }
     return true;
 }
@@ -137,7 +150,9 @@ std::string format(const Intention& intention) {
         text += intention.boost ? " fast" : " reel";
         text += intention.reel < 0 ? " in" : " out";
     }
-    if (intention.push != 0) text += intention.push < 0 ? " push left" : " push right";
+    for (const auto& [word, push] : pushes) {
+        if (push == intention.push) text += std::string(" push ") + word;
+    }
     const Until& until = intention.until;
     const double latest = until.latest * secondsOfTick;
     if (until.kind == Until::Kind::time) return text + printed(" until after %.3f", latest);

@@ -25,7 +25,7 @@ struct Until {
         calm,  ///< when the hero has come to rest, at `latest` in any case
     };
     Kind kind = Kind::time;
-    sulfur::Point place{0, 0};  ///< metres, on the line
+    sulfur::Point place{0, 0};   ///< metres, on the line
     sulfur::Point across{1, 0};  ///< direction in which the line is passed; about of unit length
     int earliest = 0;
     int latest = 0;
@@ -43,7 +43,8 @@ struct Intention {
     sulfur::Point aim{0, 0};  ///< metres, a place in the world
     int reel = 0;             ///< -1 in, 1 out
     bool boost = false;
-    int push = 0;  ///< -1 left, 1 right
+    /// -1 left, 1 right; 2 along the swing, to gain speed; -2 against it, to come to rest.
+    int push = 0;
     Until until;
 
     friend bool operator==(const Intention&, const Intention&) = default;

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double calmSpeed = 0.15;  // m/s
 constexpr int calmTicks = 100;
+/// Slower swings are neither helped nor braked, m/s.
+constexpr double slowPush = 0.1;
 /// Nothing but a return to a checkpoint moves the hero so far in a tick, metres.
 constexpr double returnJump = 0.3;
 
@@ -135,14 +137,24 @@ bool Player::over(const Until& until, int early) const {
     return (soon - until.place).dot(until.across) >= 0;
 }
 
+std::int8_t Player::pushOf(const Intention& intention) const {
+    int way = intention.push;
+    if (std::abs(intention.push) == 2) {
+        const double sideways = static_cast<double>(session_.heroVelocity().x());
+        way = std::abs(sideways) < slowPush ? 0 : sideways > 0 ? 1 : -1;
+        if (intention.push < 0) way = -way;
+    }
+    return static_cast<std::int8_t>(127 * way);
+}
+
 Ending Player::holdOn(const Intention& intention, const Slip& slip) {
     input_.fire = intention.hook != Intention::Hook::loose;
     input_.reelIn = intention.reel < 0;
     input_.reelOut = intention.reel > 0;
     input_.boost = intention.boost;
-    input_.push = static_cast<std::int8_t>(127 * intention.push);
     const int early = std::max(0, -slip.end);
     while (!over(intention.until, early)) {
+        input_.push = pushOf(intention);
         if (!tick(input_)) return stopped();
         if (input_.fire && session_.rope().state() == Rope::State::idle) {
             return letGo(1) ? Ending::missed : stopped();

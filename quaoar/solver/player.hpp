@@ -25,10 +25,10 @@ struct Skill {
 
 /// What goes wrong with one intention.
 struct Slip {
-    double aim = 0;        ///< rad
-    int press = 0;         ///< ticks that the shot comes late (or early)
-    int end = 0;           ///< ticks that the end comes late (or early)
-    int reaction = 0;      ///< ticks before anything is done that was not foreseen
+    double aim = 0;    ///< rad
+    int press = 0;     ///< ticks that the shot comes late (or early)
+    int end = 0;       ///< ticks that the end comes late (or early)
+    int reaction = 0;  ///< ticks before anything is done that was not foreseen
 };
 
 /// Draws slips. Not from std::normal_distribution, whose results differ between libraries.
@@ -73,6 +73,7 @@ private:
     bool letGo(int ticks);
     Ending shoot(const Intention& intention, const Slip& slip);
     Ending holdOn(const Intention& intention, const Slip& slip);
+    std::int8_t pushOf(const Intention& intention) const;
     bool over(const Until& until, int early) const;
     Ending stopped() const;
 

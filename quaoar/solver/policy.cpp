@@ -63,15 +63,18 @@ int Policy::add(Place place) {
     return index;
 }
 
-void Policy::addTry(int index, int choice, const Try& attempt) {
-    Try known = attempt;
+Try Policy::known(Try attempt) const {
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const double unlike = unlikeness(places_[i].here, attempt.after);
-        if (unlike >= known.unlike) continue;
-        known.nearest = static_cast<int>(i);
-        known.unlike = unlike;
+        if (unlike >= attempt.unlike) continue;
+        attempt.nearest = static_cast<int>(i);
+        attempt.unlike = unlike;
     }
-    place(index).choices[static_cast<std::size_t>(choice)].tries.push_back(known);
+    return attempt;
+}
+
+void Policy::addTry(int index, int choice, const Try& attempt) {
+    place(index).choices[static_cast<std::size_t>(choice)].tries.push_back(known(attempt));
 }
 
 int Policy::addChoice(int index, const Intention& intention) {
@@ -87,8 +90,7 @@ double Policy::worth(const Try& attempt) const {
     const double later = std::pow(patienceOfASecond, attempt.seconds);
     if (attempt.ending == Ending::finished) return later;
     if (attempt.ending == Ending::died || attempt.nearest < 0) return 0;
-    return later * trust(attempt.unlike) *
-           places_[static_cast<std::size_t>(attempt.nearest)].value;
+    return later * trust(attempt.unlike) * places_[static_cast<std::size_t>(attempt.nearest)].value;
 }
 
 void Policy::weigh() {
@@ -102,9 +104,8 @@ void Policy::weigh() {
                 double sum = 0;
                 for (const Try& attempt : choice.tries) sum += worth(attempt);
                 // What a file says is believed until it has been tried.
-                if (choice.tries.empty()) sum = 0.1 * choice.value;
-                // Little is believed of what was seldom tried.
-                choice.value = sum / (static_cast<double>(choice.tries.size()) + 0.1);
+                if (choice.tries.empty()) sum = choice.value;
+                choice.value = sum / std::max(1.0, static_cast<double>(choice.tries.size()));
                 if (choice.value <= best) continue;
                 best = choice.value;
                 place->best = static_cast<int>(i);

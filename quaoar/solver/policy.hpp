@@ -64,6 +64,8 @@ public:
     void weigh();
     /// Keeps the places of the list alone, and the best choice of each.
     Policy reduced(const std::vector<bool>& keep) const;
+    /// The attempt with the place that is most like what it led to.
+    Try known(Try attempt) const;
     /// What an attempt is worth that has led so far.
     double worth(const Try& attempt) const;
 

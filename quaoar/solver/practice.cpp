@@ -9,8 +9,12 @@
 namespace quaoar {
 namespace {
 
-constexpr int quickTries = 5;
-constexpr int moreTries = 8;
+constexpr int quickTries = 3;
+constexpr std::size_t quickChoices = 4;
+/// What promises so much is not looked at further.
+constexpr double good = 0.8;
+constexpr int moreTries = 5;
+constexpr std::size_t bestChoices = 2;
 /// A place that promises less than this wants a way on to be searched for.
 constexpr double hopeless = 0.25;
 /// Simulated seconds for such a search.
@@ -45,6 +49,15 @@ Intention varied(Intention idea, std::mt19937_64& random) {
     return idea;
 }
 
+/// The same, and then one waits until nothing swings.
+Intention steadily(Intention idea) {
+    idea.until.kind = Until::Kind::calm;
+    idea.until.earliest = 0;
+    idea.until.latest = 3 * Session::tickRate;
+    idea.push = idea.hook == Intention::Hook::loose ? 0 : -2;
+    return idea;
+}
+
 }  // namespace
 
 void learnWay(Policy& policy, Session& session, const Way& way) {
@@ -72,14 +85,7 @@ Try Practice::attempt(Lesson& lesson, Session& session, const Intention& idea,
     const Ending ending = player.carryOut(idea, slip);
     const double seconds = static_cast<double>(player.ticks()) / Session::tickRate;
     lesson.simulated += seconds;
-    Try result{ending, situationOf(session), seconds};
-    for (std::size_t i = 0; i < policy_.places().size(); ++i) {
-        const double unlike = unlikeness(policy_.places()[i].here, result.after);
-        if (unlike >= result.unlike) continue;
-        result.unlike = unlike;
-        result.nearest = static_cast<int>(i);
-    }
-    return result;
+    return policy_.known({ending, situationOf(session), seconds});
 }
 
 double Practice::promise(const Choice& choice) const {
@@ -96,49 +102,73 @@ std::vector<Intention> Practice::ideasFor(const Lesson& lesson, Session& session
         near.emplace_back(unlikeness(place.here, lesson.here),
                           &place.choices[static_cast<std::size_t>(place.best)].intention);
     }
-    const std::size_t count = std::min<std::size_t>(4, near.size());
+    const std::size_t count = std::min<std::size_t>(3, near.size());
     std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end(),
                       [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Intention> ideas;
     for (std::size_t i = 0; i < count; ++i) ideas.push_back(*near[i].second);
-    for (std::size_t i = 0; i < std::min<std::size_t>(3, count); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, count); ++i) {
         ideas.push_back(varied(*near[i].second, random));
     }
+    if (count > 0) ideas.push_back(steadily(*near[0].second));
     session.restore(*lesson.snapshot);
-    for (int n = 0; n < 4; ++n) ideas.push_back(randomIdea(session, ground_.field, random));
+    for (int n = 0; n < 3; ++n) ideas.push_back(randomIdea(session, ground_.field, random));
+    ideas.back() = steadily(ideas.back());
     return ideas;
+}
+
+/// Carries an idea out without slips, and lets it end by what can be seen.
+Choice Practice::plainly(Lesson& lesson, Session& session, const Intention& idea) const {
+    session.restore(*lesson.snapshot);
+    Player player(session);
+    Choice choice{idea, {}, 0};
+    const Ending ending = player.carryOut(idea);
+    if (ending == Ending::done) choice.intention = endedBySight(idea, player.trace());
+    const double seconds = static_cast<double>(player.ticks()) / Session::tickRate;
+    lesson.simulated += seconds;
+    choice.tries.push_back(policy_.known({ending, situationOf(session), seconds}));
+    return choice;
 }
 
 void Practice::study(Lesson& lesson, Session& session, std::uint64_t seed) const {
     std::mt19937_64 random(seed);
     Nerves nerves(options_.skill, seed ^ 0x5bd1e995u);
-    for (Intention& idea : ideasFor(lesson, session, random)) {
-        Choice choice;
-        choice.tries.push_back(attempt(lesson, session, idea, {}));
-        if (choice.tries.back().ending == Ending::died) continue;
-        if (choice.tries.back().ending == Ending::missed) continue;
-        // Random ideas know nothing of lines yet.
-        session.restore(*lesson.snapshot);
-        Player player(session);
-        if (player.carryOut(idea) == Ending::done) idea = endedBySight(idea, player.trace());
-        choice.intention = idea;
-        for (int n = 0; n < quickTries && (n < 2 || promise(choice) > 0.05); ++n) {
-            choice.tries.push_back(attempt(lesson, session, idea, nerves.next()));
-        }
-        lesson.choices.push_back(std::move(choice));
+    if (lesson.place >= 0 && provesGood(lesson, session, nerves)) return;
+    for (const Intention& idea : ideasFor(lesson, session, random)) {
+        Choice choice = plainly(lesson, session, idea);
+        if (promise(choice) > 0.05) lesson.choices.push_back(std::move(choice));
     }
-    std::sort(lesson.choices.begin(), lesson.choices.end(),
-              [&](const Choice& a, const Choice& b) { return promise(a) > promise(b); });
-    if (lesson.choices.size() > 3) lesson.choices.resize(3);
+    keepBest(lesson, quickChoices);
+    tryAll(lesson, session, nerves, quickTries);
+    keepBest(lesson, bestChoices);
+    tryAll(lesson, session, nerves, moreTries);
+    keepBest(lesson, bestChoices);
+    const double best = lesson.choices.empty() ? 0 : promise(lesson.choices.front());
+    if (best < hopeless) searchOn(lesson, session, seed);
+}
+
+/// Whether the choice that is known is good enough, which only few tries tell at first.
+bool Practice::provesGood(Lesson& lesson, Session& session, Nerves& nerves) const {
+    const Place& place = policy_.places()[static_cast<std::size_t>(lesson.place)];
+    if (place.studies > 0 || place.best < 0) return false;
+    const Choice& best = place.choices[static_cast<std::size_t>(place.best)];
+    lesson.choices.push_back({best.intention, {}, 0});
+    tryAll(lesson, session, nerves, quickTries + 1);
+    return promise(lesson.choices.front()) > good;
+}
+
+void Practice::keepBest(Lesson& lesson, std::size_t count) const {
+    std::stable_sort(lesson.choices.begin(), lesson.choices.end(),
+                     [&](const Choice& a, const Choice& b) { return promise(a) > promise(b); });
+    if (lesson.choices.size() > count) lesson.choices.resize(count);
+}
+
+void Practice::tryAll(Lesson& lesson, Session& session, Nerves& nerves, int count) const {
     for (Choice& choice : lesson.choices) {
-        if (promise(choice) < 0.05) continue;
-        for (int n = 0; n < moreTries; ++n) {
+        for (int n = 0; n < count; ++n) {
             choice.tries.push_back(attempt(lesson, session, choice.intention, nerves.next()));
         }
     }
-    double best = 0;
-    for (const Choice& choice : lesson.choices) best = std::max(best, promise(choice));
-    if (best < hopeless) searchOn(lesson, session, seed);
 }
 
 /// Looks for a way from here to where one knows how to go on.

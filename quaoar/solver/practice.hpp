@@ -11,9 +11,9 @@ struct PracticeOptions {
     Skill skill;
     std::uint64_t seed = 1;
     int rounds = 12;
-    int games = 24;       ///< a round
-    int studies = 24;     ///< most places looked at in a round
-    double enough = 0.97; ///< survival at which it stops
+    int games = 16;        ///< a round
+    int studies = 16;      ///< most places looked at in a round
+    double enough = 0.97;  ///< survival at which it stops
     int jobs = 1;
 };
 
@@ -48,7 +48,11 @@ private:
     void study(Lesson& lesson, Session& session, std::uint64_t seed) const;
     std::vector<Intention> ideasFor(const Lesson& lesson, Session& session,
                                     std::mt19937_64& random) const;
+    Choice plainly(Lesson& lesson, Session& session, const Intention& idea) const;
     Try attempt(Lesson& lesson, Session& session, const Intention& idea, const Slip& slip) const;
+    bool provesGood(Lesson& lesson, Session& session, Nerves& nerves) const;
+    void keepBest(Lesson& lesson, std::size_t count) const;
+    void tryAll(Lesson& lesson, Session& session, Nerves& nerves, int count) const;
     double promise(const Choice& choice) const;
     void searchOn(Lesson& lesson, Session& session, std::uint64_t seed) const;
 

@@ -7,8 +7,7 @@
 
 namespace quaoar {
 
-Ground::Ground(std::shared_ptr<const Level> of)
-    : level(std::move(of)), field(Session(level)) {}
+Ground::Ground(std::shared_ptr<const Level> of) : level(std::move(of)), field(Session(level)) {}
 
 Search::Search(Session& session, const DistanceField& field, const SearchOptions& options)
     : options_(options), session_(session), field_(field), random_(options.seed) {

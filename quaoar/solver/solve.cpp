@@ -119,8 +119,9 @@ void practise(const Ground& ground, const SolveOptions& options, Solution& solut
     for (int round = 1; round <= options.rounds; ++round) {
         const Survival survival = teacher.round();
         if (!options.quiet) {
-            std::printf("practice %d: %d of %d games, %zu places\n", round, survival.finished,
-                        survival.games, solution.policy.places().size());
+            std::printf("practice %d: %d of %d games, %zu places, %.0f simulated s\n", round,
+                        survival.finished, survival.games, solution.policy.places().size(),
+                        teacher.simulated());
             std::fflush(stdout);
         }
         if (survival.share() >= options.enough && round >= 3) break;

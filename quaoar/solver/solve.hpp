@@ -26,8 +26,8 @@ struct Solution {
     Recording proof;
     Policy policy;
     Survival survival;
-    double searched = 0;     ///< simulated seconds until the first way
-    double simulated = 0;    ///< in all
+    double searched = 0;   ///< simulated seconds until the first way
+    double simulated = 0;  ///< in all
 };
 
 /// Ways that searches with several seeds find, the shortest first. Searches go on side by side

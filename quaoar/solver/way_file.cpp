@@ -53,8 +53,8 @@ public:
         char* end = nullptr;
         const double value = std::strtod(text.c_str(), &end);
         if (text.empty() || *end != 0 || !(value >= low && value <= high)) {
-            fail("\"" + text.substr(0, 40) + "\" is not a number from " +
-                 std::to_string(low) + " to " + std::to_string(high));
+            fail("\"" + text.substr(0, 40) + "\" is not a number from " + std::to_string(low) +
+                 " to " + std::to_string(high));
         }
         return value;
     }

@@ -4,6 +4,7 @@
 #include <atlax/files.hpp>
 #include <cmath>
 #include <quaoar/level.hpp>
+#include <quaoar/level_check.hpp>
 #include <quaoar/session.hpp>
 
 #include "reading.hpp"
@@ -169,7 +170,11 @@ Level readLevel(const std::filesystem::path& file) {
         if (problem.starts_with(prefix)) problem.erase(0, prefix.size());
         throw sulfur::scene::ReadError(file.string(), 0, "", problem);
     }
-    return parseLevel(text, file);
+    Level level = parseLevel(text, file);
+    if (const auto found = checkLevel(level)) {
+        throw sulfur::scene::ReadError(file.string(), 0, found->object, found->problem);
+    }
+    return level;
 }
 
 }  // namespace quaoar

@@ -103,10 +103,11 @@ bool namesSeveral(std::string_view surfaceKey);
 bool namesBody(std::string_view surfaceKey, std::string_view bodyId);
 
 /// Reads a level file: a scene (see sulfur/scene) with a top-level member "level", described by
-/// levels/level.schema.json. Throws sulfur::scene::ReadError naming file, line, object and remedy.
+/// levels/level.schema.json. Throws sulfur::scene::ReadError naming file, line, object and remedy;
+/// also what checkLevel finds (level_check.hpp).
 Level readLevel(const std::filesystem::path& file);
 
-/// The same from a text; `id` and messages use the name of the file.
+/// The same from a text, without checkLevel; `id` and messages use the name of the file.
 Level parseLevel(const std::string& text, const std::filesystem::path& file);
 
 /// 64-bit FNV-1a.
