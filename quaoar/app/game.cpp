@@ -43,9 +43,10 @@ void Game::start(atlax::Platform& platform) {
 }
 
 void Game::makePictures() {
-    view_.reset();
+    const std::unique_ptr<GameView> before = std::move(view_);
     art_ = std::make_unique<Art>(platform_->canvas());
     view_ = std::make_unique<GameView>(*art_, *session_);
+    if (before) view_->resume(*before);
 }
 
 bool Game::restoreGraphics() {
@@ -206,10 +207,19 @@ void Game::takePicture() {
     }
 }
 
+/// Between two frames, waiting for the display and all: what the player sees.
+void Game::timeFrame() {
+    const auto now = std::chrono::steady_clock::now();
+    if (lastFrame_) governor_.frame(std::chrono::duration<double>(now - *lastFrame_).count());
+    lastFrame_ = now;
+}
+
 void Game::draw(atlax::Canvas& canvas, double alpha) {
+    timeFrame();
     const bool playing = screen_ == Screen::playing;
     ViewOptions options;
     options.texts = &texts_;
+    options.quality = governor_.quality();
     options.aim = playing && !watching();
     options.hints = scene() != Screen::title;
     if (options.aim && controls_.mouseAims()) options.crosshair = platform_->input().mouse;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atlax/application.hpp>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -58,6 +59,7 @@ private:
     void saveRecording();
     void takePicture();
     void makePictures();
+    void timeFrame();
     bool watching() const { return playback_ != nullptr; }
     /// The screen below options and what belongs to them.
     Screen scene() const { return screen_ >= Screen::options ? below_ : screen_; }
@@ -88,6 +90,8 @@ private:
     std::unique_ptr<GameView> view_;
     std::unique_ptr<Sounds> sounds_;
     std::unique_ptr<Playback> playback_;
+    FrameGovernor governor_;
+    std::optional<std::chrono::steady_clock::time_point> lastFrame_;
     Menu menu_;
     Screen screen_ = Screen::title;
     Screen below_ = Screen::title;

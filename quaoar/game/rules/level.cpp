@@ -6,6 +6,20 @@
 
 namespace quaoar {
 
+Theme themeOf(Theme::World world) {
+    switch (world) {
+        case Theme::World::dawn:
+            break;
+        case Theme::World::bog:
+            return {world, 0x06151A, 0x1B4A3D, 0x2C4A38, 0xB9E27C, 1};
+        case Theme::World::machine:
+            return {world, 0x150D16, 0x5A2C22, 0x3A3A44, 0xFFB36B, 1};
+        case Theme::World::deep:
+            return {world, 0x06041C, 0x2A1B66, 0x2D2262, 0x8FF1FF, 1};
+    }
+    return {};
+}
+
 const char* name(Medal medal) {
     switch (medal) {
         case Medal::gold:

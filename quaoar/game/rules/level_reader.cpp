@@ -92,8 +92,11 @@ void readSurfaces(const Node& node, Level& level) {
 }
 
 Theme readTheme(const Node& node) {
-    refuseUnknown(node, {"skyTop", "skyBottom", "ice", "rim", "seed"});
+    refuseUnknown(node, {"world", "skyTop", "skyBottom", "ice", "rim", "seed"});
     Theme theme;
+    if (const auto w = node.find("world")) {
+        theme = themeOf(static_cast<Theme::World>(w->choice({"dawn", "bog", "machine", "deep"})));
+    }
     if (const auto c = node.find("skyTop")) theme.skyTop = readColour(*c);
     if (const auto c = node.find("skyBottom")) theme.skyBottom = readColour(*c);
     if (const auto c = node.find("ice")) theme.ice = readColour(*c);

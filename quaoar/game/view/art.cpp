@@ -42,6 +42,8 @@ Art::Art(atlax::Canvas& canvas)
     : canvas_(canvas),
       assets_(gameAssets()),
       light_(canvas.createTexture(lightImage())),
+      plain_(canvas.createShader("vec4 paint(vec2 uv, vec4 tint) {"
+                                 " return textureLod(picture, uv, 0.0) * tint; }")),
       bold_(atlax::Font::find({"Jura-Bold", "DejaVuSans-Bold", "DejaVuSans"})),
       regular_(atlax::Font::find({"Jura-SemiBold", "Jura-Medium", "DejaVuSans"})) {
     for (const char* name : {"hero.svg", "gate.svg", "moon.svg", "bolt.svg"}) {

@@ -41,18 +41,30 @@ void FollowCamera::setAspect(float aspect) {
     aspect_ = std::clamp(aspect, 0.4f, 4.0f);
 }
 
+void FollowCamera::resume(const FollowCamera& before) {
+    aspect_ = before.aspect_;
+    now_ = before.now_;
+}
+
 void FollowCamera::shake(float strength) {
-    shake_ = std::clamp(std::max(shake_, strength), 0.0f, 1.0f);
+    now_.shake = std::clamp(std::max(now_.shake, strength), 0.0f, 1.0f);
 }
 
 void FollowCamera::cut() {
     const Vec2 hero(session_.heroPosition());
-    goal_ = choose(hero, wanted(Vec2(session_.aim()), {}), std::nullopt);
-    centre_ = hero + goal_.offset;
-    height_ = goal_.height;
-    velocity_ = heroVelocity_ = {};
-    speed_ = shake_ = 0;
-    ticks_ = 0;
+    now_.goal = choose(hero, wanted(interest(), {}), std::nullopt);
+    now_.centre = hero + now_.goal.offset;
+    now_.height = now_.goal.height;
+    now_.velocity = now_.heroVelocity = {};
+    now_.speed = now_.shake = 0;
+    now_.ticks = 0;
+}
+
+/// Where he aims, or where the rope holds that he hangs on; a unit vector at most.
+Vec2 FollowCamera::interest() const {
+    if (session_.rope().state() != Rope::State::attached) return Vec2(session_.aim());
+    const Vec2 rope = Vec2(session_.rope().head(session_.world())) - Vec2(session_.heroPosition());
+    return rope * (1 / std::max(1.2f, length(rope)));
 }
 
 /// Ahead of the hero: farther where he moves, nearer where he aims.
@@ -102,28 +114,29 @@ FollowCamera::Goal FollowCamera::choose(Vec2 hero, Vec2 wanted,
 
 void FollowCamera::tick() {
     const Vec2 hero(session_.heroPosition()), moves(session_.heroVelocity());
-    heroVelocity_ = {towards(heroVelocity_.x, moves.x, 0.1f),
-                     towards(heroVelocity_.y, moves.y, 0.1f)};
+    now_.heroVelocity = {towards(now_.heroVelocity.x, moves.x, 0.1f),
+                         towards(now_.heroVelocity.y, moves.y, 0.1f)};
     const float fast = length(moves);
-    speed_ = towards(speed_, fast, fast > speed_ ? 0.35f : 1.4f);
-    if (ticks_++ % ticksPerChoice == 0)
-        goal_ = choose(hero, wanted(Vec2(session_.aim()), heroVelocity_), goal_);
+    now_.speed = towards(now_.speed, fast, fast > now_.speed ? 0.35f : 1.4f);
+    if (now_.ticks++ % ticksPerChoice == 0)
+        now_.goal = choose(hero, wanted(interest(), now_.heroVelocity), now_.goal);
 
-    const float open = std::clamp((speed_ - calmSpeed) / (fullSpeed - calmSpeed), 0.0f, 1.0f);
+    const float open = std::clamp((now_.speed - calmSpeed) / (fullSpeed - calmSpeed), 0.0f, 1.0f);
     const float wide = std::max(farHeight * 1.15f, static_cast<float>(session_.level().viewHeight));
-    height_ = towards(height_, goal_.height + (wide - goal_.height) * open, 0.45f);
+    now_.height = towards(now_.height, now_.goal.height + (wide - now_.goal.height) * open, 0.45f);
 
     // Critically damped about the hero's own movement, so that it does not fall behind.
     constexpr float rate = 5.5f;
-    const Vec2 gap = hero + goal_.offset - centre_;
-    velocity_ += (gap * (rate * rate) - (velocity_ - heroVelocity_) * (2 * rate)) * cameraTick;
-    centre_ += velocity_ * cameraTick;
-    const Vec2 held = holding(centre_, {height_ * aspect_, height_});
+    const Vec2 gap = hero + now_.goal.offset - now_.centre;
+    now_.velocity +=
+        (gap * (rate * rate) - (now_.velocity - now_.heroVelocity) * (2 * rate)) * cameraTick;
+    now_.centre += now_.velocity * cameraTick;
+    const Vec2 held = holding(now_.centre, {now_.height * aspect_, now_.height});
     // Pushed along at the edge it takes up the speed, and does not spring back.
-    if (held.x != centre_.x) velocity_.x = heroVelocity_.x;
-    if (held.y != centre_.y) velocity_.y = heroVelocity_.y;
-    centre_ = held;
-    shake_ *= 0.985f;
+    if (held.x != now_.centre.x) now_.velocity.x = now_.heroVelocity.x;
+    if (held.y != now_.centre.y) now_.velocity.y = now_.heroVelocity.y;
+    now_.centre = held;
+    now_.shake *= 0.985f;
 }
 
 Vec2 FollowCamera::holding(Vec2 centre, Vec2 view) const {
@@ -134,10 +147,10 @@ Vec2 FollowCamera::holding(Vec2 centre, Vec2 view) const {
 }
 
 atlax::Camera FollowCamera::camera(atlax::PixelSize size) const {
-    atlax::Camera camera = atlax::Camera::withHeight(centre_, height_, size);
-    camera.centre = holding(centre_, camera.view(size).size);
-    const float t = static_cast<float>(ticks_ % 100000) * 0.14f;
-    camera.centre += Vec2{std::sin(t), std::cos(t * 1.3f)} * (trembling * shake_ * shake_);
+    atlax::Camera camera = atlax::Camera::withHeight(now_.centre, now_.height, size);
+    camera.centre = holding(now_.centre, camera.view(size).size);
+    const float t = static_cast<float>(now_.ticks % 100000) * 0.14f;
+    camera.centre += Vec2{std::sin(t), std::cos(t * 1.3f)} * (trembling * now_.shake * now_.shake);
     return camera;
 }
 

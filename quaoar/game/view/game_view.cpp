@@ -19,9 +19,12 @@ GameView::GameView(Art& art, const Session& session)
       backdrop_(std::make_unique<Backdrop>(session.level())),
       follow_(session, OpenSpace(session.level(), fixedShapes(session))) {
     const Level& level = session.level();
+    const Vec2 beyond{3, 3};
+    const Vec2 low = Vec2(level.boundsMin) - beyond, high = Vec2(level.boundsMax) + beyond;
+    const atlax::Rect shown{low, high - low};
     for (const FixedShape& shape : fixedShapes(session)) {
         ice_.push_back(std::make_unique<IceView>(art_, shape.loop, shape.radius,
-                                                 level.surface(shape.name), level.theme));
+                                                 level.surface(shape.name), level.theme, shown));
         iceBodies_.push_back(shape.id);
     }
     cut();
@@ -38,6 +41,14 @@ void GameView::cut() {
     antenna_ = hero + Vec2{0, 0.2f};
     antennaVelocity_ = {};
     sparks_.clear();
+}
+
+void GameView::resume(const GameView& before) {
+    follow_.resume(before.follow_);
+    lookAt_ = before.lookAt_;
+    scarf_ = before.scarf_;
+    antenna_ = before.antenna_;
+    time_ = before.time_;
 }
 
 void GameView::lookAt(Vec2 centre) {
@@ -62,15 +73,36 @@ atlax::Camera GameView::camera(atlax::PixelSize size) const {
 void GameView::draw(atlax::Canvas& canvas, double alpha, const ViewOptions& options) {
     const Vec2 screen = canvas.size().toVec();
     follow_.setAspect(screen.x / std::max(screen.y, 1.0f));
+    if (options.quality.scene >= 1) {
+        coarse_ = {};
+        drawScene(canvas, alpha, options);
+    } else {
+        const atlax::PixelSize size{
+            std::max(1, static_cast<int>(screen.x * options.quality.scene)),
+            std::max(1, static_cast<int>(screen.y * options.quality.scene))};
+        if (!coarse_.valid() || coarse_.size() != size) coarse_ = canvas.createTarget(size);
+        canvas.pushTarget(coarse_);
+        drawScene(canvas, alpha, options);
+        canvas.popTarget();
+        canvas.setScreenSpace();
+        canvas.setShader(art_.plain());
+        canvas.sprite(coarse_.texture(), screen * 0.5f, screen);
+        canvas.setShader({});
+    }
+    if (options.crosshair && options.aim) drawCrosshair(canvas, *options.crosshair);
+}
+
+void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions& options) {
     const atlax::Camera eye = camera(canvas.size());
     const double seconds = (static_cast<double>(time_) + alpha) / Session::tickRate;
     const Vec2 middle(session_.world().interpolated(session_.hand(), alpha));
 
-    backdrop_->drawBehind(canvas, art_, eye, seconds);
+    backdrop_->drawBehind(canvas, art_, eye, seconds, options.quality);
     canvas.setCamera(eye);
-    backdrop_->drawSnow(canvas, eye, seconds, false);
+    backdrop_->drawWeather(canvas, eye, seconds, false, options.quality);
     drawGate(canvas, false);
-    for (const auto& ice : ice_) ice->draw(canvas);
+    for (const auto& ice : ice_) ice->draw(canvas, art_);
+    drawLamp(canvas, options.quality);
     drawBodies(canvas, alpha);
     if (options.hints) drawHints(canvas, options.texts);
     const bool playing = session_.phase() == Session::Phase::playing;
@@ -80,8 +112,19 @@ void GameView::draw(atlax::Canvas& canvas, double alpha, const ViewOptions& opti
     drawHero(canvas, alpha);
     drawGate(canvas, true);
     drawSparks(canvas);
-    backdrop_->drawSnow(canvas, eye, seconds, true);
-    if (options.crosshair && options.aim) drawCrosshair(canvas, *options.crosshair);
+    if (options.quality.foreground) backdrop_->drawForeground(canvas, eye);
+    backdrop_->drawWeather(canvas, eye, seconds, true, options.quality);
+}
+
+/// The bulb of the hero's antenna lights air and rock about him.
+void GameView::drawLamp(atlax::Canvas& canvas, const Quality& quality) {
+    const Color light = Color::hex(0xFFE2B8);
+    canvas.setBlend(atlax::Blend::Additive);
+    canvas.glow(antenna_, 1.5f, light.withAlpha(0.16f));
+    if (quality.glints) {
+        for (const auto& ice : ice_) ice->drawLit(canvas, antenna_, 1.9f, light);
+    }
+    canvas.setBlend(atlax::Blend::Alpha);
 }
 
 void GameView::drawBodies(atlax::Canvas& canvas, double alpha) {

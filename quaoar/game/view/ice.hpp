@@ -1,4 +1,5 @@
-// Ice: a closed outline drawn as a lit, filled block.
+// The ground: closed outlines of fixed bodies drawn as lit, filled blocks of their world's
+// material.
 #pragma once
 
 #include <atlax/canvas.hpp>
@@ -6,48 +7,67 @@
 #include <quaoar/view/art.hpp>
 #include <vector>
 
+#include "look.hpp"
+
 namespace quaoar {
 
 /// The drawing of one fixed body, made once: everything is in world coordinates.
 class IceView {
 public:
     /// `loop`: the middle line of the outline, counter-clockwise, metres; `radius`: half its
-    /// thickness.
+    /// thickness. `shown`: the part of the world that the camera may show.
     IceView(Art& art, const std::vector<atlax::Vec2>& loop, float radius, const Surface& surface,
-            const Theme& theme);
+            const Theme& theme, atlax::Rect shown);
 
-    void draw(atlax::Canvas& canvas) const;
+    void draw(atlax::Canvas& canvas, Art& art) const;
+    /// The light of a lamp on border and glints near it, additive.
+    void drawLit(atlax::Canvas& canvas, atlax::Vec2 lamp, float reach, atlax::Color light) const;
 
 private:
     struct Crack {
         std::vector<atlax::Vec2> points;
         float alpha = 0;
     };
-    struct Flake {
+    /// A piece of what lies on the border: snow, moss, plates.
+    struct Cap {
         atlax::Vec2 from, to;
         float width = 0;
+        atlax::Color color;
+    };
+    /// A short piece of the border.
+    struct Piece {
+        atlax::Vec2 from, to, normal;
+    };
+    /// Something in the rock that catches light.
+    struct Glint {
+        atlax::Vec2 at;
+        float size = 0;
     };
 
-    /// The light that seeps into the ice, as a picture of the distance to its border.
-    atlax::Image depthImage() const;
-    void addBand(float depth, atlax::Color outer);
+    void chooseColours(const Surface& surface, const Theme& theme);
+    void addBand(float from, float depth, atlax::Color outer, bool evenly);
     void addFacets(std::uint32_t seed);
     void addIcicles(std::uint32_t seed);
-    void addSnow(std::uint32_t seed);
+    void addCaps(std::uint32_t seed);
     void addCracks(std::uint32_t seed);
-    /// 0 in the shade to 1 in the light, for an outward normal.
-    static float light(atlax::Vec2 normal);
+    void addPlates(std::uint32_t seed);
+    void addPieces(std::uint32_t seed);
 
     std::vector<atlax::Vec2> loop_;     ///< the outer border
     std::vector<atlax::Vec2> normals_;  ///< at its corners
     atlax::Rect box_;                   ///< around the border, where the level can show it
-    atlax::Texture depth_;
+    atlax::Texture inside_;
     std::vector<atlax::MeshVertex> vertices_;
     std::vector<std::uint32_t> indices_;
     std::vector<atlax::MeshVertex> icicles_;
     std::vector<std::uint32_t> icicleIndices_;
     std::vector<Crack> cracks_;
-    std::vector<Flake> snow_;
+    std::vector<Cap> drips_, caps_;  ///< those below first
+    std::vector<Piece> pieces_;
+    std::vector<Glint> glints_;
+    WorldLook look_;
+    Theme::World world_;
+    Surface surface_;
     atlax::Color core_;
     atlax::Color ice_;
     atlax::Color rim_;

@@ -50,14 +50,20 @@ enum class Medal : std::uint8_t { none, bronze, silver, gold };
 /// "gold", "silver", "bronze" or "none".
 const char* name(Medal medal);
 
-/// Colours of the sky and the ice as 0xRRGGBB.
+/// How a level looks. Colours as 0xRRGGBB; those that a level does not name are its world's.
 struct Theme {
+    /// The four worlds: their skies, materials, weather and music.
+    enum class World : std::uint8_t { dawn, bog, machine, deep };
+    World world = World::dawn;
     std::uint32_t skyTop = 0x0B1026;
     std::uint32_t skyBottom = 0x1F3A5F;
     std::uint32_t ice = 0x1F3A5F;
     std::uint32_t rim = 0xE8F4FF;
     std::uint32_t seed = 1;  ///< of stars, mountains and cracks
 };
+
+/// The colours of a world.
+Theme themeOf(Theme::World world);
 
 /// Everything of one level. Plain data; reading it has checked all of it.
 struct Level {
@@ -69,7 +75,7 @@ struct Level {
     Exit exit;
     sulfur::Point boundsMin{0, 0};  ///< metres: what the camera may show
     sulfur::Point boundsMax{0, 0};
-    double viewHeight = 5;  ///< metres over the height of the screen
+    double viewHeight = 5;  ///< metres over the height of the screen at full speed
     double killDepth = 0;   ///< metres: below this height the attempt ends
     std::vector<Hint> hints;
     MedalTimes medals;

@@ -39,6 +39,8 @@ public:
     const atlax::Texture& picture(const std::string& name);
     /// A soft round light, white, fading to nothing.
     const atlax::Texture& light() const { return light_; }
+    /// Paints pictures without mipmaps: cheapest for those that fill the screen.
+    const atlax::Shader& plain() const { return plain_; }
     /// A picture made by the program.
     atlax::Texture make(const atlax::Image& image) { return canvas_.createTexture(image); }
     const atlax::Font& bold() const { return bold_; }
@@ -49,6 +51,7 @@ private:
     atlax::Assets assets_;
     std::map<std::string, atlax::Texture> pictures_;
     atlax::Texture light_;
+    atlax::Shader plain_;
     atlax::Font bold_;
     atlax::Font regular_;
 };

@@ -20,6 +20,8 @@ public:
     void tick();
     /// To where it would come to rest, at once: after restarts.
     void cut();
+    /// Goes on where another camera of the same session is.
+    void resume(const FollowCamera& before);
     /// Width over height of the picture, of which the choice of the view depends; 16:9 at first.
     void setAspect(float aspect);
     /// From 0 to 1, how much the picture trembles now.
@@ -38,20 +40,26 @@ private:
     };
 
     Goal choose(atlax::Vec2 hero, atlax::Vec2 wanted, const std::optional<Goal>& before) const;
+    atlax::Vec2 interest() const;
     atlax::Vec2 wanted(atlax::Vec2 aim, atlax::Vec2 velocity) const;
     /// The middle of a view of this size that is nearest to `centre` and holds the hero.
     atlax::Vec2 holding(atlax::Vec2 centre, atlax::Vec2 view) const;
 
+    /// What moves.
+    struct State {
+        Goal goal;
+        atlax::Vec2 centre, velocity;
+        atlax::Vec2 heroVelocity;  ///< smoothed
+        float height = 3;
+        float speed = 0;  ///< smoothed: rises soon, falls late
+        float shake = 0;
+        std::uint64_t ticks = 0;
+    };
+
     const Session& session_;
     OpenSpace space_;
     float aspect_ = 16.0f / 9;
-    Goal goal_;
-    atlax::Vec2 centre_, velocity_;
-    atlax::Vec2 heroVelocity_;  ///< smoothed
-    float height_ = 3;
-    float speed_ = 0;  ///< smoothed: rises soon, falls late
-    float shake_ = 0;
-    std::uint64_t ticks_ = 0;
+    State now_;
 };
 
 }  // namespace quaoar

@@ -10,6 +10,7 @@
 #include <quaoar/session.hpp>
 #include <quaoar/view/art.hpp>
 #include <quaoar/view/follow_camera.hpp>
+#include <quaoar/view/quality.hpp>
 #include <vector>
 
 namespace quaoar {
@@ -23,6 +24,7 @@ struct ViewOptions {
     bool aim = true;                                      ///< the range line and the crosshair
     bool hints = true;                                    ///< the level's sentences
     std::optional<atlax::Vec2> crosshair = std::nullopt;  ///< pixels; the mouse
+    Quality quality = {};                                 ///< the best unless said otherwise
     const Texts* texts = nullptr;                         ///< null: sentences as the level has them
 };
 
@@ -37,6 +39,8 @@ public:
     void tick();
     /// Back to the hero at once, as after a restart.
     void cut();
+    /// Looks where another view of the same session looks, at the same moment of its scenery.
+    void resume(const GameView& before);
     /// Looks somewhere else than at the hero until cut() is called; metres.
     void lookAt(atlax::Vec2 centre);
 
@@ -64,6 +68,8 @@ private:
         float thickness = 0;                 ///< metres, radius of the outline's capsules
     };
 
+    void drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions& options);
+    void drawLamp(atlax::Canvas& canvas, const Quality& quality);
     void moveTrails();
     void moveSparks();
     void burst(atlax::Vec2 at, int count, float speed, atlax::Color color);
@@ -95,6 +101,7 @@ private:
     std::unique_ptr<Backdrop> backdrop_;
     std::vector<std::unique_ptr<IceView>> ice_;
     std::vector<sulfur::BodyId> iceBodies_;
+    atlax::RenderTarget coarse_;
     std::map<sulfur::BodyId, SkinPlan> plans_;
     std::vector<Spark> sparks_;
     Trail scarf_;

@@ -1,0 +1,125 @@
+// What a picture costs and shows.
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <atlax/offscreen.hpp>
+#include <cmath>
+#include <ctime>
+#include <quaoar/view/game_view.hpp>
+
+#include "helpers.hpp"
+
+namespace quaoar::test {
+namespace {
+
+/// A session, its view and a canvas without a window.
+struct Scene {
+    explicit Scene(std::shared_ptr<const Level> level, atlax::PixelSize size = {1280, 720})
+        : session(std::move(level)), offscreen(size), art(offscreen.canvas()), view(art, session) {}
+
+    void play(const TickInput& input, int ticks) {
+        for (int n = 0; n < ticks; ++n) {
+            session.tick(input);
+            view.tick();
+        }
+    }
+    atlax::CanvasStatistics draw(const Quality& quality = {}) {
+        atlax::Canvas& canvas = offscreen.begin();
+        ViewOptions options;
+        options.quality = quality;
+        view.draw(canvas, 1, options);
+        offscreen.finish();
+        return canvas.statistics();
+    }
+    /// Milliseconds of processor time of the cheapest of some frames, all threads together: so what
+    /// else the machine does counts least.
+    double cost(const Quality& quality) {
+        double least = 1e9;
+        for (int n = 0; n < 12; ++n) {
+            play({}, 8);
+            const std::clock_t start = std::clock();
+            draw(quality);
+            glFinish();
+            least = std::min(least,
+                             1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+        }
+        return least;
+    }
+
+    Session session;
+    atlax::OffscreenCanvas offscreen;
+    Art art;
+    GameView view;
+};
+
+/// On the software renderer; a graphics card makes nothing of any of it.
+TEST(Picture, costsLessAtEveryStepOfTheQuality) {
+    Scene scene(firstLevel());
+    scene.play(fireAt(0, 1), 200);
+    scene.draw();
+    std::vector<double> costs;
+    for (const Quality& quality : qualities) {
+        scene.draw(quality);  // makes its targets
+        costs.push_back(scene.cost(quality));
+        RecordProperty("cost-" + std::to_string(costs.size() - 1), std::to_string(costs.back()));
+        std::printf("quality %zu: %.1f ms of processor time a frame\n", costs.size() - 1,
+                    costs.back());
+    }
+    EXPECT_LT(costs[2], costs[0]);
+    EXPECT_LT(costs.back(), costs[0] * 0.4);
+}
+
+/// Plays for so many seconds on a machine whose frames take these times; the level at the end.
+template <class Cost>
+int settle(FrameGovernor& governor, double seconds, double refresh, Cost cost) {
+    for (double t = 0; t < seconds;) {
+        const double frame = std::max(refresh, cost(governor.level()));
+        governor.frame(frame);
+        t += frame;
+    }
+    return governor.level();
+}
+
+TEST(FrameGovernor, findsTheBestThatIsQuickEnough) {
+    const double slow[] = {0.110, 0.068, 0.034, 0.019, 0.012};
+    FrameGovernor governor;
+    EXPECT_EQ(settle(governor, 4, 0, [&](int q) { return slow[q]; }), 3);
+    // It looks up now and then whether more is possible, and more and more rarely.
+    int spoilt = 0;
+    for (int n = 0; n < 120; ++n)
+        spoilt += settle(governor, 1, 0, [&](int q) { return slow[q]; }) != 3 ? 1 : 0;
+    EXPECT_LE(spoilt, 12);
+}
+
+TEST(FrameGovernor, goesUpToTheBestWhereThereIsRoom) {
+    FrameGovernor governor;
+    EXPECT_EQ(settle(governor, 20, 1 / 144.0, [](int) { return 0.002; }), 0);
+    EXPECT_EQ(settle(governor, 60, 1 / 60.0, [](int) { return 0.002; }), 0);
+}
+
+TEST(FrameGovernor, doesNotSpoilThePictureForASlowDisplay) {
+    FrameGovernor governor;
+    const int first = governor.level();
+    EXPECT_EQ(settle(governor, 30, 1 / 30.0, [](int) { return 0.002; }), first);
+}
+
+TEST(FrameGovernor, ignoresASingleHiccupAndRubbish) {
+    FrameGovernor governor;
+    settle(governor, 20, 1 / 60.0, [](int) { return 0.002; });
+    for (const double odd : {0.4, 5.0, -1.0, 0.0, std::nan("")}) {
+        governor.frame(odd);
+        settle(governor, 1, 1 / 60.0, [](int) { return 0.002; });
+    }
+    EXPECT_LE(governor.level(), 1);
+}
+
+TEST(Picture, isTheSameWorldAtEveryQuality) {
+    Scene scene(firstLevel());
+    scene.play(fireAt(0.3, 1), 400);
+    const std::uint64_t hash = scene.session.hash();
+    for (const Quality& quality : qualities) scene.draw(quality);
+    EXPECT_EQ(scene.session.hash(), hash);
+}
+
+}  // namespace
+}  // namespace quaoar::test
