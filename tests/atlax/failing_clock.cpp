@@ -43,6 +43,7 @@ public:
     void setWindowSize(PixelSize) override {}
     void setMinimised(bool) override {}
     bool minimised() const override { return false; }
+    void setVsync(bool) override {}
     void setCursorVisible(bool) override {}
     void setCursor(Cursor) override {}
     void setTextInput(bool) override {}

@@ -65,6 +65,77 @@ TEST(Input, lostFocusLetsGoOfEverything) {
     EXPECT_FALSE(state.focused);
 }
 
+/// How often a key is pressed in a frame of so many ticks, and in which tick last.
+struct Presses {
+    int count = 0;
+    int last = -1;
+};
+Presses framePresses(InputQueue& queue, InputSampler& sampler, int ticks) {
+    Presses out;
+    for (int tick = 0; tick < ticks; ++tick) {
+        queue.feed(sampler, tick, ticks);
+        if (!sampler.sample().wasPressed(Key::Down)) continue;
+        ++out.count;
+        out.last = tick;
+    }
+    queue.endFrame();
+    return out;
+}
+
+TEST(InputQueue, everyPressOfASlowFrameCounts) {
+    InputSampler sampler;
+    InputQueue queue;
+    for (int i = 0; i < 3; ++i) {
+        queue.add(KeyEvent{.key = Key::Down, .down = true});
+        queue.add(KeyEvent{.key = Key::Down, .down = false});
+    }
+    // A tenth of a second at 500 Hz.
+    const Presses presses = framePresses(queue, sampler, 50);
+    EXPECT_EQ(presses.count, 3);
+    EXPECT_EQ(presses.last, 33) << "spread over the frame";
+    EXPECT_FALSE(sampler.current().isDown(Key::Down));
+}
+
+TEST(InputQueue, whatFindsNoTickWaitsForTheNextFrame) {
+    InputSampler sampler;
+    InputQueue queue;
+    for (int i = 0; i < 3; ++i) {
+        queue.add(KeyEvent{.key = Key::Down, .down = true});
+        queue.add(KeyEvent{.key = Key::Down, .down = false});
+    }
+    int presses = 0;
+    for (int frame = 0; frame < 6; ++frame) presses += framePresses(queue, sampler, 1).count;
+    EXPECT_EQ(presses, 3);
+    EXPECT_EQ(framePresses(queue, sampler, 1).count, 0);
+}
+
+TEST(InputQueue, differentKeysComeTogetherAndRepeatsMakeNoPress) {
+    InputSampler sampler;
+    InputQueue queue;
+    queue.add(KeyEvent{.key = Key::W, .down = true});
+    queue.add(MouseButtonEvent{.down = true, .position = {3, 4}});
+    queue.add(KeyEvent{.key = Key::W, .down = true, .repeat = true});
+    queue.add(PadConnected{0, "pad"});
+    queue.add(PadAxisEvent{0, PadAxis::RightTrigger, 0.2f});
+    queue.add(PadAxisEvent{0, PadAxis::RightTrigger, 0.4f});
+    queue.feed(sampler, 0, 8);
+    EXPECT_TRUE(sampler.sample().wasPressed(Key::W));
+    EXPECT_TRUE(sampler.current().wasPressed(MouseButton::Left));
+    EXPECT_EQ(sampler.current().pads[0].axis(PadAxis::RightTrigger), 0.4f);
+}
+
+TEST(InputQueue, aTriggerThatIsPulledAndLetGoIsSeenPulled) {
+    InputSampler sampler;
+    InputQueue queue;
+    queue.add(PadConnected{0, "pad"});
+    queue.add(PadAxisEvent{0, PadAxis::RightTrigger, 1});
+    queue.add(PadAxisEvent{0, PadAxis::RightTrigger, 0});
+    queue.feed(sampler, 0, 8);
+    EXPECT_EQ(sampler.sample().pads[0].axis(PadAxis::RightTrigger), 1);
+    queue.feed(sampler, 4, 8);
+    EXPECT_EQ(sampler.sample().pads[0].axis(PadAxis::RightTrigger), 0);
+}
+
 TEST(Input, sticksHaveARoundDeadZone) {
     PadState pad;
     pad.axes = {0.1f, 0.1f, 0, 1, 0, 0};

@@ -48,6 +48,23 @@ TEST(OffscreenApp, postedEventsReachEventsAndTicks) {
     EXPECT_EQ(app.closeRequests, 1);
 }
 
+TEST(OffscreenApp, twoPressesInOneFrameAreTwo) {
+    ScriptedApp app;
+    int presses = 0, held = 0;
+    app.onTick = [&] {
+        presses += app.platform->input().wasPressed(Key::R) ? 1 : 0;
+        held += app.platform->input().isDown(Key::R) ? 1 : 0;
+    };
+    app.onDraw = [&](Canvas&) {
+        for (const bool down : {true, false, true, false})
+            if (app.draws == 3) app.platform->post(KeyEvent{.key = Key::R, .down = down});
+        if (app.draws == 6) app.platform->quit();
+    };
+    EXPECT_EQ(runOffscreen(app, small()), 0);
+    EXPECT_EQ(presses, 2);
+    EXPECT_EQ(held, 4) << "two of the frame's eight ticks each";
+}
+
 TEST(OffscreenApp, closingMayBeRefused) {
     ScriptedApp app;
     app.refuseCloses = 2;

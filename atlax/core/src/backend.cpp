@@ -83,7 +83,7 @@ void BackendPlatform::handle(const Event& event) {
         scaleFactor_ = resized->scaleFactor;
     }
     if (const auto* focus = std::get_if<FocusChanged>(&event)) focused_ = focus->focused;
-    input_.feed(event);
+    arrived_.add(event);
     if (!started_) return;
     application_.event(event);
     if (std::holds_alternative<CloseRequested>(event) && application_.mayClose()) quit();
@@ -105,15 +105,21 @@ void BackendPlatform::frame(bool visible) {
 
 void BackendPlatform::runTicks() {
     const std::int64_t deadline = now_() + tickBudgetNs;
+    const std::int64_t due = clock_.due();
     statistics_.ticksLastFrame = 0;
     while (!finished() && clock_.takeTick()) {
+        arrived_.feed(input_, statistics_.ticksLastFrame, due);
         input_.sample();
         application_.tick();
         ++statistics_.ticksLastFrame;
         if (now_() > deadline) clock_.giveUp();
     }
     // A click on "continue" must not also be seen by the first tick after the pause.
-    if (clock_.paused() && statistics_.ticksLastFrame == 0) input_.sample();
+    if (clock_.paused() && statistics_.ticksLastFrame == 0) {
+        arrived_.feed(input_, 0, 1);
+        input_.sample();
+    }
+    arrived_.endFrame();
 }
 
 void BackendPlatform::remakeContext() {
@@ -208,6 +214,7 @@ public:
     }
     void setMinimised(bool minimised) override { minimised_ = minimised; }
     bool minimised() const override { return minimised_; }
+    void setVsync(bool) override {}
     void setCursorVisible(bool) override {}
     void setCursor(Cursor) override {}
     void setTextInput(bool) override {}

@@ -46,6 +46,7 @@ void Canvas::beginFrame(PixelSize size, float scaleFactor, unsigned framebuffer)
     auto& self = *implementation_;
     self.graveyard->bury();
     self.batch.statistics = {};
+    self.texts.clear();
     self.frame = {};
     self.frame.framebuffer = framebuffer;
     self.frame.size = size;

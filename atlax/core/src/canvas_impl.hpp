@@ -56,6 +56,8 @@ public:
     bool tellsOfLoss = false;  ///< whether the driver knows glGetGraphicsResetStatus
     Blend blend = Blend::Alpha;
     float opacity = 1;
+    bool recordsTexts = false;
+    std::vector<DrawnText> texts;  ///< of this frame, when they are recorded
 
     /// Premultiplied, with opacity and blend mode in it.
     detail::PackedColor pack(Color color) const;

@@ -115,6 +115,14 @@ TextExtent Canvas::text(const Font& font, std::string_view utf8, Vec2 position,
     const TextExtent extent = font.measure(utf8, rastered);
     const auto color = self.pack(style.color);
     float baseline = firstBaseline(style.alignY, metrics, extent.height);
+    if (self.recordsTexts && self.saved.empty()) {
+        const Vec2 corner{lineStart(style.alignX, extent.width), baseline - metrics.capHeight};
+        const float height =
+            extent.height - metrics.lineHeight + metrics.capHeight + metrics.descent;
+        self.texts.push_back({std::string(utf8),
+                              {at + corner * line.scale, Vec2{extent.width, height} * line.scale},
+                              style.color.a * self.opacity});
+    }
     eachLine(utf8, [&](std::string_view piece) {
         const ShapedLine& shaped = font.shape(piece, rastered);
         line.start = at + Vec2{lineStart(style.alignX, shaped.width), baseline} * line.scale;
@@ -124,6 +132,14 @@ TextExtent Canvas::text(const Font& font, std::string_view utf8, Vec2 position,
     });
     const float unit = line.scale / space.scale.x;
     return {extent.width * unit, extent.height * unit};
+}
+
+void Canvas::recordTexts(bool on) {
+    implementation_->recordsTexts = on;
+}
+
+const std::vector<DrawnText>& Canvas::recordedTexts() const {
+    return implementation_->texts;
 }
 
 TextExtent Canvas::measure(const Font& font, std::string_view utf8, float size) const {

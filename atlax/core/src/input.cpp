@@ -110,6 +110,72 @@ void InputSampler::feed(const Event& event) {
                event);
 }
 
+namespace {
+
+/// From half of its way a stick or trigger counts as pressed (see Actions).
+bool isPushed(float value) {
+    return value >= 0.5f || value <= -0.5f;
+}
+
+/// Whether both change the same key, button or trigger, so that one tick cannot show both.
+bool changeTheSame(const Event& a, const Event& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* key = std::get_if<KeyEvent>(&a)) return key->key == std::get<KeyEvent>(b).key;
+    if (const auto* button = std::get_if<MouseButtonEvent>(&a))
+        return button->button == std::get<MouseButtonEvent>(b).button;
+    if (const auto* button = std::get_if<PadButtonEvent>(&a)) {
+        const auto& other = std::get<PadButtonEvent>(b);
+        return button->pad == other.pad && button->button == other.button;
+    }
+    if (const auto* axis = std::get_if<PadAxisEvent>(&a)) {
+        const auto& other = std::get<PadAxisEvent>(b);
+        return axis->pad == other.pad && axis->axis == other.axis &&
+               isPushed(axis->value) != isPushed(other.value);
+    }
+    return false;
+}
+
+bool isRepeat(const Event& event) {
+    const auto* key = std::get_if<KeyEvent>(&event);
+    return key != nullptr && key->repeat;
+}
+
+}  // namespace
+
+bool InputQueue::needsOwnTick(const Event& event) const {
+    if (isRepeat(event)) return false;
+    const std::int64_t last = events_.back().group;
+    return std::any_of(events_.rbegin(), events_.rend(), [&](const Waiting& waiting) {
+        return waiting.group == last && !isRepeat(waiting.event) &&
+               changeTheSame(waiting.event, event);
+    });
+}
+
+void InputQueue::add(const Event& event) {
+    if (events_.empty())
+        events_.push_back({event, 0});
+    else
+        events_.push_back({event, events_.back().group + (needsOwnTick(event) ? 1 : 0)});
+}
+
+void InputQueue::feed(InputSampler& sampler, std::int64_t tick, std::int64_t ticks) {
+    if (events_.empty()) return;
+    const std::int64_t groups = events_.back().group + 1;
+    for (; fed_ < events_.size(); ++fed_) {
+        const std::int64_t group = events_[fed_].group;
+        if ((groups <= ticks ? group * ticks / groups : group) > tick) return;
+        sampler.feed(events_[fed_].event);
+    }
+}
+
+void InputQueue::endFrame() {
+    events_.erase(events_.begin(), events_.begin() + static_cast<std::ptrdiff_t>(fed_));
+    fed_ = 0;
+    if (events_.empty()) return;
+    const std::int64_t first = events_.front().group;
+    for (Waiting& waiting : events_) waiting.group -= first;
+}
+
 const InputState& InputSampler::sample() {
     current_ = pending_;
     pending_.keysPressed.reset();

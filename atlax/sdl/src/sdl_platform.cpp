@@ -89,7 +89,12 @@ void SdlPlatform::openContext() {
         context_ = SDL_GL_CreateContext(window_);
     }
     if (context_ == nullptr) fail("OpenGL 3.3 is needed, but this display does not offer it");
-    if (!vsync_)
+    setVsync(vsync_);
+}
+
+void SdlPlatform::setVsync(bool on) {
+    vsync_ = on;
+    if (!on)
         SDL_GL_SetSwapInterval(0);
     else if (SDL_GL_SetSwapInterval(-1) != 0)  // late frames are shown at once where possible
         SDL_GL_SetSwapInterval(1);

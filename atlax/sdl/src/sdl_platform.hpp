@@ -40,6 +40,7 @@ public:
     void setWindowSize(PixelSize size) override;
     void setMinimised(bool minimised) override;
     bool minimised() const override;
+    void setVsync(bool on) override;
     void setCursorVisible(bool visible) override;
     void setCursor(Cursor cursor) override;
     void setTextInput(bool on) override;

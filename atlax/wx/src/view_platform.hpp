@@ -4,6 +4,8 @@
 #include <atlax/backend.hpp>
 #include <atlax/wx/view.hpp>
 
+#include "swap_interval.hpp"
+
 namespace atlax::wx {
 
 class View::ViewPlatform final : public BackendPlatform {
@@ -25,6 +27,7 @@ public:
     void setWindowSize(PixelSize size) override;
     void setMinimised(bool minimised) override;
     bool minimised() const override;
+    void setVsync(bool on) override { setSwapInterval(on); }
     void setCursorVisible(bool visible) override;
     void setCursor(Cursor cursor) override;
     void setTextInput(bool on) override { textInput_ = on; }

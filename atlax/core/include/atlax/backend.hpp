@@ -84,6 +84,7 @@ private:
     Now now_;
     FixedTimestep clock_;
     InputSampler input_;
+    InputQueue arrived_;
     std::unique_ptr<Canvas> canvas_;
     std::unique_ptr<Audio> audio_;
     std::unique_ptr<Gamepads> gamepads_;

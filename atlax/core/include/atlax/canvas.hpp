@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <atlax/camera.hpp>
 #include <atlax/color.hpp>
@@ -67,6 +69,14 @@ struct Insets {
     float top = 0;
     float right = 0;
     float bottom = 0;
+};
+
+/// A text that was drawn, for tests of layouts: the rectangle of its letters (from the height of
+/// its capitals to below the line), pixels, and how visible it is.
+struct DrawnText {
+    std::string text;
+    Rect box;
+    float alpha = 1;
 };
 
 /// What one frame cost.
@@ -223,6 +233,12 @@ public:
                     const TextStyle& style = {});
     /// The extent that text() would return.
     TextExtent measure(const Font& font, std::string_view utf8, float size) const;
+
+    /// Whether the texts that are drawn are written down, as at first they are not.
+    void recordTexts(bool on);
+    /// Those of the current frame so far, or of the last one between frames, in their order; not
+    /// those drawn between pushTarget and popTarget.
+    const std::vector<DrawnText>& recordedTexts() const;
 
     /// Cost of the current frame so far, or of the last one between frames.
     CanvasStatistics statistics() const;

@@ -4,6 +4,7 @@
 #include <bitset>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <atlax/event.hpp>
 
@@ -79,6 +80,31 @@ private:
 
     InputState pending_;
     InputState current_;
+};
+
+/// Hands the events of one frame to its ticks, in their order. An InputSampler knows of a key only
+/// that it went down since the last tick, not how often: of a key that goes down and up, or down
+/// again, within one slow frame, each change therefore comes in a later tick, spread evenly over
+/// those of the frame; where a frame has fewer ticks than changes, the rest waits for the next one.
+/// So every press counts, at any number of frames. Used by the backends. One thread; nothing
+/// throws.
+class InputQueue {
+public:
+    void add(const Event& event);
+    /// Gives the sampler what is due up to tick number `tick` (from 0) of a frame of `ticks`.
+    void feed(InputSampler& sampler, std::int64_t tick, std::int64_t ticks);
+    /// After the frame's last tick.
+    void endFrame();
+
+private:
+    struct Waiting {
+        Event event;
+        std::int64_t group = 0;  ///< events of one group go to the same tick
+    };
+    bool needsOwnTick(const Event& event) const;
+
+    std::vector<Waiting> events_;
+    std::size_t fed_ = 0;  ///< so many of them the sampler has in this frame
 };
 
 }  // namespace atlax

@@ -89,6 +89,9 @@ public:
     /// drawn.
     virtual void setMinimised(bool minimised) = 0;
     virtual bool minimised() const = 0;
+    /// Whether a frame waits for the display; at the start as WindowOptions::vsync says. Where the
+    /// driver does not offer the choice, nothing happens.
+    virtual void setVsync(bool on) = 0;
     virtual void setCursorVisible(bool visible) = 0;
     /// The shape that the cursor has over the window, while it is visible; an arrow at the start.
     virtual void setCursor(Cursor cursor) = 0;
