@@ -7,8 +7,6 @@
 #include <atlax/log.hpp>
 #include <cmath>
 
-#include "overlay.hpp"
-
 namespace quaoar {
 
 namespace {
@@ -21,18 +19,22 @@ constexpr std::uint64_t ticksPerState = Session::tickRate / 10;
 Game::Game(GameOptions options, Preferences& preferences)
     : options_(std::move(options)),
       preferences_(preferences),
-      session_(std::make_unique<Session>(options_.level)),
-      recording_(*options_.level),
-      best_(preferences.best(options_.level->id)) {
+      levels_(options_.levels.empty() ? LevelList(options_.level) : std::move(options_.levels)),
+      progress_(options_.progress.value_or(std::filesystem::path())),
+      totals_(progress_.totals()) {
     preferences_.readBindings(actions_);
     chooseLanguage(options_.language.value_or(preferences_.language()));
+    level_ = lastUnlocked();
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+        if (levels_.level(i) == options_.level) level_ = i;
 }
 
 void Game::start(atlax::Platform& platform) {
     platform_ = &platform;
-    makePictures();
+    art_ = std::make_unique<Art>(platform.canvas());
     sounds_ = std::make_unique<Sounds>(platform.audio());
-    applyVolume();
+    open(level_);
+    applyOptions();
     if (options_.replay) {
         watch(options_.replay);
     } else if (options_.skipTitle) {
@@ -43,71 +45,42 @@ void Game::start(atlax::Platform& platform) {
 }
 
 void Game::makePictures() {
-    const std::unique_ptr<GameView> before = std::move(view_);
-    art_ = std::make_unique<Art>(platform_->canvas());
+    view_.reset();
     view_ = std::make_unique<GameView>(*art_, *session_);
-    if (before) view_->resume(*before);
 }
 
 bool Game::restoreGraphics() {
+    const std::unique_ptr<GameView> before = std::move(view_);
+    thumbnails_.clear();
+    art_ = std::make_unique<Art>(platform_->canvas());
     makePictures();
+    if (before) view_->resume(*before);
     return true;
 }
 
-void Game::play() {
-    playback_.reset();
-    session_->restart();
-    view_->cut();
-    recording_.clear();
-    saved_ = false;
-    afterFinish_ = 0;
-    atlax::log(atlax::LogLevel::Info, "level " + session_->level().id + " begins");
-    show(Screen::playing);
-}
-
-void Game::watch(std::shared_ptr<const Recording> recording) {
-    play();
-    playback_ = std::make_unique<Playback>(std::move(recording));
-}
-
-void Game::toTitle() {
-    playback_.reset();
-    session_->restart();
-    show(Screen::title);
-}
-
 void Game::event(const atlax::Event& event) {
+    prompts_.event(event);
     const auto* focus = std::get_if<atlax::FocusChanged>(&event);
-    if (focus != nullptr && !focus->focused && screen_ == Screen::playing) show(Screen::paused);
-    if (screen_ == Screen::capture) capture(event);
-}
-
-void Game::leaveWithPause() {
-    switch (screen_) {
-        case Screen::playing:
-            return show(Screen::paused);
-        case Screen::paused:
-            return show(Screen::playing);
-        case Screen::finished:
-            return toTitle();
-        case Screen::options:
-            return show(below_);
-        case Screen::bindings:
-            return show(Screen::options);
-        case Screen::title:
-        case Screen::capture:
-            break;
-    }
+    const bool runs = screen_ == Screen::playing || screen_ == Screen::countIn;
+    if (focus != nullptr && !focus->focused && runs) show(Screen::paused);
+    if (screen_ == Screen::capture) return capture(event);
+    if (const auto* dropped = std::get_if<atlax::FileDropped>(&event)) openReplay(dropped->file);
+    const auto* key = std::get_if<atlax::KeyEvent>(&event);
+    const bool paste = key != nullptr && key->down && !key->repeat && key->key == atlax::Key::V &&
+                       has(key->modifiers, atlax::Modifiers::Control);
+    if (paste && screen_ != Screen::playing) pasteReplay();
 }
 
 void Game::act(const atlax::ActionState& state) {
     if (state.wasPressed(actions_.fullscreen)) toggleFullscreen();
     if (state.wasPressed(actions_.picture)) takePicture();
-    if (state.wasPressed(actions_.pause)) {
+    if (state.wasPressed(actions_.pause) || state.wasPressed(actions_.back)) {
+        newsTicks_ = 0;
         leaveWithPause();
         return;
     }
-    if (screen_ == Screen::playing || screen_ == Screen::capture) return;
+    if (screen_ == Screen::playing || screen_ == Screen::capture || screen_ == Screen::countIn)
+        return;
     const bool again = screen_ == Screen::finished || screen_ == Screen::paused;
     if (again && state.wasPressed(actions_.restart)) {
         play();
@@ -115,16 +88,22 @@ void Game::act(const atlax::ActionState& state) {
     }
     if (const auto chosen = menu_.tick(state, actions_)) {
         sounds_->click();
+        newsTicks_ = 0;
         chosen();
     }
 }
 
 void Game::tick() {
     ++time_;
+    if (newsTicks_ > 0) --newsTicks_;
     const atlax::ActionState& state = actions_.all.sample(platform_->input());
     const bool played = screen_ == Screen::playing;
     act(state);
-    if (scene() == Screen::paused) return;
+    if (still()) {
+        controls_.rest(platform_->input(), screen_ == Screen::countIn);
+        if (screen_ == Screen::countIn && --countIn_ <= 0) show(Screen::playing);
+        return;
+    }
     // The tick that ends a menu is not yet one of the level, nor the other way round.
     if (played && screen_ == Screen::playing)
         tickSession(state);
@@ -136,7 +115,7 @@ void Game::tick() {
 void Game::tickScene() {
     session_->tick(TickInput{});
     view_->tick();
-    if (scene() != Screen::title) return;
+    if (!ofTitle(scene())) return;
     const Level& level = session_->level();
     const double sweep = 0.5 - 0.5 * std::cos(static_cast<double>(time_) * 0.00021);
     const double low = level.boundsMin.x() + 4, high = level.boundsMax.x() - 4;
@@ -146,10 +125,15 @@ void Game::tickScene() {
 
 void Game::tickSession(const atlax::ActionState& state) {
     const TickInput input = nextInput(state);
+    const sulfur::Point before = session_->heroPosition();
     session_->tick(input);
+    if (!session_->events().restarted)
+        totals_.distance += (session_->heroPosition() - before).norm();
     view_->tick();
     sounds_->tick(*session_);
+    hints_.tick(*session_, state);
     remember(input);
+    account(input);
     if (session_->ticks() % ticksPerState == 0)
         atlax::setCrashState(session_->ticks(), session_->hash());
     if (session_->events().finished) finish();
@@ -161,8 +145,14 @@ void Game::tickSession(const atlax::ActionState& state) {
 
 TickInput Game::nextInput(const atlax::ActionState& state) {
     if (watching()) return playback_->next();
-    return controls_.read(state, view_->camera(platform_->size()), platform_->size(),
-                          atlax::Vec2(session_->heroPosition()));
+    const PlayerSight sight{view_->camera(platform_->size()), platform_->size(),
+                            atlax::Vec2(session_->heroPosition()),
+                            session_->rope().state() != Rope::State::idle};
+    TickInput input = controls_.read(state, platform_->input(), sight);
+    const bool shoots = input.fire && !fired_;
+    fired_ = input.fire;
+    if (shoots && preferences_.on(Choice::aimAssist)) assistAim(input, *session_);
+    return input;
 }
 
 void Game::remember(const TickInput& input) {
@@ -175,17 +165,42 @@ void Game::remember(const TickInput& input) {
     if (!over) recording_.append(input);
 }
 
+/// Statistics and the ghost follow the player's attempt.
+void Game::account(const TickInput& input) {
+    if (ghost_ && session_->events().restarted) ghost_->restart();
+    const bool runs = session_->timerTicks() > 0 && session_->phase() == Session::Phase::playing;
+    if (ghost_ && runs) ghost_->tick();
+    if (watching()) return;
+    totals_.seconds += 1.0 / Session::tickRate;
+    if (session_->events().fired) ++totals_.shots;
+    if (!session_->events().restarted) return;
+    LevelProgress progress = progress_.of(session_->level().id);
+    ++progress.attempts;
+    ++totals_.attempts;
+    if (!input.restart) {
+        ++progress.deaths;
+        ++totals_.deaths;
+    }
+    progress_.set(session_->level().id, progress);
+}
+
 void Game::finish() {
     if (watching()) return;
     atlax::log(atlax::LogLevel::Info,
                "level " + session_->level().id + " finished in " + clockText(session_->seconds()));
-    if (best_ <= 0 || session_->seconds() < best_) {
-        best_ = session_->seconds();
-        preferences_.setBest(session_->level().id, best_);
-        savePreferences();
-    }
     recording_.finalHash = session_->hash();
     lastRun_ = std::make_shared<const Recording>(recording_);
+    LevelProgress progress = progress_.of(session_->level().id);
+    const bool faster = !progress.finished || session_->seconds() < progress.best;
+    before_ = progress.best;
+    progress.finished = true;
+    if (faster) {
+        progress.best = session_->seconds();
+        progress_.keepBestRun(session_->level(), *lastRun_);
+    }
+    progress_.set(session_->level().id, progress);
+    progress_.setTotals(totals_);
+    progress_.save();
     saveRecording();
 }
 
@@ -203,6 +218,7 @@ void Game::takePicture() {
         if (std::filesystem::exists(file)) continue;
         platform_->requestScreenshot(file);
         atlax::log(atlax::LogLevel::Info, "picture goes to " + file.string());
+        tell(texts_("Picture {}", {file.filename().string()}));
         return;
     }
 }
@@ -214,28 +230,47 @@ void Game::timeFrame() {
     lastFrame_ = now;
 }
 
-void Game::draw(atlax::Canvas& canvas, double alpha) {
-    timeFrame();
+void Game::drawWorld(atlax::Canvas& canvas, double alpha) {
     const bool playing = screen_ == Screen::playing;
     ViewOptions options;
     options.texts = &texts_;
     options.quality = governor_.quality();
+    options.hints = false;
     options.aim = playing && !watching();
-    options.hints = scene() != Screen::title;
+    options.shake = preferences_.on(Choice::shake);
+    options.flashes = preferences_.on(Choice::flashes);
+    options.highContrast = preferences_.on(Choice::highContrast);
     if (options.aim && controls_.mouseAims()) options.crosshair = platform_->input().mouse;
-    view_->draw(canvas, scene() == Screen::paused ? 1 : alpha, options);
+    view_->draw(canvas, still() ? 1 : alpha, options);
+    const bool started = session_->timerTicks() > 0;
+    if (!ghost_ || !started || ofTitle(scene())) return;
+    canvas.setCamera(view_->camera(canvas.size()));
+    const bool gold = preferences_.ghost() == GhostChoice::gold;
+    ghost_->draw(canvas, still() ? 1 : alpha, gold ? atlax::Color::hex(0xFFD15C) : palette::frost);
+}
+
+void Game::draw(atlax::Canvas& canvas, double alpha) {
+    timeFrame();
+    if (screen_ == Screen::levels) drawNextThumbnail(canvas);
+    drawWorld(canvas, alpha);
     const OverlayTools tools{canvas, *art_, texts_};
-    if (scene() != Screen::title) drawStatus(tools, *session_, watching());
+    const bool playing = screen_ == Screen::playing;
+    const bool news = newsTicks_ > 0;
+    if (playing || screen_ == Screen::countIn) drawStatus(tools, *session_, watching());
     if (playing && session_->restarts() <= 1) {
         drawLevelName(tools, session_->level(),
                       static_cast<double>(session_->ticks()) / Session::tickRate);
     }
+    if (playing && !news && !watching()) hints_.draw(tools);
+    if (playing && news) drawBanner(tools, news_, 1);
     drawScreen(canvas);
 }
 
 /// An attempt that never reached the exit is kept too: it may show where somebody got stuck.
 void Game::stop() {
     savePreferences();
+    progress_.setTotals(totals_);
+    progress_.save();
     if (!saved_ && !watching()) {
         recording_.finalHash = session_->hash();
         saveRecording();

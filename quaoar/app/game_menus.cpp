@@ -1,213 +1,312 @@
-// Screens, what can be chosen on them, and what the player sets there.
+// Screens and what can be chosen on them.
 #include <algorithm>
-#include <array>
-#include <atlax/error.hpp>
 #include <atlax/log.hpp>
 #include <cmath>
+#include <cstdio>
 
 #include "game.hpp"
-#include "overlay.hpp"
 
 namespace quaoar {
 
-using atlax::Binding;
-
 namespace {
 
-/// In the order of PlayerActions.
-constexpr std::array<const char*, PlayerActions::changeable> actionNames{
-    "Fire", "Reel in", "Reel out", "Reel fast", "Swing left", "Swing right", "Try again", "Pause"};
+constexpr int newsSeconds = 4;
+/// Three steps of the count-in, 0.4 s each.
+constexpr int countInStep = Session::tickRate * 2 / 5;
+constexpr atlax::PixelSize thumbnailSize{320, 180};
 
-/// Each language in its own words, so that whoever is lost in another one finds it.
-std::string languageName(const Texts& texts) {
-    const std::string& code = texts.language();
-    if (code.empty()) return texts("as the system has it");
-    if (code == "en") return "English";
-    if (code == "de") return "Deutsch";
-    return code;
-}
-
-bool ofPad(const Binding& binding) {
-    return binding.device == Binding::Device::PadButton ||
-           binding.device == Binding::Device::PadAxis;
-}
-
-/// "W, Up, LeftTrigger+"
-std::string bindingNames(const std::vector<Binding>& bindings) {
-    std::string names;
-    for (const Binding& binding : bindings) {
-        const std::string text = binding.text();
-        names += (names.empty() ? "" : ", ") + text.substr(text.find(':') + 1);
-    }
-    return names.empty() ? "-" : names;
+/// "1:02:03"
+std::string longClock(double seconds) {
+    const auto whole = static_cast<long>(seconds);
+    char text[32];
+    std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+    return text;
 }
 
 }  // namespace
 
 void Game::show(Screen screen, std::size_t selected) {
-    if (screen == Screen::options && screen_ < Screen::options) below_ = screen_;
-    screen_ = screen;
-    menu_ = Menu(itemsOf(screen), selected);
     const bool playing = screen == Screen::playing;
+    if (screen == Screen::options && screen_ < Screen::options) below_ = screen_;
+    if (screen == Screen::paused && screen_ == Screen::playing) controls_.pause();
+    screen_ = screen;
+    menu_ = Menu(itemsOf(screen), selected, screen == Screen::levels ? 4 : 1);
     actions_.all.setContext(playing ? "play" : screen == Screen::capture ? "capture" : "menu");
+    platform_->clock().setSpeedPermille(playing ? preferences_.speed() * 10 : 1000);
     if (!playing) sounds_->hush();
-    platform_->setCursorVisible(!playing);
+    platform_->setCursorVisible(!playing && screen != Screen::countIn);
+}
+
+void Game::goOn() {
+    countIn_ = 3 * countInStep;
+    show(preferences_.on(Choice::countIn) ? Screen::countIn : Screen::playing);
+}
+
+void Game::leaveWithPause() {
+    switch (screen_) {
+        case Screen::playing:
+        case Screen::countIn:
+            return show(Screen::paused);
+        case Screen::paused:
+            return goOn();
+        case Screen::finished:
+            return toTitle();
+        case Screen::options:
+            return show(below_, below_ == Screen::title || below_ == Screen::paused ? 2 : 0);
+        case Screen::sound:
+        case Screen::picture:
+        case Screen::play:
+        case Screen::controls:
+        case Screen::levels:
+        case Screen::statistics:
+        case Screen::credits:
+            return toMenuOf(screen_);
+        case Screen::bindings:
+            return show(Screen::controls, captured_);
+        case Screen::conflict:
+            return show(Screen::bindings);
+        case Screen::title:
+        case Screen::capture:
+            break;
+    }
+}
+
+/// Back to the menu that a screen was chosen from, to its entry.
+void Game::toMenuOf(Screen screen) {
+    if (screen == Screen::levels) return show(Screen::title, 1);
+    if (screen == Screen::statistics) return show(Screen::title, 3);
+    if (screen == Screen::credits) return show(Screen::title, 4);
+    const int place = static_cast<int>(screen) - static_cast<int>(Screen::options);
+    show(Screen::options, static_cast<std::size_t>(place));
+}
+
+void Game::tell(const std::string& news) {
+    news_ = news;
+    newsTicks_ = newsSeconds * Session::tickRate;
 }
 
 std::vector<MenuItem> Game::itemsOf(Screen screen) {
-    const MenuItem again{texts_("Play again"), [this] { play(); }};
-    const MenuItem options{texts_("Options"), [this] { show(Screen::options); }};
-    const MenuItem title{texts_("Title screen"), [this] { toTitle(); }};
-    const MenuItem quit{texts_("Quit"), [this] { platform_->quit(); }};
+    const MenuItem title{texts_("Back"), [this, screen] { toMenuOf(screen); }};
     switch (screen) {
         case Screen::title:
-            return {{texts_("Play"), [this] { play(); }}, options, quit};
+            return titleItems();
+        case Screen::levels:
+            return levelItems();
+        case Screen::statistics:
+            return {{texts_("Watch the replay in the clipboard"), [this] { pasteReplay(); }},
+                    title};
+        case Screen::credits:
+            return {title};
         case Screen::paused:
-            return {{texts_("Go on"), [this] { show(Screen::playing); }},
-                    {texts_("Try again"), [this] { play(); }},
-                    options,
-                    title,
-                    quit};
+            return pausedItems();
         case Screen::finished:
-            return {again,
-                    {texts_("Watch replay"),
-                     [this] { watch(watching() ? options_.replay : lastRun_); }},
-                    title,
-                    quit};
+            return finishedItems();
         case Screen::options:
             return optionItems();
+        case Screen::sound:
+            return soundItems();
+        case Screen::picture:
+            return pictureItems();
+        case Screen::play:
+            return playItems();
+        case Screen::controls:
+            return controlItems();
         case Screen::bindings:
             return bindingItems();
+        case Screen::conflict:
+            return conflictItems();
         case Screen::playing:
+        case Screen::countIn:
         case Screen::capture:
             break;
     }
     return {};
 }
 
-std::vector<MenuItem> Game::optionItems() {
-    const std::string volume = std::to_string(preferences_.volume()) + " %";
-    const std::string full = platform_->fullscreen() ? texts_("on") : texts_("off");
-    return {{texts_("Language: {}", {languageName(texts_)}), [this] { nextLanguage(); }},
-            {texts_("Sound: {}", {volume}), [this] { nextVolume(); }},
-            {texts_("Fullscreen: {}", {full}), [this] { toggleFullscreen(); }},
-            {texts_("Controls"), [this] { show(Screen::bindings); }},
-            {texts_("Back"), [this] { show(below_); }}};
+std::vector<MenuItem> Game::titleItems() {
+    const std::size_t last = lastUnlocked();
+    const bool begun = progress_.of(levels_[0].id).attempts > 0;
+    const std::string level =
+        std::to_string(levels_[last].number) + "  " + texts_(levels_[last].name);
+    const std::string play = begun ? texts_("Continue: {}", {level}) : texts_("Play");
+    return {{play, [this, last] { playLevel(last); }},
+            {texts_("Levels"), [this] { show(Screen::levels, level_); }},
+            {texts_("Options"), [this] { show(Screen::options); }},
+            {texts_("Statistics"), [this] { show(Screen::statistics); }},
+            {texts_("Credits"), [this] { show(Screen::credits); }},
+            {texts_("Quit"), [this] { platform_->quit(); }}};
 }
 
-std::vector<MenuItem> Game::bindingItems() {
-    std::vector<MenuItem> items;
-    for (atlax::Action action = 0; action < PlayerActions::changeable; ++action) {
-        const std::string label =
-            texts_(actionNames[action]) + ": " + bindingNames(actions_.all.bindings(action));
-        items.push_back({label, [this, action] {
-                             captured_ = action;
-                             show(Screen::capture);
-                         }});
+std::vector<MenuItem> Game::pausedItems() {
+    if (watching()) {
+        return {{texts_("Go on"), [this] { goOn(); }},
+                {texts_("Title screen"), [this] { toTitle(); }},
+                {texts_("Quit"), [this] { platform_->quit(); }}};
     }
-    items.push_back({texts_("As at first"), [this] {
-                         actions_.all.resetBindings();
-                         savePreferences();
-                         show(Screen::bindings, menu_.selected());
+    return {{texts_("Go on"), [this] { goOn(); }},
+            {texts_("Try again"), [this] { play(); }},
+            {texts_("Options"), [this] { show(Screen::options); }},
+            {texts_("Title screen"), [this] { toTitle(); }},
+            {texts_("Quit"), [this] { platform_->quit(); }}};
+}
+
+std::vector<MenuItem> Game::finishedItems() {
+    std::vector<MenuItem> items;
+    const bool more = level_ + 1 < levels_.size() && unlocked(level_ + 1);
+    if (more && !watching()) items.push_back({texts_("Next level"), [this] { playNext(); }});
+    items.push_back({texts_(watching() ? "Play this level" : "Play again"), [this] { play(); }});
+    items.push_back({texts_("Watch replay"), [this] { watch(watching() ? watched_ : lastRun_); }});
+    items.push_back({texts_("Copy replay"), [this] { copyReplay(); }});
+    items.push_back({texts_("Levels"), [this] {
+                         toTitle();
+                         show(Screen::levels, level_);
                      }});
-    items.push_back({texts_("Back"), [this] { show(Screen::options); }});
+    items.push_back({texts_("Title screen"), [this] { toTitle(); }});
+    return items;
+}
+
+std::vector<MenuItem> Game::levelItems() {
+    std::vector<MenuItem> items;
+    for (std::size_t i = 0; i < levels_.size(); ++i)
+        items.push_back({"", [this, i] { playLevel(i); }});
     return items;
 }
 
 void Game::drawScreen(atlax::Canvas& canvas) {
     const OverlayTools tools{canvas, *art_, texts_};
-    float top = 0;
+    if (screen_ == Screen::playing) return;
+    if (screen_ == Screen::countIn) return drawCountIn(tools, 1 + (countIn_ - 1) / countInStep);
+    const bool news = newsTicks_ > 0;
+    if (screen_ == Screen::levels) {
+        drawLevels(tools);
+    } else {
+        const MenuRoom room = drawBehindMenu(tools);
+        menu_.draw(canvas, art_->bold(), room.top, room.bottom);
+    }
+    const bool title = screen_ == Screen::title;
+    drawFooter(tools, news ? news_ : title ? prompts_.controls() : prompts_.menu(), news);
+}
+
+MenuRoom Game::drawBehindMenu(const OverlayTools& tools) {
     switch (screen_) {
-        case Screen::playing:
-            return;
         case Screen::title:
-            top = drawTitle(tools, static_cast<double>(time_) / Session::tickRate);
-            break;
+            return drawTitle(tools, static_cast<double>(time_) / Session::tickRate);
+        case Screen::statistics:
+            return drawLines(tools, texts_("Statistics"), statisticsLines());
+        case Screen::credits:
+            return drawLines(
+                tools, texts_("Credits"),
+                {{texts_("Game, levels, pictures and sound"), "Sulfur"},
+                 {texts_("Physics"), "libsulfur"},
+                 {texts_("Window, drawing and audio"), "atlax, SDL, OpenAL Soft"},
+                 {texts_("Letters"), "Jura (SIL Open Font License)"},
+                 {texts_("Text"), "FreeType, HarfBuzz, gettext"},
+                 {texts_("Thanks to Umihara Kawase, Gish and DDNet for the joy of ropes."), ""}});
         case Screen::paused:
-            top = drawHeadline(tools, texts_("Paused"));
-            break;
+            return drawHeadline(tools, texts_("Paused"),
+                                std::to_string(session_->level().number) + "   " +
+                                    texts_(session_->level().name) + "   " +
+                                    clockText(session_->seconds()));
         case Screen::finished:
-            top = drawFinish(tools, *session_, best_, watching());
-            break;
+            return drawFinish(tools, *session_,
+                              {progress_.of(session_->level().id).best, before_, watching()});
         case Screen::options:
-            top = drawHeadline(tools, texts_("Options"));
-            break;
+            return drawHeadline(tools, texts_("Options"));
+        case Screen::sound:
+            return drawHeadline(tools, texts_("Sound"));
+        case Screen::picture:
+            return drawHeadline(tools, texts_("Picture"));
+        case Screen::play:
+            return drawHeadline(tools, texts_("Game"));
+        case Screen::controls:
+            return drawHeadline(tools, texts_("Controls"));
         case Screen::bindings:
-            top = drawHeadline(tools, texts_("Controls"));
-            break;
+            return drawHeadline(tools, actionName(captured_));
+        case Screen::conflict:
+            return drawHeadline(
+                tools, actionName(captured_),
+                texts_("{} is in use for: {}",
+                       {bindingName(*wanted_, texts_),
+                        actionName(actions_.owner(captured_, *wanted_).value_or(captured_))}));
         case Screen::capture:
-            drawHeadline(tools,
-                         texts_("Press a key or button for: {}", {texts_(actionNames[captured_])}));
-            return;
+            return drawHeadline(tools,
+                                texts_("Press a key or button for: {}", {actionName(captured_)}),
+                                texts_(instead_ ? "Escape keeps what it is. Delete takes it away."
+                                                : "Escape keeps what it is."));
+        case Screen::levels:
+        case Screen::playing:
+        case Screen::countIn:
+            break;
     }
-    menu_.draw(canvas, art_->bold(), top);
+    return {};
 }
 
-void Game::chooseLanguage(const std::string& language) {
-    try {
-        texts_.setLanguage(language);
-    } catch (const atlax::Error& error) {
-        atlax::log(atlax::LogLevel::Warning, error.what());
+std::vector<TextLine> Game::statisticsLines() const {
+    std::size_t finished = 0, gold = 0;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        const LevelProgress progress = progress_.of(levels_[i].id);
+        finished += progress.finished ? 1 : 0;
+        gold += progress.finished && levels_[i].medalFor(progress.best) == Medal::gold ? 1 : 0;
     }
+    const auto of = [&](std::size_t count) {
+        return std::to_string(count) + " / " + std::to_string(levels_.size());
+    };
+    return {{texts_("Levels finished"), of(finished)},
+            {texts_("Gold medals"), of(gold)},
+            {texts_("Attempts"), std::to_string(totals_.attempts)},
+            {texts_("Falls"), std::to_string(totals_.deaths)},
+            {texts_("Ropes fired"), std::to_string(totals_.shots)},
+            {texts_("Distance"), std::to_string(std::lround(totals_.distance)) + " m"},
+            {texts_("Time of play"), longClock(totals_.seconds)}};
 }
 
-void Game::nextLanguage() {
-    chooseLanguage(texts_.nextLanguage());
-    preferences_.setLanguage(texts_.language());
-    savePreferences();
-    show(Screen::options, menu_.selected());
+std::string Game::levelDetails(std::size_t level) const {
+    const Level& it = levels_[level];
+    std::string text = std::to_string(it.number) + "   " + texts_(it.name);
+    if (!unlocked(level)) return text + "     " + texts_("locked");
+    const LevelProgress progress = progress_.of(it.id);
+    if (progress.finished) text += "     " + texts_("best {}", {clockText(progress.best)});
+    if (!progress.finished || it.medalFor(progress.best) != Medal::gold)
+        text += "     " + texts_("gold below {}", {clockText(it.medals.gold)});
+    if (progress.deaths > 0)
+        text += "     " + texts_("falls: {}", {std::to_string(progress.deaths)});
+    return text;
 }
 
-void Game::nextVolume() {
-    const int now = preferences_.volume();
-    preferences_.setVolume(now == 0 ? 100 : now - std::min(now, 25));
-    applyVolume();
-    savePreferences();
-    show(Screen::options, menu_.selected());
-}
-
-void Game::applyVolume() {
-    platform_->audio().setMasterVolume(static_cast<float>(preferences_.volume()) / 100);
-}
-
-void Game::toggleFullscreen() {
-    platform_->setFullscreen(!platform_->fullscreen());
-    preferences_.setFullscreen(platform_->fullscreen());
-    if (screen_ == Screen::options) show(Screen::options, menu_.selected());
-}
-
-/// Escape keeps what there was. A wheel cannot be held, and these actions are.
-void Game::capture(const atlax::Event& event) {
-    const auto binding = Binding::captured(event);
-    if (!binding || binding->device == Binding::Device::Wheel) return;
-    if (!(*binding == Binding::key(atlax::Key::Escape))) bind(captured_, *binding);
-    show(Screen::bindings, captured_);
-}
-
-/// In place of the keys and the mouse, or in place of the gamepad's; no other action that the
-/// player may change keeps it.
-void Game::bind(atlax::Action action, const Binding& binding) {
-    for (const atlax::Action other : actions_.all.conflicts(action, binding)) {
-        if (other >= PlayerActions::changeable) continue;
-        std::vector<Binding> rest = actions_.all.bindings(other);
-        std::erase(rest, binding);
-        actions_.all.rebind(other, std::move(rest));
+void Game::drawLevels(const OverlayTools& tools) {
+    std::vector<LevelCell> cells;
+    std::vector<atlax::Texture> pictures(levels_.size());
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        const LevelProgress progress = progress_.of(levels_[i].id);
+        LevelCell cell{levels_[i].number, unlocked(i)};
+        cell.finished = progress.finished;
+        if (progress.finished) cell.medal = levels_[i].medalFor(progress.best);
+        if (i < thumbnails_.size() && thumbnails_[i].valid()) {
+            pictures[i] = thumbnails_[i].texture();
+            cell.picture = &pictures[i];
+        }
+        cells.push_back(cell);
     }
-    std::vector<Binding> bindings{binding};
-    for (const Binding& b : actions_.all.bindings(action))
-        if (ofPad(b) != ofPad(binding)) bindings.push_back(b);
-    actions_.all.rebind(action, std::move(bindings));
-    savePreferences();
+    int columns = 1;
+    menu_.place(drawGrid(tools, cells, menu_.selected(), levelDetails(menu_.selected()), columns));
+    menu_.setColumns(columns);
 }
 
-void Game::savePreferences() {
-    if (platform_ != nullptr && !platform_->fullscreen() && !platform_->minimised()) {
-        const atlax::Vec2 size = platform_->size().toVec() / platform_->scaleFactor();
-        preferences_.setWindowSize(
-            {static_cast<int>(std::lround(size.x)), static_cast<int>(std::lround(size.y))});
+/// One a frame, so that the screen comes at once; each is drawn once.
+void Game::drawNextThumbnail(atlax::Canvas& canvas) {
+    thumbnails_.resize(levels_.size());
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        if (thumbnails_[i].valid() || !unlocked(i)) continue;
+        thumbnails_[i] = canvas.createTarget(thumbnailSize);
+        const Session session(levels_.level(i));
+        GameView view(*art_, session);
+        canvas.pushTarget(thumbnails_[i]);
+        ViewOptions options;
+        options.aim = options.hints = false;
+        view.draw(canvas, 1, options);
+        canvas.popTarget();
+        return;
     }
-    preferences_.setBindings(actions_);
-    preferences_.save();
 }
 
 }  // namespace quaoar

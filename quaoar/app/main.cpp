@@ -1,5 +1,6 @@
 // quaoar: plays Escape from Quaoar, verifies its levels, takes pictures of them.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atlax/arguments.hpp>
 #include <atlax/backend.hpp>
 #include <atlax/records.hpp>
@@ -25,11 +26,13 @@ struct Arguments {
     std::string record;
     std::string play;
     bool fullscreen = false;
+    bool unlockAll = false;
 };
 
 void describe(CLI::App& app, Arguments& arguments) {
     app.set_version_flag("--version", std::string("quaoar ") + sulfur::version());
-    app.add_option("--level", arguments.level, "Level file; the first level when not given")
+    app.add_option("--level", arguments.level,
+                   "Level file, played at once; else the title screen of the game's levels")
         ->type_name("FILE");
     auto* headless =
         app.add_flag("--headless", arguments.headless, "No window; only together with --verify");
@@ -50,16 +53,19 @@ void describe(CLI::App& app, Arguments& arguments) {
     app.add_option("--size", arguments.size,
                    "Size of the picture or the window in pixels; the last window's, or 1280x720")
         ->type_name("WIDTHxHEIGHT");
-    app.add_option("--language", arguments.language, "\"en\", \"de\"; else as set in the game")
+    app.add_option("--language", arguments.language,
+                   "\"en\", \"de\", \"it\"; else as set in the game")
         ->type_name("CODE");
     app.add_option("--record", arguments.record, "Write the inputs of the last attempt")
         ->type_name("FILE");
     app.add_option("--play", arguments.play, "Watch a recording")->type_name("FILE");
     app.add_flag("--fullscreen", arguments.fullscreen, "Fill the screen");
+    app.add_flag("--unlock-all", arguments.unlockAll, "Every level may be played");
     app.footer(
         "Mouse: aim, hold left to fire.  W S: reel.  A D: swing.  R: again.  Esc: pause.\n"
         "Levels are searched in $QUAOAR_LEVELS, the installed and the source folder.\n"
-        "Settings: $XDG_CONFIG_HOME/quaoar; log and crash reports: $XDG_STATE_HOME/quaoar.");
+        "Settings: $XDG_CONFIG_HOME/quaoar; progress and replays: $XDG_DATA_HOME/quaoar; log and "
+        "crash reports: $XDG_STATE_HOME/quaoar.");
 }
 
 atlax::PixelSize readSize(const std::string& text) {
@@ -79,15 +85,41 @@ std::filesystem::path levelFile(const Arguments& arguments) {
     return quaoar::levelAssets().find("01-cold-wake.json");
 }
 
-int playGame(const Arguments& arguments) {
+/// The level that was asked for among those of its folder, or all of the game.
+quaoar::GameOptions levelsOf(const Arguments& arguments) {
     quaoar::GameOptions options;
-    options.level = std::make_shared<const quaoar::Level>(quaoar::readLevel(levelFile(arguments)));
-    options.skipTitle = !arguments.level.empty();
+    if (arguments.level.empty()) {
+        options.levels = quaoar::LevelList::ofFolder(levelFile(arguments).parent_path());
+        return options;
+    }
+    std::size_t index = 0;
+    options.levels = quaoar::LevelList::around(arguments.level, index);
+    options.level = options.levels.level(index);
+    options.skipTitle = true;
+    return options;
+}
+
+/// That of a recording. Throws when there is none, or when another one was asked for.
+std::shared_ptr<const quaoar::Level> levelOf(const quaoar::GameOptions& options,
+                                             const quaoar::Recording& recording) {
+    if (options.level) {
+        quaoar::requireMatch(*options.level, recording);
+        return options.level;
+    }
+    if (const auto index = options.levels.find(recording)) return options.levels.level(*index);
+    quaoar::requireMatch(options.levels[0], recording);
+    return nullptr;
+}
+
+int playGame(const Arguments& arguments) {
+    quaoar::GameOptions options = levelsOf(arguments);
+    options.unlockAll = arguments.unlockAll;
+    options.progress = quaoar::Progress::folder();
     if (!arguments.record.empty()) options.record = arguments.record;
     if (!arguments.play.empty()) {
         options.replay =
             std::make_shared<const quaoar::Recording>(quaoar::Recording::read(arguments.play));
-        quaoar::requireMatch(*options.level, *options.replay);
+        options.level = levelOf(options, *options.replay);
     }
     if (!arguments.language.empty()) options.language = arguments.language;
     atlax::WindowOptions window;
@@ -97,12 +129,23 @@ int playGame(const Arguments& arguments) {
     quaoar::Preferences preferences(quaoar::Preferences::settingsFile());
     quaoar::Game game(std::move(options), preferences);
     if (arguments.size.empty()) window.size = preferences.windowSize();
-    window.fullscreen = arguments.fullscreen || preferences.fullscreen();
+    window.fullscreen = arguments.fullscreen || preferences.on(quaoar::Choice::fullscreen);
+    window.vsync = preferences.on(quaoar::Choice::vsync);
     window.tickRateHz = quaoar::Session::tickRate;
     return atlax::run(game, window);
 }
 
+void requireLanguage(const std::string& code) {
+    const std::vector<std::string> all = quaoar::Texts().languages();
+    if (code.empty() || std::find(all.begin(), all.end(), code) != all.end()) return;
+    std::string allowed;
+    for (const std::string& language : all) allowed += (allowed.empty() ? "" : ", ") + language;
+    throw std::runtime_error("--language \"" + code +
+                             "\" is none that the game speaks; allowed: " + allowed);
+}
+
 int runProgram(const Arguments& arguments) {
+    requireLanguage(arguments.language);
     if (!arguments.verify.empty()) {
         return quaoar::verifyLevels({arguments.verify.begin(), arguments.verify.end()});
     }

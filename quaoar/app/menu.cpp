@@ -5,10 +5,13 @@
 
 namespace quaoar {
 
+/// Lists go round; in a grid, what has nobody beside it stays.
 void Menu::move(int step) {
     const auto count = static_cast<int>(items_.size());
     if (count == 0) return;
-    selected_ = static_cast<std::size_t>((static_cast<int>(selected_) + step + count) % count);
+    const int next = static_cast<int>(selected_) + step;
+    if (columns_ > 1 && (next < 0 || next >= count)) return;
+    selected_ = static_cast<std::size_t>((next % count + count) % count);
 }
 
 std::size_t Menu::under(atlax::Vec2 pixels) const {
@@ -26,13 +29,18 @@ std::function<void()> Menu::tick(const atlax::ActionState& state, const PlayerAc
     if (pointerSeen_ && !(pointer == pointer_) && here < items_.size()) selected_ = here;
     pointer_ = pointer;
     pointerSeen_ = true;
-    move(state.pressCount(actions.menuDown) - state.pressCount(actions.menuUp));
+    const int down = state.pressCount(actions.menuDown) - state.pressCount(actions.menuUp);
+    const int right = state.pressCount(actions.menuRight) - state.pressCount(actions.menuLeft);
+    move(down * columns_);
+    if (columns_ > 1) move(right);
     if (state.wasPressed(actions.click) && here < items_.size()) {
         selected_ = here;
         return items_[here].run;
     }
-    if (state.wasPressed(actions.choose) && selected_ < items_.size()) return items_[selected_].run;
-    return {};
+    if (selected_ >= items_.size()) return {};
+    if (state.wasPressed(actions.choose)) return items_[selected_].run;
+    if (right == 0 || !items_[selected_].change) return {};
+    return [change = items_[selected_].change, right] { change(right); };
 }
 
 void Menu::drawItem(atlax::Canvas& canvas, const atlax::Font& font, std::size_t item, float size) {
@@ -48,25 +56,28 @@ void Menu::drawItem(atlax::Canvas& canvas, const atlax::Font& font, std::size_t 
         canvas.triangle({edge, middle - 7 * unit}, {edge + 11 * unit, middle},
                         {edge, middle + 7 * unit}, palette::night);
     }
+    const float width = canvas.measure(font, items_[item].label, size).width;
+    const float room = box.size.x - 76 * unit;
     canvas.text(font, items_[item].label, {box.min.x + box.size.x * 0.5f, middle},
-                {size, here ? palette::night : palette::frost, atlax::AlignX::Centre,
-                 atlax::AlignY::Middle});
+                {width > room ? size * room / width : size, here ? palette::night : palette::frost,
+                 atlax::AlignX::Centre, atlax::AlignY::Middle});
 }
 
-void Menu::draw(atlax::Canvas& canvas, const atlax::Font& font, float top) {
+void Menu::draw(atlax::Canvas& canvas, const atlax::Font& font, float top, float bottom) {
     canvas.setScreenSpace();
     const atlax::Vec2 screen = canvas.size().toVec();
     const auto count = static_cast<float>(items_.size());
     // Long lists are set closer.
-    const float unit =
-        std::min(screen.y / 720, (screen.y - top - 0.02f * screen.y) / std::max(60 * count, 60.0f));
-    const float size = 23 * unit;
+    const float unit = std::min(std::min(screen.y / 720, screen.x / 600),
+                                (bottom - top) / std::max(58 * count, 1.0f));
+    const float size = 25 * unit;
     float width = 300 * unit;
     for (const MenuItem& item : items_)
         width = std::max(width, canvas.measure(font, item.label, size).width + 90 * unit);
+    width = std::min(width, 0.94f * screen.x);
     places_.clear();
     for (std::size_t i = 0; i < items_.size(); ++i) {
-        const atlax::Vec2 middle{screen.x * 0.5f, top + (30 + 60 * static_cast<float>(i)) * unit};
+        const atlax::Vec2 middle{screen.x * 0.5f, top + (29 + 58 * static_cast<float>(i)) * unit};
         places_.push_back(atlax::Rect::around(middle, {width, 50 * unit}));
         drawItem(canvas, font, i, size);
     }

@@ -6,6 +6,7 @@
 #include <quaoar/view/art.hpp>
 #include <quaoar/view/texts.hpp>
 #include <string>
+#include <vector>
 
 namespace quaoar {
 
@@ -19,15 +20,56 @@ struct OverlayTools {
     const Texts& texts;
 };
 
+/// Pixels of a length that is 1 in a picture 720 high: less where the picture is narrow.
+float unitOf(atlax::PixelSize size);
+
+/// Where a menu has room, pixels from the top.
+struct MenuRoom {
+    float top = 0;
+    float bottom = 0;
+};
+
 /// Level, time and, for a replay, a mark that says so.
 void drawStatus(const OverlayTools& tools, const Session& session, bool replay);
 /// The name of the level for the first seconds of an attempt.
 void drawLevelName(const OverlayTools& tools, const Level& level, double seconds);
-/// The game's name and how to begin. Returns where a menu may begin, pixels from the top.
-float drawTitle(const OverlayTools& tools, double seconds);
-/// A headline over the dimmed picture. Returns the same.
-float drawHeadline(const OverlayTools& tools, const std::string& text);
-/// Time, medal and the best time so far.
-float drawFinish(const OverlayTools& tools, const Session& session, double best, bool replay);
+/// A sentence at the lower edge, in a box; `alpha` 0..1.
+void drawBanner(const OverlayTools& tools, const std::string& text, float alpha);
+/// A line at the very bottom of a menu: what the keys do, or news.
+void drawFooter(const OverlayTools& tools, const std::string& text, bool news);
+/// The seconds before play goes on.
+void drawCountIn(const OverlayTools& tools, int number);
+/// The game's name.
+MenuRoom drawTitle(const OverlayTools& tools, double seconds);
+/// A headline over the dimmed picture, and a sentence below it where there is one.
+MenuRoom drawHeadline(const OverlayTools& tools, const std::string& text,
+                      const std::string& below = {});
+/// Lines of text under a headline: pairs of a name and a value, or, without a value, in the middle.
+struct TextLine {
+    std::string name;
+    std::string value;
+};
+MenuRoom drawLines(const OverlayTools& tools, const std::string& headline,
+                   const std::vector<TextLine>& lines);
+
+/// What the finish screen says beside the time.
+struct FinishNews {
+    double best = 0;    ///< seconds, with this run; 0: none yet
+    double before = 0;  ///< the best before this run
+    bool replay = false;
+};
+MenuRoom drawFinish(const OverlayTools& tools, const Session& session, const FinishNews& news);
+
+/// A level in the grid.
+struct LevelCell {
+    int number = 0;
+    bool open = false;
+    Medal medal = Medal::none;
+    bool finished = false;
+    const atlax::Texture* picture = nullptr;  ///< null: not drawn yet
+};
+/// Draws the cells and tells where each is, pixels; `columns` becomes their number in a row.
+std::vector<atlax::Rect> drawGrid(const OverlayTools& tools, const std::vector<LevelCell>& cells,
+                                  std::size_t selected, const std::string& details, int& columns);
 
 }  // namespace quaoar

@@ -1,6 +1,7 @@
 // From keys, mouse and gamepad through the player's actions to the inputs of a tick.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <quaoar/view/controls.hpp>
 
 namespace quaoar::test {
@@ -25,8 +26,19 @@ protected:
         sampler.feed(atlax::PadAxisEvent{0, axis, value});
     }
     /// The hero stands in the middle of a screen of 200 x 100 pixels.
-    TickInput tick() {
-        return controls.read(actions.all.sample(sampler.sample()), {{0, 0}, 10}, {200, 100}, {});
+    TickInput tick(bool roped = false) {
+        const atlax::ActionState& state = actions.all.sample(sampler.sample());
+        return controls.read(state, sampler.current(), {{{0, 0}, 10}, {200, 100}, {}, roped});
+    }
+    /// As the game does while a menu is open.
+    void rest(bool countIn = false) {
+        actions.all.sample(sampler.sample());
+        controls.rest(sampler.current(), countIn);
+    }
+    void pause() {
+        controls.pause();
+        actions.all.setContext("menu");
+        rest();
     }
 
     atlax::InputSampler sampler;
@@ -66,7 +78,8 @@ TEST_F(ControlsTest, aStickAimsUntilTheMouseMoves) {
     axis(atlax::PadAxis::RightTrigger, 1);
     const TickInput input = tick();
     EXPECT_TRUE(input.fire);
-    EXPECT_EQ(input.aimX, -32767);
+    EXPECT_LT(input.aimX, 0);
+    EXPECT_EQ(input.aimY, 0);
     EXPECT_FALSE(controls.mouseAims());
     axis(atlax::PadAxis::RightX, 0);
     tick();
@@ -94,6 +107,143 @@ TEST_F(ControlsTest, theClickThatClosesAMenuDoesNotFire) {
     EXPECT_FALSE(tick().fire);
     mouse(true, {50, 50});
     EXPECT_TRUE(tick().fire);
+}
+
+TEST_F(ControlsTest, theRopeHoldsThroughAPauseUntilTheButtonIsLetGo) {
+    mouse(true, {50, 50});
+    EXPECT_TRUE(tick().fire);
+    pause();
+    rest();
+    rest(true);
+    actions.all.setContext("play");
+    EXPECT_TRUE(tick().fire);
+    EXPECT_TRUE(tick().fire);
+    mouse(false, {50, 50});
+    EXPECT_FALSE(tick().fire);
+    mouse(true, {50, 50});
+    EXPECT_TRUE(tick().fire) << "and fires anew";
+}
+
+TEST_F(ControlsTest, aRopeWhoseButtonWasLetGoInThePauseHangsOn) {
+    mouse(true, {50, 50});
+    tick();
+    pause();
+    mouse(false, {50, 50});
+    rest();
+    mouse(true, {60, 60});  // the click on "Go on"
+    rest();
+    actions.all.setContext("play");
+    EXPECT_TRUE(tick().fire);
+    mouse(false, {60, 60});
+    EXPECT_TRUE(tick().fire) << "the end of that click lets nothing go";
+    mouse(true, {60, 60});
+    EXPECT_TRUE(tick().fire) << "taken in hand again";
+    mouse(false, {60, 60});
+    EXPECT_FALSE(tick().fire);
+}
+
+TEST_F(ControlsTest, theButtonMayBeTakenInHandDuringTheCountIn) {
+    mouse(true, {50, 50});
+    tick();
+    pause();
+    sampler.feed(atlax::FocusChanged{false});
+    rest();
+    sampler.feed(atlax::FocusChanged{true});
+    rest(true);
+    mouse(true, {50, 50});
+    rest(true);
+    actions.all.setContext("play");
+    EXPECT_TRUE(tick().fire);
+    mouse(false, {50, 50});
+    EXPECT_FALSE(tick().fire);
+}
+
+TEST_F(ControlsTest, aNewAttemptHoldsNothing) {
+    mouse(true, {50, 50});
+    tick();
+    pause();
+    mouse(false, {50, 50});
+    rest();
+    controls.reset();
+    actions.all.setContext("play");
+    EXPECT_FALSE(tick().fire);
+}
+
+TEST_F(ControlsTest, onePressFiresAndTheNextLetsGoWhereThePlayerWantsSo) {
+    controls.setToggle(true);
+    const auto press = [&](bool roped) {
+        mouse(true, {50, 50});
+        const bool fire = tick(roped).fire;
+        mouse(false, {50, 50});
+        EXPECT_EQ(tick(roped).fire, fire);
+        return fire;
+    };
+    EXPECT_TRUE(press(true));
+    EXPECT_FALSE(press(true));
+    EXPECT_TRUE(press(true));
+    EXPECT_FALSE(tick(false).fire) << "the rope has missed";
+    EXPECT_TRUE(press(false)) << "so the next press fires";
+}
+
+TEST_F(ControlsTest, keysAreSwappedAndNothingEssentialIsLost) {
+    using atlax::Binding;
+    const Binding space = Binding::key(Key::Space), w = Binding::key(Key::W);
+    const Binding left = Binding::mouse(atlax::MouseButton::Left);
+    EXPECT_FALSE(actions.owner(actions.fire, space)) << "menus do not count";
+    actions.bind(actions.fire, space, left);
+    EXPECT_EQ(actions.all.bindings(actions.fire).front(), space);
+    // What the issue tells: Space to fire, then Space to reel in.
+    EXPECT_EQ(actions.owner(actions.reelIn, space), actions.fire);
+    EXPECT_TRUE(actions.canBind(actions.reelIn, space, w));
+    EXPECT_FALSE(actions.canBind(actions.reelIn, space)) << "fire would have no key";
+    actions.bind(actions.reelIn, space);
+    EXPECT_EQ(actions.all.bindings(actions.fire).front(), space) << "refused";
+    actions.bind(actions.reelIn, space, w);
+    EXPECT_EQ(actions.all.bindings(actions.reelIn).front(), space);
+    EXPECT_EQ(actions.all.bindings(actions.fire).front(), w) << "swapped";
+    EXPECT_FALSE(actions.unbind(actions.fire, w)) << "its last key";
+    EXPECT_TRUE(actions.unbind(actions.reelIn, space)) << "it has others";
+    actions.bind(actions.fire, Binding::key(Key::J));
+    EXPECT_EQ(actions.all.bindings(actions.fire).size(), 3u) << "several keys";
+}
+
+TEST_F(ControlsTest, whateverIsBoundEssentialActionsKeepAKeyAndAButton) {
+    using atlax::Binding;
+    std::vector<Binding> all;
+    for (int key = 1; key < 30; ++key) all.push_back(Binding::key(static_cast<Key>(key)));
+    for (int i = 0; i < atlax::padButtonCount; ++i)
+        all.push_back(Binding::pad(static_cast<atlax::PadButton>(i)));
+    std::uint32_t dice = 1;
+    const auto roll = [&](std::size_t sides) {
+        dice = dice * 1664525u + 1013904223u;
+        return (dice >> 8) % sides;
+    };
+    for (int n = 0; n < 3000; ++n) {
+        const auto action = static_cast<atlax::Action>(roll(PlayerActions::changeable));
+        const auto& mine = actions.all.bindings(action);
+        const bool instead = roll(2) == 0 && !mine.empty();
+        const auto old = instead ? std::optional(mine[roll(mine.size())]) : std::nullopt;
+        if (roll(4) == 0 && old)
+            actions.unbind(action, *old);
+        else
+            actions.bind(action, all[roll(all.size())], old);
+        for (const atlax::Action must : {actions.fire, actions.reelIn, actions.pause}) {
+            const auto& left = actions.all.bindings(must);
+            const auto pads = std::count_if(left.begin(), left.end(), ofPad);
+            ASSERT_GT(pads, 0);
+            ASSERT_LT(static_cast<std::size_t>(pads), left.size());
+        }
+    }
+}
+
+TEST_F(ControlsTest, settingsWithoutAKeyForFireAreMended) {
+    actions.all.rebind(actions.fire, {});
+    actions.mend();
+    EXPECT_EQ(actions.all.bindings(actions.fire).size(), 2u);
+    actions.all.rebind(actions.fire, {atlax::Binding::key(Key::F)});
+    actions.mend();
+    EXPECT_EQ(actions.all.bindings(actions.fire).front(), atlax::Binding::key(Key::F));
+    EXPECT_TRUE(ofPad(actions.all.bindings(actions.fire).back()));
 }
 
 TEST_F(ControlsTest, anActionThatIsBoundAnewLeavesItsOldKey) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <quaoar/session.hpp>
 #include <quaoar/view/controls.hpp>
 
 namespace quaoar {
@@ -12,11 +13,21 @@ constexpr int ticksPerAim = 8;
 constexpr int ticksPerNotch = 40;
 /// A stick that is hardly moved has no direction to speak of.
 constexpr float leastStick = 0.2f;
+/// Aims are whole numbers on the edge of a square: directions 0.06 to 0.11 degrees apart, finer
+/// than a hand, and few enough that recordings stay small.
+constexpr double aimSteps = 512;
+
+void setCoarseAim(TickInput& input, atlax::Vec2 way) {
+    const double x = static_cast<double>(way.x), y = static_cast<double>(way.y);
+    const double reach = std::max(std::abs(x), std::abs(y));
+    if (!(reach > 0) || !std::isfinite(reach)) return;
+    input.aimX = static_cast<std::int16_t>(std::lround(x / reach * aimSteps));
+    input.aimY = static_cast<std::int16_t>(std::lround(y / reach * aimSteps));
+}
 
 }  // namespace
 
-void Controls::aim(const atlax::ActionState& state, const atlax::Camera& camera,
-                   atlax::PixelSize size, atlax::Vec2 hero) {
+void Controls::aim(const atlax::ActionState& state, const PlayerSight& sight) {
     const atlax::Vec2 stick =
         state.stick(actions_.aimLeft, actions_.aimRight, actions_.aimDown, actions_.aimUp);
     const atlax::Vec2 pointer{static_cast<float>(state.pointerX),
@@ -25,7 +36,7 @@ void Controls::aim(const atlax::ActionState& state, const atlax::Camera& camera,
     pointer_ = pointer;
     if (atlax::length(stick) > leastStick) {
         stickAims_ = true;
-        setAim(last_, static_cast<double>(stick.x), static_cast<double>(stick.y));
+        setCoarseAim(last_, stick);
         return;
     }
     const bool clicked = state.wasPressed(actions_.point);
@@ -33,8 +44,7 @@ void Controls::aim(const atlax::ActionState& state, const atlax::Camera& camera,
     if (stickAims_) return;
     if (++sinceAim_ < ticksPerAim && !clicked) return;
     sinceAim_ = 0;
-    const atlax::Vec2 way = camera.toWorld(pointer, size) - hero;
-    setAim(last_, static_cast<double>(way.x), static_cast<double>(way.y));
+    setCoarseAim(last_, sight.camera.toWorld(pointer, sight.size) - sight.hero);
 }
 
 void Controls::wheel(const atlax::ActionState& state) {
@@ -51,19 +61,86 @@ void Controls::wheel(const atlax::ActionState& state) {
     }
 }
 
-TickInput Controls::read(const atlax::ActionState& state, const atlax::Camera& camera,
-                         atlax::PixelSize size, atlax::Vec2 hero) {
-    aim(state, camera, size, hero);
-    last_.fire = state.isDown(actions_.fire);
+void Controls::pause() {
+    kept_ = last_.fire && !toggle_;
+    heldThrough_ = kept_;
+    wasUp_ = false;
+    wheelTicks_ = 0;
+}
+
+/// The click that chooses "Go on" is still down when the count-in begins, and takes nothing.
+void Controls::rest(const atlax::InputState& input, bool countIn) {
+    const bool held = actions_.held(actions_.fire, input);
+    if (!held) heldThrough_ = false;
+    wasUp_ = countIn && (wasUp_ || !held);
+    if (wasUp_ && held) heldThrough_ = kept_;
+}
+
+void Controls::reset() {
+    kept_ = heldThrough_ = toggledOn_ = toggleRoped_ = false;
+    wheelTicks_ = 0;
+    last_.fire = false;
+}
+
+/// The next press after the rope has gone by itself fires again.
+bool Controls::toggled(const atlax::ActionState& state, bool roped) {
+    if (toggledOn_ && toggleRoped_ && !roped) toggledOn_ = false;
+    toggleRoped_ = toggledOn_ && (toggleRoped_ || roped);
+    if (state.wasPressed(actions_.fire)) {
+        toggledOn_ = !toggledOn_;
+        toggleRoped_ = false;
+    }
+    return toggledOn_;
+}
+
+bool Controls::wantsRope(const atlax::ActionState& state, const atlax::InputState& input,
+                         bool roped) {
+    if (toggle_) return toggled(state, roped);
+    const bool pressed = state.isDown(actions_.fire);
+    if (!kept_) return pressed;
+    if (heldThrough_) {
+        heldThrough_ = actions_.held(actions_.fire, input);
+        kept_ = heldThrough_;
+        return kept_;
+    }
+    if (pressed) kept_ = false;
+    return true;
+}
+
+TickInput Controls::read(const atlax::ActionState& state, const atlax::InputState& input,
+                         const PlayerSight& sight) {
+    aim(state, sight);
+    last_.fire = wantsRope(state, input, sight.roped);
     last_.reelIn = state.isDown(actions_.reelIn);
     last_.reelOut = state.isDown(actions_.reelOut);
     last_.boost = state.isDown(actions_.boost);
     last_.restart = state.wasPressed(actions_.restart);
+    if (last_.restart) kept_ = toggledOn_ = false;
     wheel(state);
     // Sixteen steps a side are finer than a thumb and keep recordings short.
     const float step = std::round(state.axis(actions_.left, actions_.right) * 16) / 16;
     last_.push = static_cast<std::int8_t>(std::lround(step * 127));
     return last_;
+}
+
+void assistAim(TickInput& input, const Session& session) {
+    constexpr int most = 12;  // half degrees
+    const sulfur::Vec2 aim = aimDirection(input);
+    const AimPreview straight = session.preview(aim);
+    if (straight.hits && straight.sticks) return;
+    const double x = static_cast<double>(aim.x()), y = static_cast<double>(aim.y());
+    for (int step = 1; step <= most; ++step) {
+        for (const int way : {step, -step}) {
+            const double angle = 0.5 * way * 3.14159265358979 / 180;
+            TickInput turned = input;
+            setAim(turned, x * std::cos(angle) - y * std::sin(angle),
+                   x * std::sin(angle) + y * std::cos(angle));
+            const AimPreview preview = session.preview(aimDirection(turned));
+            if (!preview.hits || !preview.sticks) continue;
+            input = turned;
+            return;
+        }
+    }
 }
 
 }  // namespace quaoar

@@ -185,7 +185,7 @@ void Sounds::hush() {
 }
 
 void Sounds::click() {
-    audio_.play(click_, {.gain = 0.6f});
+    audio_.play(click_, {.gain = 0.6f, .bus = atlax::Bus::Interface});
 }
 
 }  // namespace quaoar

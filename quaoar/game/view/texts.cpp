@@ -49,11 +49,18 @@ void Texts::setLanguage(std::string_view language) {
     translation_.setLanguage(language);
 }
 
-std::string Texts::nextLanguage() const {
+std::vector<std::string> Texts::languages() const {
     std::vector<std::string> all{"en"};
     for (const std::string& language : translation_.languages()) all.push_back(language);
+    return all;
+}
+
+std::string Texts::nextLanguage(int way) const {
+    const std::vector<std::string> all = languages();
     const auto here = std::find(all.begin(), all.end(), language());
-    return here == all.end() || here + 1 == all.end() ? all.front() : *(here + 1);
+    if (here == all.end()) return all.front();
+    const std::size_t step = way > 0 ? 1 : all.size() - 1;
+    return all[(static_cast<std::size_t>(here - all.begin()) + step) % all.size()];
 }
 
 }  // namespace quaoar

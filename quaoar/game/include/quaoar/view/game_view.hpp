@@ -26,6 +26,9 @@ struct ViewOptions {
     std::optional<atlax::Vec2> crosshair = std::nullopt;  ///< pixels; the mouse
     Quality quality = {};                                 ///< the best unless said otherwise
     const Texts* texts = nullptr;                         ///< null: sentences as the level has them
+    bool shake = true;                                    ///< the picture trembles with blows
+    bool flashes = true;                                  ///< sudden lights
+    bool highContrast = false;  ///< what can be held and what hurts stands out from the rest
 };
 
 /// The picture of one session: camera, backdrop, ice, bodies, hero, rope, sparks.

@@ -28,8 +28,10 @@ public:
     void setLanguage(std::string_view language);
     /// The one that setLanguage() was told; "en" at first.
     const std::string& language() const { return translation_.language(); }
-    /// The one that comes after it, of those that there are.
-    std::string nextLanguage() const;
+    /// The one that comes after it, or with -1 before it, of those that there are.
+    std::string nextLanguage(int way = 1) const;
+    /// All that there are, English first.
+    std::vector<std::string> languages() const;
 
 private:
     atlax::Translation translation_;

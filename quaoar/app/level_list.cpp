@@ -1,0 +1,75 @@
+#include "level_list.hpp"
+
+#include <algorithm>
+#include <atlax/log.hpp>
+#include <new>
+
+namespace quaoar {
+
+LevelList::LevelList(std::shared_ptr<const Level> level) {
+    entries_.push_back({{}, std::move(level)});
+}
+
+LevelList LevelList::ofFolder(const std::filesystem::path& folder) {
+    LevelList list;
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const bool schema = entry.path().stem().extension() == ".schema";
+        if (entry.path().extension() == ".json" && !schema) files.push_back(entry.path());
+    }
+    for (const auto& file : files) {
+        try {
+            list.entries_.push_back({file, std::make_shared<const Level>(readLevel(file))});
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception& problem) {
+            atlax::log(atlax::LogLevel::Warning, problem.what());
+        }
+    }
+    list.sort();
+    return list;
+}
+
+LevelList LevelList::around(const std::filesystem::path& file, std::size_t& index) {
+    const auto level = std::make_shared<const Level>(readLevel(file));
+    std::filesystem::path folder = file.parent_path();
+    LevelList list = ofFolder(folder.empty() ? "." : folder);
+    for (index = 0; index < list.size(); ++index)
+        if (list[index].id == level->id) return list;
+    list.entries_.push_back({file, level});
+    list.sort();
+    for (index = 0; list[index].id != level->id;) ++index;
+    return list;
+}
+
+void LevelList::sort() {
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+        return a.level->number != b.level->number ? a.level->number < b.level->number
+                                                  : a.level->id < b.level->id;
+    });
+}
+
+std::shared_ptr<const Recording> LevelList::proof(std::size_t index) const {
+    const Entry& entry = entries_[index];
+    if (entry.file.empty()) return nullptr;
+    const std::filesystem::path file = proofOf(entry.file);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return nullptr;
+    try {
+        auto recording = std::make_shared<const Recording>(Recording::read(file));
+        requireMatch(*entry.level, *recording);
+        return recording;
+    } catch (const RecordingError& error) {
+        atlax::log(atlax::LogLevel::Warning, error.what());
+        return nullptr;
+    }
+}
+
+std::optional<std::size_t> LevelList::find(const Recording& recording) const {
+    for (std::size_t i = 0; i < size(); ++i)
+        if (entries_[i].level->contentHash == recording.levelHash) return i;
+    return {};
+}
+
+}  // namespace quaoar

@@ -1,0 +1,45 @@
+// The levels that can be played, in the order of their numbers.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <quaoar/level.hpp>
+#include <quaoar/recording.hpp>
+#include <string>
+#include <vector>
+
+namespace quaoar {
+
+/// Owns the levels. A plain value; main thread.
+class LevelList {
+public:
+    struct Entry {
+        std::filesystem::path file;  ///< empty: made by a program, without a proof
+        std::shared_ptr<const Level> level;
+    };
+
+    LevelList() = default;
+    /// One level, perhaps without a file.
+    explicit LevelList(std::shared_ptr<const Level> level);
+    /// All ".json" files of a folder that are levels. What is none is said in the log and left out.
+    static LevelList ofFolder(const std::filesystem::path& folder);
+    /// The level of a file among those of its folder, or alone where the folder cannot be listed.
+    /// Throws what readLevel throws for this file.
+    static LevelList around(const std::filesystem::path& file, std::size_t& index);
+
+    std::size_t size() const { return entries_.size(); }
+    bool empty() const { return entries_.empty(); }
+    const Level& operator[](std::size_t index) const { return *entries_[index].level; }
+    std::shared_ptr<const Level> level(std::size_t index) const { return entries_[index].level; }
+    /// The proof beside the level; nothing when there is none, or one that does not fit.
+    std::shared_ptr<const Recording> proof(std::size_t index) const;
+    /// The level that a recording was made for, in this very version.
+    std::optional<std::size_t> find(const Recording& recording) const;
+
+private:
+    void sort();
+    std::vector<Entry> entries_;
+};
+
+}  // namespace quaoar

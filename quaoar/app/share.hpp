@@ -1,0 +1,19 @@
+// Recordings as short texts, for the clipboard.
+#pragma once
+
+#include <quaoar/recording.hpp>
+#include <string>
+#include <string_view>
+
+namespace quaoar {
+
+/// The recording as one line of letters and digits, some 1 to 3 kB for a run of half a minute:
+/// "quaoar-replay:" and, in base64, a zstd frame of version 1 of a binary format, in which times,
+/// buttons and changes of the aim stand each in a column of their own.
+std::string shareText(const Recording& recording);
+
+/// The opposite. What stands before "quaoar-replay:", and spaces and line ends within, are skipped.
+/// Throws RecordingError with one sentence.
+Recording parseShareText(std::string_view text);
+
+}  // namespace quaoar
