@@ -8,6 +8,7 @@
 #include <quaoar/recording.hpp>
 #include <quaoar/view/game_view.hpp>
 
+#include "hints.hpp"
 #include "overlay.hpp"
 
 namespace quaoar {
@@ -73,15 +74,23 @@ void takePicture(const PictureOptions& options) {
     Texts texts;
     texts.setLanguage(options.language);
     GameView view(art, session);
+    const PlayerActions actions;
+    const Prompts prompts(actions, texts);
+    Hints hints(actions, prompts, texts);
+    hints.start(*level);
     Playback playback(recording);
     const auto ticks = static_cast<std::uint64_t>(std::llround(options.at * Session::tickRate));
     for (std::uint64_t n = 0; n < ticks; ++n) {
         session.tick(playback.next());
         view.tick();
+        hints.tick(session, {});
     }
     atlax::Canvas& canvas = offscreen.begin();
-    view.draw(canvas, 1, {.texts = &texts});
-    drawStatus({canvas, art, texts}, session, options.replay.has_value());
+    ViewOptions shown;
+    shown.hints = false;
+    view.draw(canvas, 1, shown);
+    hints.draw({canvas, art, texts});
+    drawStatus({canvas, art, texts}, session, {.replay = options.replay.has_value()});
     offscreen.finish();
     atlax::savePng(offscreen.image(), options.file);
 }

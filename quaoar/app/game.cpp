@@ -12,6 +12,7 @@ namespace quaoar {
 namespace {
 /// Between reaching the gate and the screen that says so: one second to see it happen.
 constexpr int finishDelay = Session::tickRate;
+constexpr int splitSeconds = 3;
 /// Ten times a second a crash report's state is brought up to date.
 constexpr std::uint64_t ticksPerState = Session::tickRate / 10;
 }  // namespace
@@ -96,6 +97,7 @@ void Game::act(const atlax::ActionState& state) {
 void Game::tick() {
     ++time_;
     if (newsTicks_ > 0) --newsTicks_;
+    if (splitTicks_ > 0) --splitTicks_;
     const atlax::ActionState& state = actions_.all.sample(platform_->input());
     const bool played = screen_ == Screen::playing;
     act(state);
@@ -127,7 +129,7 @@ void Game::tickSession(const atlax::ActionState& state) {
     const TickInput input = nextInput(state);
     const sulfur::Point before = session_->heroPosition();
     session_->tick(input);
-    if (!session_->events().restarted)
+    if (!session_->events().restarted && !session_->events().died)
         totals_.distance += (session_->heroPosition() - before).norm();
     view_->tick();
     sounds_->tick(*session_);
@@ -172,16 +174,35 @@ void Game::account(const TickInput& input) {
     if (ghost_ && runs) ghost_->tick();
     if (watching()) return;
     totals_.seconds += 1.0 / Session::tickRate;
-    if (session_->events().fired) ++totals_.shots;
-    if (!session_->events().restarted) return;
+    const TickEvents& events = session_->events();
+    if (events.checkpoint) split();
+    if (events.restarted) splits_.clear();
+    if (events.fired) ++totals_.shots;
+    if (!events.restarted && !events.died) return;
+    const bool asked = input.restart || input.retry;
     LevelProgress progress = progress_.of(session_->level().id);
-    ++progress.attempts;
-    ++totals_.attempts;
-    if (!input.restart) {
-        ++progress.deaths;
-        ++totals_.deaths;
-    }
+    progress.attempts += events.restarted ? 1 : 0;
+    totals_.attempts += events.restarted ? 1 : 0;
+    progress.deaths += events.died && !asked ? 1 : 0;
+    totals_.deaths += events.died && !asked ? 1 : 0;
     progress_.set(session_->level().id, progress);
+}
+
+/// The time at a checkpoint, and how far that is from the best run's.
+void Game::split() {
+    const auto checkpoint = session_->checkpoint();
+    if (!checkpoint) return;
+    splits_.resize(session_->level().checkpoints.size());
+    splits_[*checkpoint] = session_->seconds();
+    const LevelProgress progress = progress_.of(session_->level().id);
+    split_ = clockText(session_->seconds());
+    ahead_ = false;
+    if (*checkpoint < progress.splits.size() && progress.splits[*checkpoint] > 0) {
+        const double gap = session_->seconds() - progress.splits[*checkpoint];
+        ahead_ = gap < 0;
+        split_ += (ahead_ ? "   -" : "   +") + clockText(std::abs(gap));
+    }
+    splitTicks_ = splitSeconds * Session::tickRate;
 }
 
 void Game::finish() {
@@ -194,8 +215,11 @@ void Game::finish() {
     const bool faster = !progress.finished || session_->seconds() < progress.best;
     before_ = progress.best;
     progress.finished = true;
+    for (std::size_t i = 0; i < session_->level().pickups.size() && i < 31; ++i)
+        if (session_->pickedUp(i)) progress.pickups |= 1 << i;
     if (faster) {
         progress.best = session_->seconds();
+        progress.splits = splits_;
         progress_.keepBestRun(session_->level(), *lastRun_);
     }
     progress_.set(session_->level().id, progress);
@@ -256,7 +280,10 @@ void Game::draw(atlax::Canvas& canvas, double alpha) {
     const OverlayTools tools{canvas, *art_, texts_};
     const bool playing = screen_ == Screen::playing;
     const bool news = newsTicks_ > 0;
-    if (playing || screen_ == Screen::countIn) drawStatus(tools, *session_, watching());
+    if (playing || screen_ == Screen::countIn) {
+        drawStatus(tools, *session_,
+                   {watching(), splitTicks_ > 0 ? split_ : std::string(), ahead_});
+    }
     if (playing && session_->restarts() <= 1) {
         drawLevelName(tools, session_->level(),
                       static_cast<double>(session_->ticks()) / Session::tickRate);

@@ -90,6 +90,7 @@ private:
     TickInput nextInput(const atlax::ActionState& state);
     void remember(const TickInput& input);
     void account(const TickInput& input);
+    void split();
     void finish();
     void saveRecording();
     void takePicture();
@@ -195,13 +196,17 @@ private:
     std::shared_ptr<const Recording> lastRun_;  ///< the last attempt that reached the exit
     std::shared_ptr<const Recording> watched_;
     bool saved_ = false;
-    double before_ = 0;       ///< best time before the last finish, seconds; 0: none
-    int afterFinish_ = 0;     ///< ticks since the exit was reached
-    int countIn_ = 0;         ///< ticks until play goes on
-    bool fired_ = false;      ///< fire was held in the last tick
-    std::uint64_t time_ = 0;  ///< ticks since the program began
-    std::string news_;        ///< what the last action came to
-    int newsTicks_ = 0;       ///< for which it is still shown
+    double before_ = 0;           ///< best time before the last finish, seconds; 0: none
+    int afterFinish_ = 0;         ///< ticks since the exit was reached
+    int countIn_ = 0;             ///< ticks until play goes on
+    bool fired_ = false;          ///< fire was held in the last tick
+    std::uint64_t time_ = 0;      ///< ticks since the program began
+    std::vector<double> splits_;  ///< of this attempt, as in LevelProgress
+    std::string split_;           ///< what is said of the last one
+    bool ahead_ = false;          ///< of the best run, there
+    int splitTicks_ = 0;          ///< for which it is still shown
+    std::string news_;            ///< what the last action came to
+    int newsTicks_ = 0;           ///< for which it is still shown
 };
 
 }  // namespace quaoar

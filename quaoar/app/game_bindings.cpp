@@ -10,8 +10,9 @@ using atlax::Binding;
 std::string Game::actionName(atlax::Action action) const {
     /// In the order of PlayerActions.
     const std::array<std::string, PlayerActions::changeable> names{
-        texts_("Fire"),       texts_("Reel in"),     texts_("Reel out"),  texts_("Reel fast"),
-        texts_("Swing left"), texts_("Swing right"), texts_("Try again"), texts_("Pause")};
+        texts_("Fire"),       texts_("Reel in"),     texts_("Reel out"),        texts_("Reel fast"),
+        texts_("Swing left"), texts_("Swing right"), texts_("Last checkpoint"), texts_("Try again"),
+        texts_("Pause")};
     return names[action];
 }
 

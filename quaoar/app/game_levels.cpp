@@ -30,6 +30,8 @@ void Game::play() {
     recording_.clear();
     saved_ = false;
     afterFinish_ = 0;
+    splits_.clear();
+    splitTicks_ = 0;
     makeGhost();
     LevelProgress progress = progress_.of(session_->level().id);
     ++progress.attempts;

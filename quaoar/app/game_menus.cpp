@@ -1,6 +1,7 @@
 // Screens and what can be chosen on them.
 #include <algorithm>
 #include <atlax/log.hpp>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -268,6 +269,11 @@ std::string Game::levelDetails(std::size_t level) const {
     if (progress.finished) text += "     " + texts_("best {}", {clockText(progress.best)});
     if (!progress.finished || it.medalFor(progress.best) != Medal::gold)
         text += "     " + texts_("gold below {}", {clockText(it.medals.gold)});
+    if (!it.pickups.empty()) {
+        const int found = std::popcount(static_cast<unsigned>(progress.pickups));
+        text += "     " + texts_("shards {}",
+                                 {std::to_string(found) + "/" + std::to_string(it.pickups.size())});
+    }
     if (progress.deaths > 0)
         text += "     " + texts_("falls: {}", {std::to_string(progress.deaths)});
     return text;

@@ -100,7 +100,26 @@ float unitOf(atlax::PixelSize size) {
     return std::min(static_cast<float>(size.height) / 720, static_cast<float>(size.width) / 760);
 }
 
-void drawStatus(const OverlayTools& tools, const Session& session, bool replay) {
+namespace {
+
+/// A shard for each of the level's pick-ups, filled when it is collected; hidden ones show only
+/// then.
+void drawPickups(const OverlayTools& tools, const Session& session, Vec2 at, float unit) {
+    const std::vector<Pickup>& all = session.level().pickups;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool taken = session.pickedUp(i);
+        if (all[i].hidden && !taken) continue;
+        const Vec2 shard[] = {at + Vec2{0, -9} * unit, at + Vec2{6, 0} * unit,
+                              at + Vec2{0, 9} * unit, at + Vec2{-6, 0} * unit};
+        if (taken) tools.canvas.polygon(shard, palette::amber);
+        tools.canvas.polygonOutline(shard, 2 * unit, taken ? palette::glow : palette::ice);
+        at.x += 18 * unit;
+    }
+}
+
+}  // namespace
+
+void drawStatus(const OverlayTools& tools, const Session& session, const StatusNews& news) {
     tools.canvas.setScreenSpace();
     const Vec2 screen = tools.canvas.size().toVec();
     const float unit = unitOf(tools.canvas.size());
@@ -112,9 +131,23 @@ void drawStatus(const OverlayTools& tools, const Session& session, bool replay) 
     shadowText(tools.canvas, tools.art.bold(), clockText(session.seconds()),
                {screen.x - 24 * unit, 40 * unit}, {26 * unit, palette::frost, AlignX::Right},
                2 * unit);
-    if (!replay) return;
-    shadowText(tools.canvas, tools.art.bold(), tools.texts("REPLAY"), {screen.x * 0.5f, 38 * unit},
-               {20 * unit, palette::amber, AlignX::Centre}, 2 * unit);
+    drawPickups(tools, session, {30 * unit, 62 * unit}, unit);
+    if (!news.split.empty()) {
+        shadowText(tools.canvas, tools.art.bold(), news.split, {screen.x - 24 * unit, 68 * unit},
+                   {20 * unit, news.ahead ? palette::amber : palette::frost, AlignX::Right},
+                   2 * unit);
+    }
+    const Vec2 middle{screen.x * 0.5f, 40 * unit};
+    if (news.replay) {
+        shadowText(tools.canvas, tools.art.bold(), tools.texts("REPLAY"), middle,
+                   {20 * unit, palette::amber, AlignX::Centre}, 2 * unit);
+    }
+    if (const auto left = session.secondsLeft()) {
+        shadowText(tools.canvas, tools.art.bold(), clockText(*left),
+                   middle + Vec2{0, news.replay ? 34.0f : 0.0f} * unit,
+                   {30 * unit, *left < 10 ? palette::danger : palette::glow, AlignX::Centre},
+                   2 * unit);
+    }
 }
 
 void drawLevelName(const OverlayTools& tools, const Level& level, double seconds) {

@@ -29,8 +29,14 @@ struct MenuRoom {
     float bottom = 0;
 };
 
-/// Level, time and, for a replay, a mark that says so.
-void drawStatus(const OverlayTools& tools, const Session& session, bool replay);
+/// What stands beside the clock.
+struct StatusNews {
+    bool replay = false;
+    std::string split = {};  ///< at the last checkpoint; empty: none just now
+    bool ahead = false;      ///< of the best run
+};
+/// Level, time, pick-ups, a countdown where there is one, and a mark that says it is a replay.
+void drawStatus(const OverlayTools& tools, const Session& session, const StatusNews& news);
 /// The name of the level for the first seconds of an attempt.
 void drawLevelName(const OverlayTools& tools, const Level& level, double seconds);
 /// A sentence at the lower edge, in a box; `alpha` 0..1.

@@ -4,6 +4,8 @@
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 
 namespace quaoar {
 namespace {
@@ -25,6 +27,14 @@ std::string key(const std::string& level, const char* what) {
     return "level." + safeName(level) + "." + what;
 }
 
+/// From whole milliseconds; 0 for what is no number.
+double secondsOf(const std::string& text) {
+    std::int64_t milliseconds = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), milliseconds);
+    const bool good = error == std::errc() && milliseconds > 0 && milliseconds < 1'000'000'000;
+    return good ? static_cast<double>(milliseconds) / 1000 : 0;
+}
+
 }  // namespace
 
 Progress::Progress(const std::filesystem::path& folder)
@@ -43,6 +53,8 @@ LevelProgress Progress::of(const std::string& level) const {
     out.attempts = values_.get(key(level, "attempts"), 0, 0);
     out.deaths = values_.get(key(level, "deaths"), 0, 0);
     out.pickups = values_.get(key(level, "pickups"), 0, 0);
+    const auto splits = values_.get(key(level, "splits"), std::vector<std::string>());
+    for (const std::string& split : splits) out.splits.push_back(secondsOf(split));
     return out;
 }
 
@@ -52,6 +64,10 @@ void Progress::set(const std::string& level, const LevelProgress& progress) {
     values_.set(key(level, "attempts"), progress.attempts);
     values_.set(key(level, "deaths"), progress.deaths);
     values_.set(key(level, "pickups"), progress.pickups);
+    std::vector<std::string> splits;
+    for (const double split : progress.splits)
+        splits.push_back(std::to_string(std::llround(split * 1000)));
+    values_.set(key(level, "splits"), splits);
 }
 
 Totals Progress::totals() const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <quaoar/recording.hpp>
 #include <string>
+#include <vector>
 
 namespace quaoar {
 
@@ -16,6 +17,8 @@ struct LevelProgress {
     int attempts = 0;
     int deaths = 0;
     int pickups = 0;  ///< bits of those that were ever brought home
+    /// Of the best run: the timer at each of the level's checkpoints, seconds; 0: not reached.
+    std::vector<double> splits = {};
 };
 
 /// Over all levels.

@@ -124,7 +124,7 @@ void setAimOnEdge(TickInput& input, int place) {
 
 int buttonBits(const TickInput& input) {
     return (input.fire ? 1 : 0) | (input.reelIn ? 2 : 0) | (input.reelOut ? 4 : 0) |
-           (input.boost ? 8 : 0) | (input.restart ? 16 : 0);
+           (input.boost ? 8 : 0) | (input.restart ? 16 : 0) | (input.retry ? 32 : 0);
 }
 
 /// The change from the aim before as a small number, 0 and the aim itself where it has no place.
@@ -177,6 +177,7 @@ Recording readRecording(Reader& in) {
         run.input.reelOut = (bits & 4) != 0;
         run.input.boost = (bits & 8) != 0;
         run.input.restart = (bits & 16) != 0;
+        run.input.retry = (bits & 32) != 0;
     }
     for (InputRun& run : runs) run.input.push = static_cast<std::int8_t>(in.byte());
     int place = 0;

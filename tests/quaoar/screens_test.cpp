@@ -119,7 +119,7 @@ std::vector<std::string> allTexts() {
 }
 
 /// Words that are the same in English and another language.
-const std::set<std::string> sameWords{"LEVEL {}", "Pause", "Levels", "Text", "Menus: {}"};
+const std::set<std::string> sameWords{"LEVEL {}", "Pause", "Levels", "Text", "Menus: {}", "/"};
 
 TEST(Texts, noneIsLeftUntranslated) {
     Texts texts;
@@ -192,8 +192,12 @@ TEST(Progress, isKeptAndSurvivesDamage) {
     {
         Progress progress(folder.path());
         EXPECT_FALSE(progress.of("01 Übung/..").finished);
-        progress.set("01 Übung/..",
-                     {.finished = true, .best = 12.5, .attempts = 3, .deaths = 2, .pickups = 5});
+        progress.set("01 Übung/..", {.finished = true,
+                                     .best = 12.5,
+                                     .attempts = 3,
+                                     .deaths = 2,
+                                     .pickups = 5,
+                                     .splits = {1.25, 0}});
         progress.setTotals({.seconds = 60, .distance = 1.5, .shots = 7, .attempts = 3});
         progress.keepBestRun(*level, run);
         progress.save();
@@ -204,6 +208,7 @@ TEST(Progress, isKeptAndSurvivesDamage) {
     EXPECT_TRUE(again.of("01 Übung/..").finished);
     EXPECT_EQ(again.of("01 Übung/..").best, 12.5);
     EXPECT_EQ(again.of("01 Übung/..").pickups, 5);
+    EXPECT_EQ(again.of("01 Übung/..").splits, (std::vector<double>{1.25, 0}));
     EXPECT_EQ(again.totals().shots, 7);
     ASSERT_NE(again.bestRun(*level), nullptr);
     EXPECT_EQ(again.bestRun(*level)->format(), run.format());
@@ -277,6 +282,7 @@ TEST(Share, everyAimAndButtonComesBack) {
         input.reelOut = (n & 4) != 0;
         input.boost = (n & 8) != 0;
         input.restart = (n & 16) != 0;
+        input.retry = (n & 32) != 0;
         input.push = static_cast<std::int8_t>(n % 255 - 127);
         ++n;
         run.append(input);

@@ -115,7 +115,8 @@ TickInput Controls::read(const atlax::ActionState& state, const atlax::InputStat
     last_.reelOut = state.isDown(actions_.reelOut);
     last_.boost = state.isDown(actions_.boost);
     last_.restart = state.wasPressed(actions_.restart);
-    if (last_.restart) kept_ = toggledOn_ = false;
+    last_.retry = state.wasPressed(actions_.retry);
+    if (last_.restart || last_.retry) kept_ = toggledOn_ = false;
     wheel(state);
     // Sixteen steps a side are finer than a thumb and keep recordings short.
     const float step = std::round(state.axis(actions_.left, actions_.right) * 16) / 16;

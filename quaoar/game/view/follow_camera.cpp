@@ -149,6 +149,7 @@ Vec2 FollowCamera::holding(Vec2 centre, Vec2 view) const {
 atlax::Camera FollowCamera::camera(atlax::PixelSize size) const {
     atlax::Camera camera = atlax::Camera::withHeight(now_.centre, now_.height, size);
     camera.centre = holding(now_.centre, camera.view(size).size);
+    if (!trembles_) return camera;
     const float t = static_cast<float>(now_.ticks % 100000) * 0.14f;
     camera.centre += Vec2{std::sin(t), std::cos(t * 1.3f)} * (trembling * now_.shake * now_.shake);
     return camera;

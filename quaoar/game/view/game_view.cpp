@@ -73,7 +73,7 @@ atlax::Camera GameView::camera(atlax::PixelSize size) const {
 void GameView::draw(atlax::Canvas& canvas, double alpha, const ViewOptions& options) {
     const Vec2 screen = canvas.size().toVec();
     follow_.setAspect(screen.x / std::max(screen.y, 1.0f));
-    if (!options.shake) shake_ = 0;
+    follow_.setTrembling(options.shake);
     if (options.quality.scene >= 1) {
         coarse_ = {};
         drawScene(canvas, alpha, options);

@@ -79,6 +79,7 @@ PlayerActions::PlayerActions() {
                     {key(Key::LeftShift), key(Key::RightShift), pad(PadButton::RightShoulder)});
     left = all.add("left", {"play"}, {key(Key::A), key(Key::Left), axis(PadAxis::LeftX, true)});
     right = all.add("right", {"play"}, {key(Key::D), key(Key::Right), axis(PadAxis::LeftX)});
+    retry = all.add("retry", {"play"}, {key(Key::Backspace), key(Key::C), pad(PadButton::West)});
     restart = all.add("restart", {"play", "menu"}, {key(Key::R), pad(PadButton::North)});
     pause = all.add("pause", {"play", "menu"},
                     {key(Key::Escape), mouse(MouseButton::Middle), pad(PadButton::Start)});

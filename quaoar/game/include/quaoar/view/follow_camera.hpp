@@ -26,6 +26,8 @@ public:
     void setAspect(float aspect);
     /// From 0 to 1, how much the picture trembles now.
     void shake(float strength);
+    /// Whether it trembles at all.
+    void setTrembling(bool on) { trembles_ = on; }
 
     atlax::Camera camera(atlax::PixelSize size) const;
 
@@ -60,6 +62,7 @@ private:
     OpenSpace space_;
     float aspect_ = 16.0f / 9;
     State now_;
+    bool trembles_ = true;
 };
 
 }  // namespace quaoar

@@ -14,8 +14,9 @@ struct PlayerActions {
     atlax::Actions all{{"menu", "play", "capture"}};
 
     // -- play; in the order in which a menu lists them --
-    atlax::Action fire{}, reelIn{}, reelOut{}, boost{}, left{}, right{}, restart{}, pause{};
-    static constexpr int changeable = 8;  ///< so many of them the player may bind anew
+    atlax::Action fire{}, reelIn{}, reelOut{}, boost{}, left{}, right{}, retry{}, restart{},
+        pause{};
+    static constexpr int changeable = 9;  ///< so many of them the player may bind anew
 
     atlax::Action notchIn{}, notchOut{};                      ///< a notch of the wheel
     atlax::Action point{};                                    ///< the mouse aims again
