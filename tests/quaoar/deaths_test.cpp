@@ -185,6 +185,21 @@ TEST(Deaths, NoLandingCrushes) {
     EXPECT_LT(session.heroPosition().y(), 0.3);
 }
 
+TEST(Deaths, AFallingRockKillsAndALyingOneDoesNot) {
+    const std::string text =
+        withBody(roomWith(R"("surfaces": {"rock": {"deadlySpeed": 3}})"), "rock",
+                 R"("shape": "box", "size": [0.3, 0.3], "mass": 2)", "[0, 2.5]");
+    Session session(room(text));
+    const int fell = ticksToDeath(session, 1000);
+    EXPECT_GE(fell, 0);
+    EXPECT_LT(fell, 400);
+    Session other(room(text));
+    put(other, -1, 0.3);
+    play(other, {}, 1000);
+    put(other, placeOf(other, "rock").x(), 2.5);  // now he falls on it, at more than 5 m/s
+    EXPECT_EQ(ticksToDeath(other, 1000), -1);
+}
+
 TEST(Deaths, OutOfTheWorldHeDies) {
     Session session(room());
     put(session, 0, 13);

@@ -23,8 +23,11 @@ public:
     /// By its bits, widened to double so that the same number hashes alike in both builds.
     Hash& add(double value) { return add(std::bit_cast<std::uint64_t>(value)); }
     Hash& add(float value) { return add(static_cast<double>(value)); }
-    Hash& add(const sulfur::Vec2& v) { return add(v.x()).add(v.y()); }
-    Hash& add(const sulfur::Point& p) { return add(p.x()).add(p.y()); }
+    /// A Vec2 or a Point, which are one type where Real is double.
+    template <class Number>
+    Hash& add(const Eigen::Matrix<Number, 2, 1, Eigen::DontAlign>& v) {
+        return add(v.x()).add(v.y());
+    }
     std::uint64_t value() const { return value_; }
 
 private:

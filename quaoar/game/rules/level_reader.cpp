@@ -77,10 +77,11 @@ void readSurfaces(const Node& node, Level& level) {
                 "names no body of this scene; allowed are the ids under \"bodies\", or their "
                 "beginning and a star");
         }
-        refuseUnknown(member, {"sticky", "deadly", "cuts", "crumbles", "look"});
+        refuseUnknown(member, {"sticky", "deadly", "deadlySpeed", "cuts", "crumbles", "look"});
         Surface surface;
         if (const auto sticky = member.find("sticky")) surface.sticky = sticky->boolean();
         if (const auto deadly = member.find("deadly")) surface.deadly = deadly->boolean();
+        if (const auto v = member.find("deadlySpeed")) surface.deadlySpeed = v->number(0.1, 100);
         if (const auto cuts = member.find("cuts")) surface.cuts = cuts->boolean();
         if (const auto c = member.find("crumbles")) surface.crumbles = c->number(0, 60);
         if (const auto look = member.find("look")) {

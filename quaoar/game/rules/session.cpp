@@ -86,8 +86,9 @@ void Session::tick(const TickInput& input) {
     work();
     brakeRolling();
     limitSpeed();
+    const Vec2 velocity = heroVelocity();
     world_->step();
-    noticeContacts();
+    noticeContacts(velocity);
     events_.defeated = workings_.monsters.notice(attempt(), workings_.zones);
     cutRope();
     judge();

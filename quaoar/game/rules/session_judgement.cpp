@@ -27,12 +27,24 @@ void Session::lookAtContacts() {
     touch_.resize(count);
 }
 
-void Session::noticeContacts() {
+/// Whether the other body comes at its deadly speed, whatever the hero's own share is.
+bool Session::strikes(const sulfur::ContactBegun& contact, const Vec2& velocityBefore) const {
+    const bool first = contact.a == hero_;
+    const sulfur::BodyId other = first ? contact.b : contact.a;
+    if (!world_->contains(other) || !surface(other).deadlySpeed || harmless(other)) return false;
+    const Vec2 towardsHero = first ? contact.normal : Vec2(-contact.normal);
+    const Real its = contact.speed + velocityBefore.dot(towardsHero);
+    return static_cast<double>(its) >= *surface(other).deadlySpeed;
+}
+
+void Session::noticeContacts(const Vec2& velocityBefore) {
     lookAtContacts();
+    struck_ = false;
     state_.touching = !touch_.empty();
     for (const sulfur::ContactBegun& contact : world_->events().contactsBegun) {
         if (contact.a != hero_ && contact.b != hero_) continue;
         events_.impact = std::max(events_.impact, static_cast<float>(contact.speed));
+        struck_ = struck_ || strikes(contact, velocityBefore);
     }
 }
 
@@ -95,7 +107,7 @@ void Session::forgetFallen() {
 }
 
 bool Session::mustDie() {
-    if (outside()) return true;
+    if (outside() || struck_) return true;
     if (squeezedFlat() || workings_.zones.deadly(*level_, heroPosition())) return true;
     if (!deadly_) return false;
     return std::any_of(touch_.begin(), touch_.end(), [this](const sulfur::ContactInfo& contact) {

@@ -19,7 +19,9 @@ struct Surface {
     enum class Look : std::uint8_t { ice, mirror, metal, rock, peg };
     bool sticky = true;   ///< the rope holds on it
     bool deadly = false;  ///< kills the hero
-    bool cuts = false;    ///< cuts the rope
+    /// m/s at which it must meet the hero, by its own motion, to kill him: falling rocks, hammers.
+    std::optional<double> deadlySpeed;
+    bool cuts = false;  ///< cuts the rope
     /// Seconds of being touched by the hero or hooked by the rope after which it comes loose: a
     /// fixed body then falls.
     std::optional<double> crumbles;

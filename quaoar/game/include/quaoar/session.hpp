@@ -157,7 +157,8 @@ private:
     void brakeRolling();
     void limitSpeed();
     void lookAtContacts();
-    void noticeContacts();
+    void noticeContacts(const sulfur::Vec2& velocityBefore);
+    bool strikes(const sulfur::ContactBegun& contact, const sulfur::Vec2& velocityBefore) const;
     bool harmless(sulfur::BodyId body) const;
     void cutRope();
     void collect();
@@ -177,6 +178,7 @@ private:
     std::vector<sulfur::BodyId> blades_;      ///< bodies that cut the rope
     bool deadly_ = false;                     ///< some body is
     std::vector<sulfur::ContactInfo> touch_;  ///< the hero's contacts of the last tick
+    bool struck_ = false;                     ///< something deadly met him in the last tick
     sulfur::BodyId hero_;
     sulfur::ParticleId hand_;
     Rope rope_;
