@@ -34,7 +34,7 @@ void play(const std::shared_ptr<const quaoar::Level>& level) {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned int seed) {
-    return mutateText(data, size, most, seed, quaoar::test::roomText);
+    return mutateText(data, size, most, seed, quaoar::test::everythingText);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -30,6 +30,8 @@ TEST(Deaths, TouchingSpikesKills) {
     Session session(room(withSpikes(roomWith(deadly))));
     EXPECT_GE(ticksToDeath(session, 500), 0);
     EXPECT_TRUE(session.events().restarted);  // there is no checkpoint
+    EXPECT_EQ(session.events().death, Death::touched);
+    EXPECT_NEAR((session.events().diedAt - sulfur::Point(0, 0.3)).norm(), 0, 0.1);
     EXPECT_EQ(session.restarts(), 1);
     Session harmless(room(withSpikes(roomText)));
     EXPECT_EQ(ticksToDeath(harmless, 500), -1);
@@ -249,6 +251,7 @@ TEST(Deaths, TheCountdownEndsTheAttempt) {
     EXPECT_EQ(session.secondsLeft(), 1.0);
     const int ticks = ticksToDeath(session, 600, fireAt(0, 1));
     EXPECT_NEAR(ticks, 500, 2);
+    EXPECT_EQ(session.events().death, Death::late);
     EXPECT_TRUE(session.events().restarted);
     EXPECT_FALSE(Session(room()).secondsLeft().has_value());
 }

@@ -89,6 +89,32 @@ TEST(Session, TheHeroComesToRestOnTheGround) {
     EXPECT_LT(session.heroVelocity().norm(), 0.25f);  // it breathes by a millimetre or two
 }
 
+/// All mechanics at once, with a lively player: the same in two sessions and after a snapshot.
+TEST(Session, EverythingTogetherIsTheSameEveryTime) {
+    const auto level = room(everythingText);
+    const auto input = [](std::uint64_t tick) {
+        TickInput lives = lively(tick);
+        lives.retry = tick % 2000 == 1900;
+        return lives;
+    };
+    Session a(level), b(level);
+    std::shared_ptr<const Session::Snapshot> snapshot;
+    int deaths = 0;
+    for (std::uint64_t n = 0; n < 6000; ++n) {
+        if (n == 3000) snapshot = a.snapshot();
+        a.tick(input(n));
+        b.tick(input(n));
+        deaths += a.events().died ? 1 : 0;
+        if (n % 100 != 0) continue;
+        ASSERT_EQ(a.hash(), b.hash()) << "tick " << n;
+        ASSERT_EQ(a.world().validate(), "") << "tick " << n;
+    }
+    EXPECT_GE(deaths, 3);
+    b.restore(*snapshot);
+    for (std::uint64_t n = 3000; n < 6000; ++n) b.tick(input(n));
+    EXPECT_EQ(a.hash(), b.hash());
+}
+
 /// A roll over flat ice ends within a second, and where it ended he stays.
 TEST(Session, RollingOnFlatIceEndsWithinASecond) {
     for (const double speed : {1.0, 3.0, 5.0}) {

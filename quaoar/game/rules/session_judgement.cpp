@@ -65,6 +65,7 @@ void Session::cutRope() {
             const sulfur::BodyId other = contacts[i].a == blade ? contacts[i].b : contacts[i].a;
             if (world_->filter(other).category != Category::rope) continue;
             events_.cut = true;
+            events_.cutAt = contacts[i].point;
             rope_.release(*world_);
             state_.cooldown = cooldown;
             return;
@@ -75,13 +76,8 @@ void Session::cutRope() {
 void Session::judge() {
     forgetFallen();
     if (state_.phase == Phase::finished) return;
-    if (mustDie()) {
-        retry();
-        return;
-    }
-    if (level_->countdown && timerTicks() > 0 && *secondsLeft() <= 0) {
-        restart();
-        events_.died = true;
+    if (const Death death = deathNow(); death != Death::none) {
+        die(death);
         return;
     }
     collect();
@@ -106,14 +102,18 @@ void Session::forgetFallen() {
     world_->setEnabled(body, false);
 }
 
-bool Session::mustDie() {
-    if (outside() || struck_) return true;
-    if (squeezedFlat() || workings_.zones.deadly(*level_, heroPosition())) return true;
-    if (!deadly_) return false;
-    return std::any_of(touch_.begin(), touch_.end(), [this](const sulfur::ContactInfo& contact) {
-        const sulfur::BodyId other = contact.a == hero_ ? contact.b : contact.a;
-        return surface(other).deadly && !harmless(other);
-    });
+Death Session::deathNow() {
+    if (outside()) return Death::fell;
+    if (struck_) return Death::struck;
+    if (squeezedFlat()) return Death::crushed;
+    if (workings_.zones.deadly(*level_, heroPosition())) return Death::zone;
+    if (level_->countdown && timerTicks() > 0 && *secondsLeft() <= 0) return Death::late;
+    const bool touched =
+        deadly_ && std::any_of(touch_.begin(), touch_.end(), [this](const auto& contact) {
+            const sulfur::BodyId other = contact.a == hero_ ? contact.b : contact.a;
+            return surface(other).deadly && !harmless(other);
+        });
+    return touched ? Death::touched : Death::none;
 }
 
 bool Session::touchedOnBothSides() const {

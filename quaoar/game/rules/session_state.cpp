@@ -42,13 +42,21 @@ void Session::restart() {
     events_.restarted = true;
 }
 
-/// Of the attempt, the clock and the player's hand go on; all else is as it was.
-void Session::retry() {
-    if (!state_.saved) {
+/// The end of the countdown ends the attempt, whatever was reached.
+void Session::die(Death death) {
+    const Point place = heroPosition();
+    if (state_.saved && death != Death::late) {
+        backToCheckpoint();
+    } else {
         restart();
-        events_.died = true;
-        return;
     }
+    events_.died = true;
+    events_.death = death;
+    events_.diedAt = place;
+}
+
+/// Of the attempt, the clock and the player's hand go on; all else is as it was.
+void Session::backToCheckpoint() {
     const State now = state_;
     restore(*now.saved);
     state_ = now;
@@ -60,7 +68,6 @@ void Session::retry() {
     ++state_.deaths;
     rope_.release(*world_);
     placeHero(level_->checkpoints[static_cast<std::size_t>(state_.checkpoint)].position);
-    events_.died = true;
 }
 
 /// In his shape of rest, without motion.

@@ -21,6 +21,18 @@ struct AimPreview {
     bool sticks = false;     ///< and the rope would hold on it
 };
 
+/// What killed the hero.
+enum class Death : std::uint8_t {
+    none,
+    fell,     ///< below the level, or far out of it
+    touched,  ///< something deadly
+    struck,   ///< by something fast and heavy
+    crushed,  ///< squeezed flat
+    zone,     ///< in a deadly zone
+    late,     ///< the countdown has ended
+    given,    ///< the player gave up this try: TickInput::retry
+};
+
 /// What happened in the last tick, for sounds and sparks.
 struct TickEvents {
     bool fired = false;
@@ -29,17 +41,20 @@ struct TickEvents {
     bool missed = false;   ///< flew to its end
     bool released = false;
     bool finished = false;
-    bool restarted = false;   ///< back at the spawn
-    bool died = false;        ///< back at the last checkpoint, or at the spawn
-    bool checkpoint = false;  ///< one was reached for the first time
+    bool restarted = false;  ///< back at the spawn
+    bool died = false;       ///< back at the last checkpoint, or at the spawn
+    Death death = Death::none;
+    sulfur::Point diedAt{0, 0};  ///< m: where he was
+    bool checkpoint = false;     ///< one was reached for the first time
     bool pickedUp = false;
-    bool cut = false;        ///< the rope, by something sharp
-    bool switched = false;   ///< a switch went on or off
-    bool crumbled = false;   ///< something came loose
-    bool noticed = false;    ///< a monster has seen what it looks for
-    bool defeated = false;   ///< a monster was
-    bool respawned = false;  ///< something came back to its place
-    float impact = 0;        ///< m/s at which the hero began to touch something, 0: it did not
+    bool cut = false;           ///< the rope, by something sharp
+    sulfur::Point cutAt{0, 0};  ///< m: there
+    bool switched = false;      ///< a switch went on or off
+    bool crumbled = false;      ///< something came loose
+    bool noticed = false;       ///< a monster has seen what it looks for
+    bool defeated = false;      ///< a monster was
+    bool respawned = false;     ///< something came back to its place
+    float impact = 0;           ///< m/s at which the hero began to touch something, 0: it did not
 };
 
 /// The game, 500 ticks a second. The same level and the same inputs give the same hash() on every
@@ -66,9 +81,9 @@ public:
     void tick(const TickInput& input);
     /// Back to the spawn: everything is as in a new session.
     void restart();
-    /// What death does: back to the last checkpoint with the world as it was when that was reached,
-    /// while the timer goes on; to the spawn where none was.
-    void retry();
+    /// Gives up this try: what death does. Back to the last checkpoint with the world as it was
+    /// when that was reached, while the timer goes on; to the spawn where none was.
+    void retry() { die(Death::given); }
 
     const Level& level() const { return *level_; }
     Phase phase() const { return state_.phase; }
@@ -149,6 +164,7 @@ private:
     void build();
     Attempt attempt();
     void work();
+    void backToCheckpoint();
     void placeHero(sulfur::Point at);
     void act(const TickInput& input);
     void updateRope(const TickInput& input);
@@ -163,7 +179,8 @@ private:
     void cutRope();
     void collect();
     void judge();
-    bool mustDie();
+    void die(Death death);
+    Death deathNow();
     bool outside() const;
     void forgetFallen();
     bool touchedOnBothSides() const;
