@@ -113,6 +113,48 @@ TEST(FrameGovernor, ignoresASingleHiccupAndRubbish) {
     EXPECT_LE(governor.level(), 1);
 }
 
+TEST(Picture, showsThatAShotHasMissed) {
+    Scene scene(room(replaced(replaced(roomText, "[4, 3], [-4, 3]", "[4, 30], [-4, 30]"),
+                              "\"max\": [4, 4]", "\"max\": [4, 31]")));
+    scene.play({}, 100);
+    EXPECT_EQ(scene.view.looseRopes(), 0u);
+    int missed = 0;
+    for (int n = 0; n < 100; ++n) {
+        scene.play(fireAt(0, 1), 1);
+        missed += scene.session.events().missed ? 1 : 0;
+        if (missed > 0) break;
+    }
+    ASSERT_EQ(missed, 1) << "nothing is in reach above";
+    EXPECT_EQ(scene.view.looseRopes(), 1u) << "the rope falls";
+    EXPECT_GT(scene.view.reachFlash(), 0.9f) << "and its reach lights up";
+    scene.draw();
+    scene.play(fireAt(0, 1), 600);
+    EXPECT_EQ(scene.view.looseRopes(), 0u);
+    EXPECT_EQ(scene.view.reachFlash(), 0);
+}
+
+TEST(Picture, showsHowTheRopeStrains) {
+    Scene scene(room());
+    scene.play(fireAt(0, 1), 100);
+    ASSERT_EQ(scene.session.rope().state(), Rope::State::attached);
+    const TickInput hang = fireAt(0, 1);
+    TickInput reel = hang;
+    reel.reelIn = true;
+    scene.play(reel, 500);
+    scene.play(hang, 2000);
+    const float hanging = scene.view.strain();
+    EXPECT_GT(hanging, 0.08f);
+    EXPECT_LT(hanging, 0.35f) << "room to show more";
+    // A pull as at the lowest point of a fast swing.
+    for (int n = 0; n < 60; ++n) {
+        for (const sulfur::ParticleId particle :
+             scene.session.world().particles(scene.session.hero()))
+            scene.session.world().setVelocity(particle, {0, -6});
+        scene.play(hang, 1);
+    }
+    EXPECT_GT(scene.view.strain(), hanging + 0.2f);
+}
+
 TEST(Picture, isTheSameWorldAtEveryQuality) {
     Scene scene(firstLevel());
     scene.play(fireAt(0.3, 1), 400);

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <quaoar/view/game_view.hpp>
 
+#include "body_painter.hpp"
+#include "curve.hpp"
+
 namespace quaoar {
 
 using atlax::Color;
@@ -24,33 +27,15 @@ std::vector<Vec2> ellipse(Vec2 centre, Vec2 half) {
     return points;
 }
 
-/// A smooth curve through points (Catmull and Rom's), four pieces between two of them.
-std::vector<Vec2> smooth(const std::vector<Vec2>& points) {
-    if (points.size() < 3) return points;
-    std::vector<Vec2> curve;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const Vec2 a = points[i > 0 ? i - 1 : 0], b = points[i], c = points[i + 1];
-        const Vec2 d = points[std::min(i + 2, points.size() - 1)];
-        for (int k = 0; k < 4; ++k) {
-            const float t = static_cast<float>(k) * 0.25f;
-            curve.push_back((b * 2 + (c - a) * t + (a * 2 - b * 5 + c * 4 - d) * (t * t) +
-                             (b * 3 - a - c * 3 + d) * (t * t * t)) *
-                            0.5f);
-        }
-    }
-    curve.push_back(points.back());
-    return curve;
-}
-
 }  // namespace
 
 void GameView::drawHero(atlax::Canvas& canvas, double alpha) {
-    const SkinPlan& plan = skinPlan(session_.hero());
-    const std::vector<Vec2> places = dressedPlaces(session_.hero(), plan, alpha);
+    const BodyShape& plan = painter_->shape(session_.hero());
+    const std::vector<Vec2> places = painter_->dressedPlaces(session_.hero(), plan, alpha);
     const Vec2 middle = places.front();
     std::vector<Vec2> border;
     for (const std::uint32_t i : plan.outline) border.push_back(places[i]);
-    const std::vector<Vec2> fluff = smooth([&] {
+    const std::vector<Vec2> fluff = smoothCurve([&] {
         std::vector<Vec2> closed = border;
         closed.push_back(border.front());
         return closed;
@@ -67,10 +52,12 @@ void GameView::drawHero(atlax::Canvas& canvas, double alpha) {
         const Vec2 out = normalized(places[i] - middle);
         const float light = i == 0 ? 0.5f : 0.5f + 0.5f * dot(out, normalized(Vec2{-0.4f, 0.9f}));
         vertices.push_back(
-            {places[i], Vec2(plan.skin->uv[i]),
+            {places[i], plan.uv[i],
              mix(Color::hex(0xC9B6C8), atlax::colors::white, 0.25f + 0.75f * light)});
     }
-    canvas.mesh(art_.picture(plan.skin->texture), vertices, plan.indices);
+    std::vector<std::uint32_t> indices;
+    for (const auto& t : plan.triangles) indices.insert(indices.end(), t.begin(), t.end());
+    canvas.mesh(art_.picture(plan.texture), vertices, indices);
     canvas.setBlend(atlax::Blend::Additive);
     canvas.sprite(art_.light(), middle + Vec2{-0.035f, 0.05f}, {0.16f, 0.12f},
                   {.tint = palette::glow.withAlpha(0.4f)});
@@ -93,44 +80,79 @@ void GameView::drawCollar(atlax::Canvas& canvas, Vec2 middle, Vec2 squash) {
     canvas.polyline(band, 0.008f, Color::hex(0x8FC2F2).withAlpha(0.8f));
 }
 
-/// Upright whatever the body does: a rolling face would hide where the hero looks.
+/// Upright whatever the body does: a rolling face would hide where the hero looks. Eyes widen with
+/// fear and narrow with effort, the mouth opens, grits its teeth or laughs.
 void GameView::drawFace(atlax::Canvas& canvas, Vec2 middle, Vec2 squash) {
     const Vec2 aim(session_.aim());
-    const bool finished = session_.phase() == Session::Phase::finished;
-    const float speed = length(Vec2(session_.heroVelocity()));
-    const bool blink = time_ % 2100 < 60;
+    const bool blink = time_ % 2100 < 60 && mood_.fear < 0.3f;
     const Vec2 look = aim * 0.02f;
     for (const float side : {-1.0f, 1.0f}) {
         const Vec2 eye = middle + Vec2{side * 0.043f * squash.x, 0.034f * squash.y} + look * 0.7f;
-        if (finished || blink) {
-            const float bend = finished ? 0.022f : 0.0f;
+        if (mood_.joy > 0.55f || blink) {
+            const float bend = blink ? 0.0f : 0.024f;
             const std::vector<Vec2> lid{eye + Vec2{-0.026f, -bend * 0.4f},
                                         eye + Vec2{0, bend * 0.6f},
                                         eye + Vec2{0.026f, -bend * 0.4f}};
-            canvas.polyline(smooth(lid), 0.012f, ink);
+            canvas.polyline(smoothCurve(lid), 0.012f, ink);
             continue;
         }
-        const Vec2 half{0.033f * squash.x, 0.037f * squash.y};
-        canvas.polygon(ellipse(eye, half + Vec2{0.006f, 0.006f}), ink.withAlpha(0.55f));
-        canvas.polygon(ellipse(eye, half), atlax::colors::white);
-        const Vec2 pupil = eye + Vec2{aim.x * half.x, aim.y * half.y} * 0.45f;
-        canvas.circle(pupil, 0.0185f, ink);
-        canvas.circle(pupil + Vec2{-0.006f, 0.007f}, 0.0062f, atlax::colors::white);
+        drawEye(canvas, eye, side, squash);
     }
-    const Vec2 mouth = middle + Vec2{0, -0.026f * squash.y} + look * 0.5f;
-    if (speed > 5 && !finished) {
-        canvas.polygon(ellipse(mouth, {0.014f, 0.018f}), ink);
+    drawMouth(canvas, middle + Vec2{0, -0.026f * squash.y} + look * 0.5f);
+    if (mood_.joy < 0.3f) return;
+    for (const float side : {-1.0f, 1.0f}) {
+        canvas.circle(middle + Vec2{side * 0.075f, -0.008f}, 0.016f,
+                      Color::hex(0xFF7A6A).withAlpha(0.6f * mood_.joy));
+    }
+}
+
+void GameView::drawEye(atlax::Canvas& canvas, Vec2 eye, float side, Vec2 squash) {
+    const Vec2 aim(session_.aim());
+    const float wide = 1 + 0.28f * mood_.fear, narrow = 1 - 0.38f * mood_.effort;
+    const Vec2 half{0.033f * squash.x * wide, 0.037f * squash.y * wide * narrow};
+    canvas.polygon(ellipse(eye, half + Vec2{0.006f, 0.006f}), ink.withAlpha(0.55f));
+    canvas.polygon(ellipse(eye, half), atlax::colors::white);
+    const Vec2 pupil = eye + Vec2{aim.x * half.x, aim.y * half.y} * 0.45f;
+    const float size = 0.0185f * (1 - 0.35f * mood_.fear);
+    canvas.circle(pupil, std::min(size, half.y), ink);
+    canvas.circle(pupil + Vec2{-0.006f, 0.007f}, 0.0062f, atlax::colors::white);
+    // Brows: up in the middle with fear, down with effort.
+    const float tilt = 0.016f * mood_.fear - 0.017f * mood_.effort;
+    if (std::abs(tilt) < 0.004f) return;
+    const float up = half.y + 0.012f;
+    canvas.line(eye + Vec2{-side * 0.03f, up + tilt}, eye + Vec2{side * 0.032f, up - tilt}, 0.011f,
+                furDark);
+}
+
+void GameView::drawMouth(atlax::Canvas& canvas, Vec2 mouth) {
+    if (mood_.joy > 0.3f) {
+        std::vector<Vec2> laugh;
+        for (int i = 0; i <= 10; ++i) {
+            const float a = 3.14159f + static_cast<float>(i) * 0.314159f;
+            laugh.push_back(mouth +
+                            Vec2{std::cos(a) * 0.036f, 0.006f + std::sin(a) * 0.034f * mood_.joy});
+        }
+        canvas.polygon(laugh, ink);
+        canvas.circle(mouth + Vec2{0, -0.017f * mood_.joy}, 0.010f, Color::hex(0xE0576B));
+    } else if (mood_.fear > 0.35f) {
+        canvas.polygon(ellipse(mouth, {0.012f + 0.008f * mood_.fear, 0.010f + 0.018f * mood_.fear}),
+                       ink);
+    } else if (mood_.effort > 0.45f) {
+        canvas.roundedRect(atlax::Rect::around(mouth, {0.056f, 0.026f}), 0.009f, ink);
+        canvas.roundedRect(atlax::Rect::around(mouth, {0.046f, 0.016f}), 0.005f,
+                           atlax::colors::white);
+        for (const float x : {-0.012f, 0.0f, 0.012f})
+            canvas.line(mouth + Vec2{x, -0.008f}, mouth + Vec2{x, 0.008f}, 0.003f, ink);
     } else {
-        const float wide = finished ? 0.034f : 0.022f;
-        const std::vector<Vec2> smile{mouth + Vec2{-wide, 0.008f}, mouth + Vec2{0, -0.010f},
-                                      mouth + Vec2{wide, 0.008f}};
-        canvas.polyline(smooth(smile), 0.009f, ink);
+        const std::vector<Vec2> smile{mouth + Vec2{-0.022f, 0.008f}, mouth + Vec2{0, -0.010f},
+                                      mouth + Vec2{0.022f, 0.008f}};
+        canvas.polyline(smoothCurve(smile), 0.009f, ink);
     }
 }
 
 void GameView::drawAntenna(atlax::Canvas& canvas, Vec2 crown) {
     const Vec2 bend = lerp(crown, antenna_, 0.5f) + Vec2{-0.012f, 0.015f};
-    const std::vector<Vec2> stalk = smooth({crown, bend, antenna_});
+    const std::vector<Vec2> stalk = smoothCurve({crown, bend, antenna_});
     canvas.polyline(stalk, 0.022f, furDark);
     canvas.polyline(stalk, 0.012f, fur);
     canvas.setBlend(atlax::Blend::Additive);
@@ -143,7 +165,7 @@ void GameView::drawAntenna(atlax::Canvas& canvas, Vec2 crown) {
 
 void GameView::drawScarf(atlax::Canvas& canvas) {
     std::vector<Vec2> points(scarf_.now.begin(), scarf_.now.end());
-    const std::vector<Vec2> curve = smooth(points);
+    const std::vector<Vec2> curve = smoothCurve(points);
     const auto last = static_cast<float>(curve.size() - 1);
     for (const bool border : {true, false}) {
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
@@ -192,49 +214,6 @@ void GameView::drawArm(atlax::Canvas& canvas, Vec2 middle, double alpha) {
     }
     canvas.circle(hand, 0.028f, glove);
     canvas.circle(hand + Vec2{-0.008f, 0.009f}, 0.009f, palette::frost.withAlpha(0.6f));
-}
-
-void GameView::drawRope(atlax::Canvas& canvas, Vec2 middle, double alpha) {
-    const Rope& rope = session_.rope();
-    if (rope.state() == Rope::State::idle) return;
-    const Vec2 hand = handPlace(middle, alpha);
-    std::vector<Vec2> points;
-    if (rope.state() == Rope::State::flying) {
-        points = {Vec2(rope.head(session_.world())), hand};
-    } else {
-        for (const sulfur::ParticleId particle : rope.particles()) {
-            const Vec2 at(session_.world().interpolated(particle, alpha));
-            // The last pieces lie under the arm.
-            if (!points.empty() && length(at - middle) < 0.2f) break;
-            points.push_back(at);
-        }
-        points.push_back(hand);
-    }
-    const std::vector<Vec2> curve = smooth(points);
-    const float strain =
-        std::clamp(static_cast<float>(rope.tension(session_.world())) / 120, 0.0f, 1.0f);
-    const Color body = mix(palette::amber, palette::glow, strain * 0.6f);
-    const float width = 0.034f - 0.008f * strain;
-    canvas.polyline(curve, width + 0.02f, palette::ember);
-    canvas.polyline(curve, width, body);
-    // The twist of the strands.
-    for (std::size_t i = 2; i + 1 < curve.size(); i += 3) {
-        const Vec2 way = normalized(curve[i + 1] - curve[i - 1]);
-        const Vec2 side = perpendicular(way) * (width * 0.42f);
-        canvas.line(curve[i] - side - way * 0.009f, curve[i] + side + way * 0.009f, 0.008f,
-                    Color::hex(0xB8641C).withAlpha(0.8f));
-    }
-    canvas.polyline(curve, 0.007f, palette::glow.withAlpha(0.55f));
-    const Vec2 head = points.front();
-    for (int i = 0; i < 5; ++i) {
-        const float a = 0.6f + static_cast<float>(i) * 1.2566f;
-        const Vec2 way{std::cos(a), std::sin(a)};
-        canvas.line(head, head + way * 0.06f, 0.024f, palette::ember);
-        canvas.line(head, head + way * 0.055f, 0.014f, palette::amber);
-    }
-    canvas.circle(head, 0.042f, palette::ember);
-    canvas.circle(head, 0.033f, palette::amber);
-    canvas.circle(head + Vec2{-0.009f, 0.01f}, 0.01f, palette::glow);
 }
 
 }  // namespace quaoar

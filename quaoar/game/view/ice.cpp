@@ -4,6 +4,7 @@
 #include <cmath>
 #include <quaoar/view/art.hpp>
 
+#include "body_painter.hpp"
 #include "dice.hpp"
 #include "ice_image.hpp"
 #include "outline.hpp"
@@ -260,9 +261,13 @@ void IceView::draw(atlax::Canvas& canvas, Art& art) const {
     for (std::size_t i = 0; i < pieces_.size(); i += 5) {
         const Piece& piece = pieces_[i];
         const Vec2 in = piece.from - piece.normal * 0.05f;
-        canvas.line(in, in - piece.normal * 0.16f + Vec2{0.09f, 0}, 0.02f,
-                    Color::hex(0xFFFFFF).withAlpha(0.28f));
+        canvas.line(in, in - piece.normal * 0.13f, 0.02f, Color::hex(0xFFFFFF).withAlpha(0.28f));
     }
+}
+
+void IceView::drawTrim(atlax::Canvas& canvas, float surfaceSpeed, double seconds) const {
+    if (surface_.deadly) drawSpikes(canvas, loop_, seconds);
+    if (surfaceSpeed != 0) drawBelt(canvas, loop_, surfaceSpeed, seconds, look_.accent);
 }
 
 void IceView::drawLit(atlax::Canvas& canvas, Vec2 lamp, float reach, Color light) const {

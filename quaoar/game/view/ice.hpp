@@ -20,6 +20,8 @@ public:
             const Theme& theme, atlax::Rect shown);
 
     void draw(atlax::Canvas& canvas, Art& art) const;
+    /// Spikes or belts on its border.
+    void drawTrim(atlax::Canvas& canvas, float surfaceSpeed, double seconds) const;
     /// The light of a lamp on border and glints near it, additive.
     void drawLit(atlax::Canvas& canvas, atlax::Vec2 lamp, float reach, atlax::Color light) const;
 

@@ -22,7 +22,8 @@ std::vector<FixedShape> fixedShapes(const Session& session) {
     for (const sulfur::scene::Placement& body : level.scene.bodies) {
         const sulfur::Blueprint plan = sulfur::scene::blueprintOf(level.scene, body);
         if (plan.kind != sulfur::BodyKind::fixed) continue;
-        if (level.surface(body.id).look == Surface::Look::peg) continue;
+        const Surface surface = level.surface(body.id);
+        if (surface.look == Surface::Look::peg || surface.crumbles) continue;
         const std::vector<std::uint32_t> loop = outlineOf(plan);
         const sulfur::BodyId id = session.instance().body(body.id);
         if (loop.empty() || !session.world().contains(id)) continue;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <atlax/camera.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <quaoar/session.hpp>
@@ -17,6 +16,9 @@ namespace quaoar {
 
 class IceView;
 class Backdrop;
+class BodyPainter;
+class MechanicsView;
+class MonsterView;
 class Texts;
 
 /// What is drawn beside the world itself.
@@ -49,6 +51,13 @@ public:
 
     void draw(atlax::Canvas& canvas, double alpha, const ViewOptions& options);
 
+    /// How brightly the rope's reach flashes after a miss, 0 to 1.
+    float reachFlash() const { return reachFlash_; }
+    /// Ropes that nothing holds and that still fall.
+    std::size_t looseRopes() const { return strands_.size(); }
+    /// How strained the rope looks, 0 to 1.
+    float strain() const { return strain_; }
+
     /// The camera of the last draw, for turning the mouse into a direction.
     atlax::Camera camera(atlax::PixelSize size) const;
 
@@ -57,43 +66,50 @@ private:
         atlax::Vec2 position, velocity;
         float life = 0, lasts = 1, size = 0.01f;
         atlax::Color color;
+        bool mist = false;  ///< grows and rises instead of falling
     };
     /// Points that trail behind the hero, held together by their distances.
     struct Trail {
         std::array<atlax::Vec2, 7> now, before;
     };
 
-    /// What a body's drawing needs of its blueprint, found once.
-    struct SkinPlan {
-        std::unique_ptr<sulfur::Skin> skin;  ///< null: drawn as its capsules and discs
-        std::vector<std::uint32_t> indices;  ///< of the skin's triangles
-        std::vector<std::uint32_t> outline;  ///< indices of particles, counter-clockwise
-        float thickness = 0;                 ///< metres, radius of the outline's capsules
+    /// A rope that nothing holds any more: it falls, or is drawn back, and fades.
+    struct Strand {
+        std::vector<atlax::Vec2> now, before;
+        float life = 1;          ///< 1 to 0
+        bool drawnBack = false;  ///< into the hand
+    };
+    /// What the hero's face shows, 0 to 1 each.
+    struct Mood {
+        float fear = 0, joy = 0, effort = 0;
     };
 
     void drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions& options);
     void drawLamp(atlax::Canvas& canvas, const Quality& quality);
     void moveTrails();
+    void notice();
+    void moveMood();
+    void moveRopes();
+    void dropRope(const std::vector<atlax::Vec2>& points, bool drawnBack);
+    std::vector<atlax::Vec2> ropePoints(double alpha) const;
+    void breathe();
     void moveSparks();
     void burst(atlax::Vec2 at, int count, float speed, atlax::Color color);
     float random();
 
-    void drawBodies(atlax::Canvas& canvas, double alpha);
-    void drawBody(atlax::Canvas& canvas, sulfur::BodyId id, const Surface& surface, double alpha);
-    void drawBolt(atlax::Canvas& canvas, atlax::Vec2 at);
-    void drawBare(atlax::Canvas& canvas, sulfur::BodyId id, double alpha);
-    const SkinPlan& skinPlan(sulfur::BodyId id);
-    std::vector<atlax::Vec2> dressedPlaces(sulfur::BodyId id, const SkinPlan& plan,
-                                           double alpha) const;
     void drawGate(atlax::Canvas& canvas, bool front);
     void drawHints(atlax::Canvas& canvas, const Texts* texts);
     void drawHero(atlax::Canvas& canvas, double alpha);
     void drawFace(atlax::Canvas& canvas, atlax::Vec2 middle, atlax::Vec2 squash);
+    void drawEye(atlax::Canvas& canvas, atlax::Vec2 eye, float side, atlax::Vec2 squash);
+    void drawMouth(atlax::Canvas& canvas, atlax::Vec2 mouth);
     void drawAntenna(atlax::Canvas& canvas, atlax::Vec2 crown);
     void drawScarf(atlax::Canvas& canvas);
     void drawCollar(atlax::Canvas& canvas, atlax::Vec2 middle, atlax::Vec2 squash);
     void drawArm(atlax::Canvas& canvas, atlax::Vec2 middle, double alpha);
     void drawRope(atlax::Canvas& canvas, atlax::Vec2 middle, double alpha);
+    void drawStrands(atlax::Canvas& canvas);
+    void drawReachFlash(atlax::Canvas& canvas);
     void drawRange(atlax::Canvas& canvas);
     void drawSparks(atlax::Canvas& canvas);
     void drawCrosshair(atlax::Canvas& canvas, atlax::Vec2 pixels);
@@ -103,14 +119,23 @@ private:
     const Session& session_;
     std::unique_ptr<Backdrop> backdrop_;
     std::vector<std::unique_ptr<IceView>> ice_;
-    std::vector<sulfur::BodyId> iceBodies_;
     atlax::RenderTarget coarse_;
-    std::map<sulfur::BodyId, SkinPlan> plans_;
+    std::unique_ptr<BodyPainter> painter_;
+    std::unique_ptr<MechanicsView> mechanics_;
+    std::unique_ptr<MonsterView> monsters_;
+    std::vector<sulfur::BodyId> drawnElsewhere_;  ///< not by the painter
     std::vector<Spark> sparks_;
     Trail scarf_;
     atlax::Vec2 antenna_, antennaVelocity_;
     FollowCamera follow_;
     std::optional<atlax::Vec2> lookAt_;
+    std::vector<Strand> strands_;
+    std::vector<atlax::Vec2> lastRope_;  ///< of the last tick, from the head to the hand
+    atlax::Vec2 lastHero_;
+    Mood mood_;
+    float strain_ = 0;        ///< of the rope, 0 to 1, smoothed
+    float strainRate_ = 0;    ///< how fast it changes: how much the rope trembles
+    float reachFlash_ = 0;    ///< 1 to 0 after a miss
     std::uint64_t time_ = 0;  ///< ticks since the view was made
     std::uint32_t dice_ = 12345;
 };

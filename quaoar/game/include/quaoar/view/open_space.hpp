@@ -16,7 +16,7 @@ struct FixedShape {
     float radius = 0;               ///< metres, half of the border's thickness
 };
 
-/// All of them in the order of the scene, apart from pegs.
+/// All of them in the order of the scene, apart from pegs and what crumbles.
 std::vector<FixedShape> fixedShapes(const Session& session);
 
 /// Which part of the level is filled with fixed bodies. A plain value; any thread.
