@@ -85,11 +85,23 @@ std::filesystem::path levelFile(const Arguments& arguments) {
     return quaoar::levelAssets().find("01-cold-wake.json");
 }
 
+/// Those of the first folder that has any.
+quaoar::LevelList gameLevels() {
+    std::string searched;
+    const atlax::Assets assets = quaoar::levelAssets();
+    for (const auto& folder : assets.folders()) {
+        quaoar::LevelList levels = quaoar::LevelList::ofFolder(folder);
+        if (!levels.empty()) return levels;
+        searched += " " + folder.string();
+    }
+    throw std::runtime_error("there is no level; searched were:" + searched);
+}
+
 /// The level that was asked for among those of its folder, or all of the game.
 quaoar::GameOptions levelsOf(const Arguments& arguments) {
     quaoar::GameOptions options;
     if (arguments.level.empty()) {
-        options.levels = quaoar::LevelList::ofFolder(levelFile(arguments).parent_path());
+        options.levels = gameLevels();
         return options;
     }
     std::size_t index = 0;

@@ -172,15 +172,16 @@ void drawLevelName(const OverlayTools& tools, const Level& level, double seconds
                       palette::amber.withAlpha(0.8f * fade));
 }
 
+/// Two lines fit into the lowest tenth of the picture, which the hero never enters.
 void drawBanner(const OverlayTools& tools, const std::string& text, float alpha) {
     tools.canvas.setScreenSpace();
     const Vec2 screen = tools.canvas.size().toVec();
     const float unit = unitOf(tools.canvas.size());
-    const float size = 22 * unit;
-    const std::string lines = tools.art.regular().wrap(text, size, 0.84f * screen.x);
+    const float size = 20 * unit;
+    const std::string lines = tools.art.regular().wrap(text, size, 0.88f * screen.x);
     const atlax::TextExtent extent = tools.canvas.measure(tools.art.regular(), lines, size);
-    const Vec2 box{extent.width + 44 * unit, extent.height + 22 * unit};
-    const Vec2 middle{screen.x * 0.5f, screen.y - 34 * unit - box.y * 0.5f};
+    const Vec2 box{extent.width + 40 * unit, extent.height + 14 * unit};
+    const Vec2 middle{screen.x * 0.5f, screen.y - 8 * unit - box.y * 0.5f};
     const atlax::Rect rect = atlax::Rect::around(middle, box);
     tools.canvas.roundedRect(rect, 12 * unit, palette::night.withAlpha(0.72f * alpha));
     tools.canvas.roundedRectOutline(rect, 12 * unit, 1.5f * unit,
