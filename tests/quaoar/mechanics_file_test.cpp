@@ -176,6 +176,9 @@ TEST(MechanicsFile, NonsenseIsRefused) {
     expectRefused(
         R"("switches": [{"id": "a", "position": [0, 1], "size": [1, 1], "weight": 1, "signal": "x"}])",
         {"weight", "any"});
+    expectRefused(
+        R"("switches": [{"id": "a", "position": [0, 1], "size": [1, 1], "mode": "once", "lasts": 1, "signal": "x"}])",
+        {"lasts", "hold"});
     expectRefused(R"("surfaces": {"box-1": {"crumbles": -1}})", {"crumbles"});
     expectRefused(R"("countdown": 0)", {"countdown"});
     expectRefused(R"("checkpoints": [{"id": "a", "position": [0, 1], "size": 3}])",

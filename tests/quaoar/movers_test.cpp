@@ -131,6 +131,28 @@ TEST(Movers, TogglesAndLatches) {
     }
 }
 
+TEST(Movers, ASwitchMayLast) {
+    Session session(moving(door, plate(R"("lasts": 0.4)")));
+    put(session, -3, 0.3);
+    play(session, {}, 5);
+    put(session, 0, 0.3);
+    play(session, {}, 190);
+    EXPECT_TRUE(session.workings().signals.on(0));
+    play(session, {}, 15);
+    EXPECT_FALSE(session.workings().signals.on(0));
+}
+
+TEST(Movers, APickupIsAKey) {
+    Session session(
+        moving(door, R"(, "pickups": [{"id": "key", "position": [-3, 1], "signal": "open"}])"));
+    play(session, {}, 10);
+    EXPECT_FALSE(session.workings().signals.on(0));
+    put(session, -3, 1);
+    play(session, {}, 300);
+    EXPECT_TRUE(session.workings().signals.on(0));
+    EXPECT_NEAR(placeOf(session, "plank").y(), 1.5, 0.01);
+}
+
 TEST(Movers, SwitchesWeighWhatLiesOnThem) {
     // The box of the room weighs 1 kg and lies at x = -2.
     const auto on = [](const std::string& members) {

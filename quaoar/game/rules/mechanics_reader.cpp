@@ -67,11 +67,12 @@ std::vector<Pickup> readPickups(const Node& node, const Level& level) {
     std::vector<Pickup> pickups;
     std::set<std::string> taken;
     for (const Node& item : node.array(0, Pickup::most)) {
-        refuseUnknown(item, {"id", "position", "hidden"});
+        refuseUnknown(item, {"id", "position", "hidden", "signal"});
         Pickup pickup;
         pickup.id = readId(item, taken);
         pickup.position = readPlace(item.at("position"), level);
         if (const auto hidden = item.find("hidden")) pickup.hidden = hidden->boolean();
+        if (const auto signal = item.find("signal")) pickup.signal = signalName(*signal);
         pickups.push_back(std::move(pickup));
     }
     return pickups;
@@ -186,7 +187,7 @@ std::vector<Mover> readMovers(const Node& node, const Level& level) {
 }
 
 Switch readSwitch(const Node& item, const Level& level, std::set<std::string>& taken) {
-    refuseUnknown(item, {"id", "position", "size", "by", "weight", "mode", "signal"});
+    refuseUnknown(item, {"id", "position", "size", "by", "weight", "lasts", "mode", "signal"});
     Switch made;
     made.id = readId(item, taken);
     made.position = readPlace(item.at("position"), level);
@@ -209,6 +210,12 @@ Switch readSwitch(const Node& item, const Level& level, std::set<std::string>& t
     }
     if (const auto mode = item.find("mode")) {
         made.mode = static_cast<Switch::Mode>(mode->choice({"hold", "toggle", "once"}));
+    }
+    if (const auto lasts = item.find("lasts")) {
+        made.lasts = lasts->number(0, longest);
+        if (made.mode != Switch::Mode::hold) {
+            lasts->fail("is of no use here; allowed is it with the mode \"hold\"");
+        }
     }
     made.signal = signalName(item.at("signal"));
     return made;
@@ -284,6 +291,9 @@ std::vector<Respawn> readRespawns(const Node& node, const Level& level) {
 std::vector<std::string> signalsOf(const Level& level) {
     std::vector<std::string> signals;
     for (const Switch& one : level.switches) signals.push_back(one.signal);
+    for (const Pickup& one : level.pickups) {
+        if (!one.signal.empty()) signals.push_back(one.signal);
+    }
     for (const Monster& one : level.monsters) {
         if (!one.onDefeat.empty()) signals.push_back(one.onDefeat);
     }
@@ -298,7 +308,7 @@ void requireSignal(const Node& object, const Level& level) {
     std::string known;
     for (const std::string& name : level.signals) known += (known.empty() ? "" : ", ") + name;
     needs->fail(
-        "is a signal that nothing turns on; allowed are those of \"switches\" and of "
+        "is a signal that nothing turns on; allowed are those of \"switches\", \"pickups\" and "
         "\"onDefeat\"" +
         (known.empty() ? "" : ": " + known));
 }

@@ -48,6 +48,9 @@ void Session::build() {
     hand_ = hero.front();
     workings_ = Workings(attempt());
     exitNeed_ = Signals::place(*level_, level_->exit.needs);
+    for (const Pickup& pickup : level_->pickups) {
+        pickupSignals_.push_back(Signals::place(*level_, pickup.signal));
+    }
 }
 
 Attempt Session::attempt() {
@@ -110,6 +113,9 @@ void Session::work() {
     w.signals.clear();
     w.switches.report(w.signals);
     w.monsters.report(w.signals);
+    for (std::size_t i = 0; i < pickupSignals_.size(); ++i) {
+        if (pickedUp(i)) w.signals.turnOn(pickupSignals_[i]);
+    }
     w.movers.move(attempt, w.signals);
     w.zones.act(attempt, w.signals);
     events_.crumbled = w.crumbling.wear(attempt);

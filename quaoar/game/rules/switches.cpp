@@ -1,7 +1,8 @@
 #include <quaoar/switches.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <quaoar/hero.hpp>
+#include <quaoar/session.hpp>
 
 #include "hash.hpp"
 
@@ -79,10 +80,15 @@ bool Switches::look(const Attempt& attempt) {
         State& state = states_[i];
         const State before = state;
         const bool atOnce = one.by == "hero" || one.by == "rope";
-        if (!atOnce && (attempt.world.ticks() + i) % weighing != 0) continue;
-        state.pressed = isPressed(attempt, one);
+        if (atOnce || (attempt.world.ticks() + i) % weighing == 0) {
+            state.pressed = isPressed(attempt, one);
+        }
         const bool begun = state.pressed && !before.pressed;
-        if (one.mode == Switch::Mode::hold) state.on = state.pressed;
+        if (state.lasts > 0) --state.lasts;
+        if (state.pressed) {
+            state.lasts = static_cast<int>(std::lround(one.lasts * Session::tickRate));
+        }
+        if (one.mode == Switch::Mode::hold) state.on = state.pressed || state.lasts > 0;
         if (one.mode == Switch::Mode::once) state.on = state.on || state.pressed;
         if (one.mode == Switch::Mode::toggle && begun) state.on = !state.on;
         changed = changed || state.on != before.on;
@@ -100,6 +106,7 @@ std::uint64_t Switches::hash() const {
     Hash hash;
     for (const State& state : states_) {
         hash.add(static_cast<std::uint64_t>((state.pressed ? 1 : 0) + (state.on ? 2 : 0)));
+        hash.add(static_cast<std::uint64_t>(state.lasts));
     }
     return hash.value();
 }

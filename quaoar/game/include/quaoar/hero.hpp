@@ -19,7 +19,7 @@ struct HeroRules {
     /// library would have to integrate the hero implicitly and swallow the swing's energy.
     sulfur::Real damping = sulfur::Real(2.5);
     sulfur::Real speedLimit = 11;  ///< m/s of the whole hero
-    sulfur::Real push = 5;        ///< N, sideways, while swinging
+    sulfur::Real push = 5;         ///< N, sideways, while swinging
     /// On the ground and without a rope a couple brakes his rolling: by this share of his weight at
     /// the lever of his radius ...
     sulfur::Real rollingResistance = sulfur::Real(0.3);

@@ -1,8 +1,9 @@
 // What a level may hold beside its scene, as plain data: what saves, kills, blows, moves, switches
 // and lives. What these do in an attempt is in rules/, one concept a file.
 //
-// Signals tie them together: a name that is on or off. Switches and defeated monsters turn signals
-// on; a mover, a zone, a respawn or the exit that "needs" a signal acts only while it is on.
+// Signals tie them together: a name that is on or off. Switches, defeated monsters and pick-ups
+// turn signals on; a mover, a zone, a respawn or the exit that "needs" a signal acts only while it
+// is on.
 #pragma once
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct Pickup {
     std::string id;
     sulfur::Point position{0, 0};  ///< metres
     bool hidden = false;           ///< off the way; drawn only from near
+    std::string signal;            ///< that it turns on, as a key does; may be empty
 };
 
 /// An upright rectangle in which other rules hold. All that is given acts together, and zones that
@@ -98,6 +100,7 @@ struct Switch {
     /// "hero", "rope" (its tied end), "any" (the hero and whatever physics moves) or a body's id.
     std::string by = "hero";
     double weight = 0;  ///< kg that must lie in it; only by "any"
+    double lasts = 0;   ///< seconds for which it stays on when it is let go; only of hold
     Mode mode = Mode::hold;
     std::string signal;
 };

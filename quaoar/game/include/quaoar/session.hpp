@@ -201,6 +201,7 @@ private:
     Rope rope_;
     Workings workings_;
     Signals::Place exitNeed_ = Signals::none;
+    std::vector<Signals::Place> pickupSignals_;
     State state_;
     TickEvents events_;
     std::shared_ptr<const Snapshot> start_;

@@ -27,6 +27,7 @@ private:
     struct State {
         bool pressed = false;
         bool on = false;
+        int lasts = 0;  ///< ticks for which it stays on
     };
     static bool isPressed(const Attempt& attempt, const Switch& one);
 
