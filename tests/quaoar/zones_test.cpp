@@ -131,6 +131,17 @@ TEST(Zones, TheHeroFloatsAndARaftBearsHim) {
     EXPECT_GT(riding.heroPosition().y(), 1.55);  // dry
 }
 
+TEST(Zones, AComingTideWakesWhatSleeps) {
+    Session session(withZone(
+        R"("min": [-4, 0], "max": [4, 1.5], "liquid": {"density": 60},
+           "pulse": {"period": 20, "on": 10, "phase": 17})"));
+    put(session, 3, 0.3);
+    play(session, {}, 1400);
+    EXPECT_TRUE(session.world().asleep(session.instance().body("box-1")));
+    play(session, {}, 1500);
+    EXPECT_GT(placeOf(session, "box-1").y(), 1.2);
+}
+
 TEST(Zones, LiquidBrakesTheRope) {
     const auto swung = [](const std::string& zones) {
         Session session(room(zones.empty() ? roomText : roomWith(zones)));

@@ -85,6 +85,18 @@ void Zones::setFields(const Attempt& attempt, std::size_t place) const {
         attempt.world.set(plan_->gravity[place], gravityOf(attempt, zone, strength(place)));
     }
     if (zone.wind) attempt.world.set(plan_->wind[place], windOf(zone, strength(place)));
+    if (zone.liquid) wakeIn(attempt, zone);
+}
+
+/// Fields of the library wake what they change; a liquid is a force of ours.
+void Zones::wakeIn(const Attempt& attempt, const Zone& zone) {
+    for (const sulfur::BodyId body : attempt.world.bodies()) {
+        if (!attempt.world.asleep(body)) continue;
+        const sulfur::Bounds bounds = attempt.world.bounds(body);
+        const bool apart = bounds.low.x() > zone.high.x() || bounds.high.x() < zone.low.x() ||
+                           bounds.low.y() > zone.high.y() || bounds.high.y() < zone.low.y();
+        if (!apart) attempt.world.wake(body);
+    }
 }
 
 bool Zones::deadly(const Level& level, Point place) const {

@@ -46,6 +46,7 @@ private:
     void addFields(const Attempt& attempt, Plan& plan) const;
     static void findFloats(const Attempt& attempt, Plan& plan);
     void setFields(const Attempt& attempt, std::size_t place) const;
+    static void wakeIn(const Attempt& attempt, const Zone& zone);
     void pushUp(const Attempt& attempt, std::size_t place) const;
     Float floatOf(const Attempt& attempt, sulfur::BodyId body) const;
 
