@@ -13,7 +13,7 @@ constexpr double longestGame = 600;
 /// Metres nearer to the exit that count as progress.
 constexpr double progress = 0.3;
 /// Beyond this a situation was not foreseen, and it takes the player's reaction to see it.
-constexpr double foreseen = 1.5;
+constexpr double foreseen = 2.5;
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0;

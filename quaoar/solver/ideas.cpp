@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace quaoar {
 namespace {
 
-constexpr int aims = 64;
+constexpr int aims = 96;
 /// Slower than this (metres a tick) the hero's place is no clock.
 constexpr double slowest = 0.8 / Session::tickRate;
 /// How much later than meant an intention ends whose line is never passed: 0.5 s.
@@ -21,7 +22,8 @@ int ticksBetween(std::mt19937_64& random, double low, double high) {
 bool pickAnchor(const Session& session, const DistanceField& field, std::mt19937_64& random,
                 sulfur::Point& anchor) {
     const double offset = unit(random);
-    std::vector<std::pair<double, sulfur::Point>> holds;
+    // One of each stretch of surface, so that a small peg counts as much as half a metre of floor.
+    std::map<std::pair<int, int>, std::pair<double, sulfur::Point>> stretches;
     for (int i = 0; i < aims; ++i) {
         const double angle = 6.283185307179586 * (i + offset) / aims;
         const sulfur::Vec2 direction(static_cast<sulfur::Real>(std::cos(angle)),
@@ -30,9 +32,14 @@ bool pickAnchor(const Session& session, const DistanceField& field, std::mt19937
         if (!preview.sticks || (preview.to - preview.from).norm() < 0.2) continue;
         // The surface itself may lie in no free cell: look a little before it.
         const sulfur::Point before = preview.to - (preview.to - preview.from) * 0.15;
-        holds.emplace_back(field.at(before), preview.to);
+        const std::pair<int, int> stretch(static_cast<int>(std::floor(preview.to.x() / 0.6)),
+                                          static_cast<int>(std::floor(preview.to.y() / 0.6)));
+        const bool fresh = !stretches.contains(stretch);
+        if (fresh || whole(random, 3) == 0) stretches[stretch] = {field.at(before), preview.to};
     }
-    if (holds.empty()) return false;
+    if (stretches.empty()) return false;
+    std::vector<std::pair<double, sulfur::Point>> holds;
+    for (const auto& [stretch, hold] : stretches) holds.push_back(hold);
     std::size_t best = static_cast<std::size_t>(whole(random, static_cast<int>(holds.size())));
     for (int round = whole(random, 4); round > 0; --round) {
         const auto other = static_cast<std::size_t>(whole(random, static_cast<int>(holds.size())));
@@ -52,7 +59,7 @@ Intention randomIdea(const Session& session, const DistanceField& field, std::mt
         idea.until.latest = pressGap + ticksBetween(random, 0.1, 0.9);
     } else if (tied && kind >= 20) {
         idea.hook = Intention::Hook::keep;
-        idea.until.latest = ticksBetween(random, 0.05, 0.7);
+        idea.until.latest = ticksBetween(random, 0.05, whole(random, 4) == 0 ? 2 : 0.7);
     } else {
         idea.until.latest = ticksBetween(random, 0.05, 0.5);
     }
@@ -63,12 +70,16 @@ Intention randomIdea(const Session& session, const DistanceField& field, std::mt
         constexpr int ways[] = {-1, 0, 1, 0, 2};
         idea.push = ways[whole(random, 5)];
     }
-    if (kind % 12 == 0) {  // and now wait until it swings no more
-        idea.until.kind = Until::Kind::calm;
-        idea.until.latest = 3 * Session::tickRate;
-        idea.push = idea.hook == Intention::Hook::loose ? 0 : -2;
-    }
+    if (kind % 12 == 0) idea = steadily(idea);
     makeExact(idea);
+    return idea;
+}
+
+Intention steadily(Intention idea) {
+    idea.until.kind = Until::Kind::calm;
+    idea.until.earliest = 0;
+    idea.until.latest = 4 * Session::tickRate;
+    idea.push = idea.hook == Intention::Hook::loose ? 0 : -2;
     return idea;
 }
 

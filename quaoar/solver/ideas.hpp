@@ -28,6 +28,9 @@ bool pickAnchor(const Session& session, const DistanceField& field, std::mt19937
 /// Something that can be done in the session's present state; it ends after a time.
 Intention randomIdea(const Session& session, const DistanceField& field, std::mt19937_64& random);
 
+/// The same, and then one waits until nothing swings, pushing against the swing.
+Intention steadily(Intention idea);
+
 /// The same intention, ended by what can be seen (a line that the hero passes) rather than by a
 /// clock, where that means the same tick. `trace` holds the hero's places after each of its ticks.
 Intention endedBySight(Intention intention, const std::vector<sulfur::Point>& trace);

@@ -49,15 +49,6 @@ Intention varied(Intention idea, std::mt19937_64& random) {
     return idea;
 }
 
-/// The same, and then one waits until nothing swings.
-Intention steadily(Intention idea) {
-    idea.until.kind = Until::Kind::calm;
-    idea.until.earliest = 0;
-    idea.until.latest = 3 * Session::tickRate;
-    idea.push = idea.hook == Intention::Hook::loose ? 0 : -2;
-    return idea;
-}
-
 }  // namespace
 
 void learnWay(Policy& policy, Session& session, const Way& way) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "steady_search.hpp"
 #include "workers.hpp"
 
 namespace quaoar {
@@ -12,38 +13,76 @@ double secondsOf(std::uint64_t ticks) {
     return static_cast<double>(ticks) / Session::tickRate;
 }
 
-/// A search with the session that it works in.
+/// A search of either kind with the session that it works in.
+template <class Kind>
 struct Effort {
     std::unique_ptr<Session> session;
-    std::unique_ptr<Search> search;
+    std::unique_ptr<Kind> search;
     std::optional<Way> way;
 };
 
-std::vector<Effort> beginEfforts(const Ground& ground, const SolveOptions& options) {
-    std::vector<Effort> efforts(static_cast<std::size_t>(options.searches));
-    for (std::size_t i = 0; i < efforts.size(); ++i) {
-        efforts[i].session = std::make_unique<Session>(ground.level);
-        SearchOptions search;
-        search.seed = options.seed + i;
-        search.budget = options.budget;
-        efforts[i].search = std::make_unique<Search>(*efforts[i].session, ground.field, search);
+template <class Kind, class Options>
+std::vector<Effort<Kind>> beginEfforts(const Ground& ground, Options options, int count) {
+    std::vector<Effort<Kind>> efforts(static_cast<std::size_t>(count));
+    for (Effort<Kind>& effort : efforts) {
+        effort.session = std::make_unique<Session>(ground.level);
+        effort.search = std::make_unique<Kind>(*effort.session, ground.field, options);
+        ++options.seed;
     }
     return efforts;
 }
 
-void reportEfforts(const std::vector<Effort>& efforts, std::uint64_t seed) {
-    for (const Effort& effort : efforts) {
+/// Lets searches go on side by side until half of them have found a way or all have spent their
+/// budget. Stages that grow make it independent of the number of threads.
+template <class Kind>
+void carryOn(std::vector<Effort<Kind>>& efforts, double budget, const SolveOptions& options) {
+    std::size_t found = 0;
+    for (double until = 200; found * 2 < efforts.size(); until *= 1.5) {
+        share(options.jobs, static_cast<int>(efforts.size()), [&] {
+            return [&](int i) {
+                Effort<Kind>& effort = efforts[static_cast<std::size_t>(i)];
+                if (!effort.way) effort.way = effort.search->run(until);
+            };
+        });
+        found = static_cast<std::size_t>(std::count_if(
+            efforts.begin(), efforts.end(), [](const auto& e) { return e.way.has_value(); }));
+        if (until > budget) break;
+        if (options.quiet) continue;
+        double nearest = DistanceField::unreachable;
+        for (const auto& effort : efforts) {
+            nearest = std::min(nearest, effort.search->report().nearest);
+        }
+        std::printf("... %.0f simulated s, %zu of %zu found, %.2f m to go\n", until, found,
+                    efforts.size(), nearest);
+        std::fflush(stdout);
+    }
+}
+
+/// Adds what was found, the shortest first.
+template <class Kind>
+void gather(const std::vector<Effort<Kind>>& efforts, const char* kind, bool quiet,
+            Solution& solution, std::vector<Way>& ways) {
+    for (const Effort<Kind>& effort : efforts) {
         const SearchReport& report = effort.search->report();
-        std::printf("seed %llu: %s after %.0f simulated s, %zu cells",
-                    static_cast<unsigned long long>(seed++), effort.way ? "a way" : "none",
-                    report.simulated, report.cells);
+        solution.simulated += report.simulated;
         if (effort.way) {
-            std::printf(", %.2f s long\n", secondsOf(effort.way->ticks));
+            ways.push_back(*effort.way);
+            const bool first = solution.searched == 0 || report.simulated < solution.searched;
+            if (first) solution.searched = report.simulated;
+        }
+        if (quiet) continue;
+        std::printf("%s: %s after %.0f simulated s, %zu cells, ", kind,
+                    effort.way ? "found" : "none", report.simulated, report.cells);
+        if (effort.way) {
+            std::printf("%.2f s long, %zu intentions\n", secondsOf(effort.way->ticks),
+                        effort.way->steps.size());
         } else {
-            std::printf(", %.2f m short of the exit\n", report.nearest);
+            std::printf("%.2f m short of the exit\n", report.nearest);
         }
     }
     std::fflush(stdout);
+    std::sort(ways.begin(), ways.end(),
+              [](const Way& a, const Way& b) { return a.ticks < b.ticks; });
 }
 
 }  // namespace
@@ -53,31 +92,26 @@ std::vector<Way> searchWays(const Ground& ground, const SolveOptions& options, S
         throw std::runtime_error(ground.level->id +
                                  ": no free space leads from the spawn to the exit");
     }
-    std::vector<Effort> efforts = beginEfforts(ground, options);
-    std::size_t found = 0;
-    for (double until = 200; found * 2 < efforts.size(); until *= 1.5) {
-        share(options.jobs, options.searches, [&] {
-            return [&](int i) {
-                Effort& effort = efforts[static_cast<std::size_t>(i)];
-                if (!effort.way) effort.way = effort.search->run(until);
-            };
-        });
-        found = static_cast<std::size_t>(std::count_if(
-            efforts.begin(), efforts.end(), [](const Effort& e) { return e.way.has_value(); }));
-        if (until > options.budget) break;
-    }
-    if (!options.quiet) reportEfforts(efforts, options.seed);
+    SearchOptions search;
+    search.seed = options.seed;
+    search.budget = options.budget;
+    auto efforts = beginEfforts<Search>(ground, search, options.searches);
+    carryOn(efforts, options.budget, options);
     std::vector<Way> ways;
-    double first = options.budget;
-    for (const Effort& effort : efforts) {
-        solution.simulated += effort.search->report().simulated;
-        if (!effort.way) continue;
-        first = std::min(first, effort.search->report().simulated);
-        ways.push_back(*effort.way);
-    }
-    solution.searched = first;
-    std::sort(ways.begin(), ways.end(),
-              [](const Way& a, const Way& b) { return a.ticks < b.ticks; });
+    gather(efforts, "way", options.quiet, solution, ways);
+    return ways;
+}
+
+std::vector<Way> searchSteadyWays(const Ground& ground, const SolveOptions& options,
+                                  Solution& solution) {
+    SteadyOptions search;
+    search.seed = options.seed;
+    search.budget = std::min(search.budget, options.budget);
+    search.skill = options.skill;
+    auto efforts = beginEfforts<SteadySearch>(ground, search, options.searches);
+    carryOn(efforts, search.budget, options);
+    std::vector<Way> ways;
+    gather(efforts, "steady way", options.quiet, solution, ways);
     return ways;
 }
 
@@ -145,8 +179,11 @@ Solution solve(const Ground& ground, const SolveOptions& options, const Policy* 
     if (!proof) {
         const std::vector<Way> ways = searchWays(ground, options, solution);
         Session session(ground.level);
-        for (const Way& way : ways) {
-            keepShorter(proof, record(ground.level, way));
+        for (const Way& way : ways) keepShorter(proof, record(ground.level, way));
+        std::vector<Way> steady;
+        if (options.rounds > 0) steady = searchSteadyWays(ground, options, solution);
+        for (const Way& way : steady) keepShorter(proof, record(ground.level, way));
+        for (const Way& way : steady.empty() ? ways : steady) {
             learnWay(solution.policy, session, way);
         }
         if (!proof) throw std::runtime_error(ground.level->id + ": no way was found");

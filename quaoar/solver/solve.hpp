@@ -35,6 +35,10 @@ struct Solution {
 /// when no free space leads from the spawn to the exit, and when none is found.
 std::vector<Way> searchWays(const Ground& ground, const SolveOptions& options, Solution& solution);
 
+/// The same for ways from one place of rest to the next; none is no error.
+std::vector<Way> searchSteadyWays(const Ground& ground, const SolveOptions& options,
+                                  Solution& solution);
+
 /// The ticks of a way played without slips from the spawn; nothing if that does not finish.
 std::optional<Recording> record(const std::shared_ptr<const Level>& level, const Way& way);
 /// The same for a policy, which may find its way from wherever it comes to.
