@@ -35,7 +35,7 @@ public:
     }
 
     Game play() {
-        while (seconds() < longestGame && game_.tries <= options_.tries) {
+        while (seconds() < longestGame && lives_ <= options_.tries) {
             const Ending ending = decide();
             surprised_ = ending != Ending::done;
             if (ending == Ending::finished) {
@@ -43,8 +43,8 @@ public:
                 break;
             }
             if (ending == Ending::died) begin();
+            if (player_.reachedCheckpoint()) lives_ = 1;
         }
-        game_.tries = std::min(game_.tries, options_.tries);
         game_.seconds = seconds();
         return std::move(game_);
     }
@@ -54,6 +54,7 @@ private:
 
     void begin() {
         ++game_.tries;
+        ++lives_;
         nearest_ = DistanceField::unreachable;
         lastProgress_ = seconds();
     }
@@ -85,7 +86,7 @@ private:
         const Choice& choice = place.choices[static_cast<std::size_t>(place.best)];
         Ending ending = player_.carryOut(choice.intention, slip);
         if (ending == Ending::done && stalled()) {
-            session_.restart();
+            session_.retry();
             ending = Ending::died;
         }
         decision.attempt = {ending, situationOf(session_), seconds() - began};
@@ -103,6 +104,7 @@ private:
     double nearest_ = DistanceField::unreachable;
     double lastProgress_ = 0;
     bool surprised_ = false;
+    int lives_ = 1;  ///< since the last checkpoint
 };
 
 }  // namespace

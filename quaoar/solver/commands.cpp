@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <new>
 
+#include "fairness.hpp"
 #include "fresh_check.hpp"
 
 namespace quaoar {
@@ -75,8 +77,8 @@ void keep(const SolverArguments& arguments, const std::string& file, const Groun
                 static_cast<double>(solution.proof.ticks()) / Session::tickRate,
                 solution.simulated);
     if (solution.policy.places().empty()) return;
-    WayFile way{ground.level->id, ground.level->contentHash, solution.survival,
-                std::move(solution.policy)};
+    WayFile way{ground.level->id, ground.level->contentHash, solution.searched,
+                solution.survival, std::move(solution.policy)};
     way.write(wayFile(arguments, file));
     printSurvival(way.survival);
 }
@@ -104,16 +106,97 @@ int playBot(const SolverArguments& arguments, const std::string& file) {
     return 0;
 }
 
+/// Mends what does not hold any more, beginning with what is known.
+int repairLevel(const SolverArguments& arguments, const std::string& file) {
+    const auto level = load(file);
+    const auto proof = knownProof(level, proofFile(arguments, file));
+    const auto way = knownWay(wayFile(arguments, file));
+    if (proof && way && way->levelHash == level->contentHash) {
+        std::printf("%s  holds, %.3f s\n", level->id.c_str(),
+                    static_cast<double>(proof->ticks()) / Session::tickRate);
+        return 0;
+    }
+    return solveLevel(arguments, file);
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One line of the table; a level without a proof that holds makes it fail.
+int printRow(const SolverArguments& arguments, const std::string& file) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto level = load(file);
+    const Session session(level);
+    const double loading = secondsSince(start);
+    std::printf("%-22s %6.1f", level->id.c_str(), level->medals.gold);
+    const auto way = knownWay(wayFile(arguments, file));
+    const bool fits = way && way->levelHash == level->contentHash;
+    if (fits) {
+        std::printf(" %8.0f", way->searched);
+    } else {
+        std::printf("        -");
+    }
+    std::printf(" %7.1f", DistanceField(session).at(level->spawn));
+    if (fits) {
+        std::printf(" %8.1f %5.0f", 100 * way->survival.share(), way->survival.tries);
+    } else {
+        std::printf("        -     -");
+    }
+    const auto replay = std::chrono::steady_clock::now();
+    const auto proof = knownProof(level, proofFile(arguments, file));
+    if (proof) {
+        const double length = static_cast<double>(proof->ticks()) / Session::tickRate;
+        std::printf(" %8.2f %7.0f", length, length / secondsSince(replay));
+    } else {
+        std::printf("     none       -");
+    }
+    std::printf(" %6.2f\n", loading);
+    std::fflush(stdout);
+    return proof ? 0 : 1;
+}
+
+int checkFair(const SolverArguments& arguments, const std::string& file) {
+    const Ground ground(load(file));
+    const auto way = knownWay(wayFile(arguments, file));
+    FairOptions options;
+    options.states = arguments.fair;
+    options.seed = arguments.solve.seed;
+    options.jobs = arguments.solve.jobs;
+    const FairReport report = checkFairness(ground, way ? &way->policy : nullptr, options);
+    std::printf("%s  %d resting states: %d with a way on, %d die within 10 s, %zu stuck\n",
+                ground.level->id.c_str(), arguments.fair, report.goOn, report.die,
+                report.stuck.size());
+    for (const sulfur::Point& place : report.stuck) {
+        std::printf("    stuck at %.2f %.2f\n", place.x(), place.y());
+    }
+    return report.stuck.empty() ? 0 : 1;
+}
+
+int runOne(const SolverArguments& arguments, const std::string& file) {
+    if (!arguments.check.empty()) return checkProof(arguments, file);
+    if (arguments.table) return printRow(arguments, file);
+    if (arguments.fair > 0) return checkFair(arguments, file);
+    if (arguments.bot > 0) return playBot(arguments, file);
+    if (arguments.repair) return repairLevel(arguments, file);
+    return solveLevel(arguments, file);
+}
+
 }  // namespace
 
 int runSolver(const SolverArguments& arguments) {
     int status = 0;
+    if (arguments.table) {
+        std::printf("level                    gold  first/s  length survival lives  proof/s   speed  load\n");
+    }
     for (const std::string& file : arguments.levels) {
-        if (!arguments.check.empty()) return checkProof(arguments, file);
-        if (arguments.bot > 0) {
-            status = std::max(status, playBot(arguments, file));
-        } else {
-            status = std::max(status, solveLevel(arguments, file));
+        try {
+            status = std::max(status, runOne(arguments, file));
+        } catch (const std::bad_alloc&) {
+            throw;  // the next one would fare no better
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "quaoar_solve: %s\n", error.what());
+            status = 1;
         }
     }
     return status;

@@ -41,7 +41,7 @@ bool pickAnchor(const Session& session, const DistanceField& field, std::mt19937
     std::vector<std::pair<double, sulfur::Point>> holds;
     for (const auto& [stretch, hold] : stretches) holds.push_back(hold);
     std::size_t best = static_cast<std::size_t>(whole(random, static_cast<int>(holds.size())));
-    for (int round = whole(random, 4); round > 0; --round) {
+    for (int round = whole(random, 5); round > 0; --round) {
         const auto other = static_cast<std::size_t>(whole(random, static_cast<int>(holds.size())));
         if (holds[other].first < holds[best].first) best = other;
     }
@@ -49,15 +49,16 @@ bool pickAnchor(const Session& session, const DistanceField& field, std::mt19937
     return true;
 }
 
-Intention randomIdea(const Session& session, const DistanceField& field, std::mt19937_64& random) {
+Intention randomIdea(const Session& session, const DistanceField& field, std::mt19937_64& random,
+                     int shots) {
     const bool tied = session.rope().state() == Rope::State::attached;
     Intention idea;
     const int kind = whole(random, 100);
-    const bool shoots = kind >= (tied ? 55 : 20) && pickAnchor(session, field, random, idea.aim);
+    const bool shoots = kind >= (tied ? 100 - shots : 20) && pickAnchor(session, field, random, idea.aim);
     if (shoots) {
         idea.hook = Intention::Hook::shoot;
         idea.until.latest = pressGap + ticksBetween(random, 0.1, 0.9);
-    } else if (tied && kind >= 20) {
+    } else if (tied && kind >= (100 - shots) / 3) {
         idea.hook = Intention::Hook::keep;
         idea.until.latest = ticksBetween(random, 0.05, whole(random, 4) == 0 ? 2 : 0.7);
     } else {

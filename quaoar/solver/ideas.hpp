@@ -25,8 +25,10 @@ inline int whole(std::mt19937_64& random, int below) {
 bool pickAnchor(const Session& session, const DistanceField& field, std::mt19937_64& random,
                 sulfur::Point& anchor);
 
-/// Something that can be done in the session's present state; it ends after a time.
-Intention randomIdea(const Session& session, const DistanceField& field, std::mt19937_64& random);
+/// Something that can be done in the session's present state; it ends after a time. `shots` is the
+/// share of shots, in per cent, while the rope is tied.
+Intention randomIdea(const Session& session, const DistanceField& field, std::mt19937_64& random,
+                     int shots = 45);
 
 /// The same, and then one waits until nothing swings, pushing against the swing.
 Intention steadily(Intention idea);

@@ -35,6 +35,15 @@ void describe(CLI::App& app, quaoar::SolverArguments& arguments) {
         ->check(CLI::Range(1, 5));
     app.add_option("--bot", arguments.bot, "Only play so many games with the way that is known")
         ->check(CLI::Range(1, 100000));
+    app.add_flag("--repair", arguments.repair,
+                 "Only mend what does not hold, beginning with the ways that are known");
+    app.add_flag("--table", arguments.table,
+                 "Only print, of each level: seconds of gold, simulated seconds to the first way, "
+                 "metres, survival, lives, seconds of the proof, how much faster than real time it "
+                 "simulates, seconds to load");
+    app.add_option("--fair", arguments.fair,
+                   "Only look for places without a way on, in so many states of rest")
+        ->check(CLI::Range(1, 100000));
     app.add_flag("--fresh", arguments.fresh, "Search anew, even where a way is known");
     app.add_option("--check", arguments.check, "Only replay this proof; exit status 0 if it holds")
         ->type_name("PROOF");

@@ -10,8 +10,6 @@ constexpr double calmSpeed = 0.15;  // m/s
 constexpr int calmTicks = 100;
 /// Slower swings are neither helped nor braked, m/s.
 constexpr double slowPush = 0.1;
-/// Nothing but a return to a checkpoint moves the hero so far in a tick, metres.
-constexpr double returnJump = 0.3;
 
 int toTicks(double seconds) {
     return static_cast<int>(std::lround(seconds * Session::tickRate));
@@ -48,13 +46,12 @@ Slip Nerves::next() {
 
 /// False when the attempt or the life is over.
 bool Player::tick(const TickInput& input) {
-    const sulfur::Point before = session_.heroPosition();
-    const int restarts = session_.restarts();
     session_.tick(input);
     ++ticks_;
     if (recording_ != nullptr) recording_->append(input);
     trace_.push_back(session_.heroPosition());
-    died_ = session_.restarts() != restarts || (trace_.back() - before).norm() > returnJump;
+    died_ = session_.events().died || session_.events().restarted;
+    checkpoint_ = checkpoint_ || session_.events().checkpoint;
     const bool slow = static_cast<double>(session_.heroVelocity().norm()) < calmSpeed;
     calm_ = slow ? calm_ + 1 : 0;
     return !died_ && session_.phase() == Session::Phase::playing;
@@ -88,6 +85,7 @@ Ending Player::carryOut(const Intention& intention, const Slip& slip) {
     trace_.clear();
     calm_ = 0;
     died_ = false;
+    checkpoint_ = false;
     if (intention.hook == Intention::Hook::shoot) {
         const Ending shot = shoot(intention, slip);
         return shot == Ending::done ? holdOn(intention, slip) : shot;

@@ -65,6 +65,8 @@ public:
     Ending wait(int ticks);
     /// The hero's places after each tick of the last intention.
     const std::vector<sulfur::Point>& trace() const { return trace_; }
+    /// Whether a checkpoint was reached during the last intention.
+    bool reachedCheckpoint() const { return checkpoint_; }
     /// All ticks that were played.
     std::uint64_t ticks() const { return ticks_; }
 
@@ -84,6 +86,7 @@ private:
     std::uint64_t ticks_ = 0;
     int calm_ = 0;  ///< ticks of rest in a row
     bool died_ = false;
+    bool checkpoint_ = false;
 };
 
 }  // namespace quaoar

@@ -25,6 +25,7 @@ double unlikeness(const Situation& a, const Situation& b) {
     const double apart = (a.place - b.place).norm() / (0.25 + 0.02 * speed);
     const double differently = (a.velocity - b.velocity).norm() / (0.8 + 0.1 * speed);
     double sum = apart * apart + differently * differently;
+    if (a.signals != b.signals) sum += 4;
     if (a.tied) {
         const double anchors = (a.anchor - b.anchor).norm() / 0.4;
         const double lengths = (a.length - b.length) / 0.3;

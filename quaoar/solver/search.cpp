@@ -29,7 +29,7 @@ Search::Cell Search::cellOf(const Situation& situation) {
     };
     return {step(situation.place.x(), 0.5), step(situation.place.y(), 0.5),
             step(situation.velocity.x() + 1.5, 3), step(situation.velocity.y() + 1.5, 3),
-            situation.tied};
+            situation.tied, situation.signals};
 }
 
 /// A small tournament: few metres to go and few tries win.

@@ -70,6 +70,7 @@ private:
     struct Cell {
         std::int32_t x = 0, y = 0, vx = 0, vy = 0;
         bool tied = false;
+        std::uint32_t signals = 0;
         friend auto operator<=>(const Cell&, const Cell&) = default;
     };
     /// What was done after another node. Never changed once made, so that every way back to the

@@ -42,7 +42,10 @@ std::vector<Way> searchSteadyWays(const Ground& ground, const SolveOptions& opti
 /// The ticks of a way played without slips from the spawn; nothing if that does not finish.
 std::optional<Recording> record(const std::shared_ptr<const Level>& level, const Way& way);
 /// The same for a policy, which may find its way from wherever it comes to.
-std::optional<Recording> record(const Ground& ground, const Policy& policy);
+/// The slips go by the seed, of an expert; with seed 0 nothing slips.
+std::optional<Recording> record(const Ground& ground, const Policy& policy, std::uint64_t seed);
+/// The shortest of so many games.
+std::optional<Recording> recordBest(const Ground& ground, const Policy& policy, int games);
 
 /// All of it. `known` is a policy to begin with, null if there is none.
 Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known);

@@ -10,7 +10,7 @@ namespace {
 
 /// Slower than this the hero rests, m/s.
 constexpr double restSpeed = 0.35;
-constexpr int repeats = 5;
+constexpr int repeats = 4;
 /// A step that comes to the same less often is not kept.
 constexpr double leastReliable = 0.55;
 /// Two places of rest that are so near (metres) are the same.
@@ -38,14 +38,14 @@ SteadySearch::Cell SteadySearch::cellOf(const Situation& situation) {
         return static_cast<std::int32_t>(std::floor(value / 0.4));
     };
     return {step(situation.place.x()), step(situation.place.y()),
-            situation.tied ? 1 + step(situation.length) : 0};
+            situation.tied ? 1 + step(situation.length) : 0, situation.signals};
 }
 
 /// Few metres to go, few tries and a reliable way so far win.
 SteadySearch::State& SteadySearch::choose() {
     std::size_t best = 0;
     double bestScore = 0;
-    for (int i = 1 + whole(random_, 8); i > 0; --i) {
+    for (int i = 1 + whole(random_, 20); i > 0; --i) {
         const auto k = static_cast<std::size_t>(whole(random_, static_cast<int>(states_.size())));
         const State& state = states_[k];
         const double doubt = 1 - nodes_[state.node].reliability;
@@ -80,7 +80,7 @@ double SteadySearch::reliability(const State& from, const std::vector<Intention>
         if (ending == Ending::finished) ++good;
         if (ending == Ending::done && !finished) {
             const Situation after = situationOf(session_);
-            const bool same = after.tied == wanted.tied &&
+            const bool same = after.tied == wanted.tied && after.signals == wanted.signals &&
                               (after.place - wanted.place).norm() < samePlace &&
                               after.velocity.norm() < 3 * restSpeed;
             if (same) ++good;
@@ -151,7 +151,7 @@ std::optional<Way> SteadySearch::explore() {
     std::vector<Intention> intentions;
     Ending ending = Ending::done;
     for (int n = std::max(0, whole(random_, 5) - 2); n >= 0 && ending == Ending::done; --n) {
-        Intention idea = randomIdea(session_, field_, random_);
+        Intention idea = randomIdea(session_, field_, random_, n == 0 ? 85 : 45);
         if (n == 0) idea = atRest(idea);
         ending = player.carryOut(idea);
         intentions.push_back(ending == Ending::done ? endedBySight(idea, player.trace()) : idea);

@@ -35,6 +35,7 @@ private:
     /// 0.4 m of position and of rope.
     struct Cell {
         std::int32_t x = 0, y = 0, length = 0;
+        std::uint32_t signals = 0;
         friend auto operator<=>(const Cell&, const Cell&) = default;
     };
     struct Node {

@@ -24,9 +24,13 @@ std::string lineOf(const char* pattern, Values... values) {
 std::string situationLine(const Situation& here) {
     std::string line = lineOf("at %.3f %.3f %.3f %.3f", here.place.x(), here.place.y(),
                               here.velocity.x(), here.velocity.y());
-    if (!here.tied) return line;
     line.pop_back();
-    return line + lineOf(" tied %.3f %.3f %.3f", here.anchor.x(), here.anchor.y(), here.length);
+    if (here.tied) {
+        line += lineOf(" tied %.3f %.3f %.3f", here.anchor.x(), here.anchor.y(), here.length);
+        line.pop_back();
+    }
+    if (here.signals != 0) return line + lineOf(" signals %x", here.signals);
+    return line + "\n";
 }
 
 /// Goes through the lines of the file and knows where it is.
@@ -88,16 +92,17 @@ Situation readSituation(const WayLines& lines, const std::string& text) {
     Situation here;
     for (int axis = 0; axis < 2; ++axis) here.place[axis] = number();
     for (int axis = 0; axis < 2; ++axis) here.velocity[axis] = number();
-    word.clear();
-    words >> word;
-    if (word.empty()) return here;
-    if (word != "tied") lines.fail("has \"" + word + "\" where \"tied ...\" may stand");
-    here.tied = true;
-    for (int axis = 0; axis < 2; ++axis) here.anchor[axis] = number();
-    here.length = number();
-    word.clear();
-    words >> word;
-    if (!word.empty()) lines.fail("goes on with \"" + word + "\"");
+    while (words >> word) {
+        if (word == "tied") {
+            here.tied = true;
+            for (int axis = 0; axis < 2; ++axis) here.anchor[axis] = number();
+            here.length = number();
+        } else if (word == "signals") {
+            if (!(words >> std::hex >> here.signals)) lines.fail("has no number after \"signals\"");
+        } else {
+            lines.fail("has \"" + word + "\" where \"tied ...\" or \"signals ...\" may stand");
+        }
+    }
     return here;
 }
 
@@ -123,6 +128,7 @@ std::string WayFile::format() const {
     std::string text = std::string(wayFirstLine) + "\n";
     text += "level " + levelId + "\n";
     text += lineOf("level-hash %016" PRIx64, levelHash);
+    text += lineOf("searched %.0f", searched);
     text += lineOf("survival %.1f", 100 * survival.share());
     text += lineOf("games %d", survival.games);
     text += lineOf("tries %.0f", survival.tries);
@@ -147,6 +153,7 @@ WayFile WayFile::parse(const std::string& text, const std::string& file) {
     WayFile way;
     way.levelId = lines.value("level");
     way.levelHash = lines.hash("level-hash");
+    way.searched = lines.number("searched", 0, 1e9);
     const double percent = lines.number("survival", 0, 100);
     way.survival.games = static_cast<int>(lines.number("games", 0, 1e6));
     way.survival.finished = static_cast<int>(std::lround(percent / 100 * way.survival.games));
