@@ -117,6 +117,7 @@ void Game::tick() {
 void Game::tickScene() {
     session_->tick(TickInput{});
     view_->tick();
+    sounds_->accompany(session_->level());
     if (!ofTitle(scene())) return;
     const Level& level = session_->level();
     const double sweep = 0.5 - 0.5 * std::cos(static_cast<double>(time_) * 0.00021);

@@ -51,8 +51,8 @@ void GameView::cut() {
     sparks_.clear();
     strands_.clear();
     lastRope_.clear();
-    lastHero_ = hero;
     mood_ = {};
+    lastHero_ = hero;
     strain_ = strainRate_ = reachFlash_ = 0;
 }
 

@@ -26,7 +26,7 @@ void MonsterView::draw(atlax::Canvas& canvas, double alpha, double seconds) {
         std::vector<Vec2> border;
         for (const std::uint32_t k : shape.outline) border.push_back(places[k]);
         if (border.empty()) border = places;
-        const Frame frame = frameOf(monsters[i], border);
+        const Frame frame = frameOf(i, border);
         const bool hangs = monsters[i].behaviour == Monster::Behaviour::hang;
         const bool leech = monsters[i].target == Monster::Target::rope || monsters[i].flies ||
                            monsters[i].behaviour == Monster::Behaviour::lunge;
@@ -50,8 +50,7 @@ void MonsterView::draw(atlax::Canvas& canvas, double alpha, double seconds) {
     }
 }
 
-MonsterView::Frame MonsterView::frameOf(const Monster& monster,
-                                        const std::vector<Vec2>& border) const {
+MonsterView::Frame MonsterView::frameOf(std::size_t place, const std::vector<Vec2>& border) const {
     Frame frame;
     Vec2 low = border.front(), high = low;
     for (const Vec2 p : border) {
@@ -62,12 +61,21 @@ MonsterView::Frame MonsterView::frameOf(const Monster& monster,
     frame.size = high - low;
     const Vec2 way = Vec2(session_.heroPosition()) - frame.middle;
     frame.looks = normalized(way);
-    const float sees = static_cast<float>(monster.range);
-    frame.alarm = std::clamp(2 - 2 * length(way) / std::max(sees, 0.1f), 0.0f, 1.0f);
-    const sulfur::BodyId body = session_.instance().body(monster.body);
-    const auto speed = static_cast<float>(session_.world().meanVelocity(body).x());
-    const float turned = std::abs(speed) > 0.12f ? speed : way.x;
-    frame.facing = turned < 0 ? -1.0f : 1.0f;
+    const Monsters& monsters = session_.workings().monsters;
+    switch (monsters.mood(place)) {
+        case Monsters::Mood::idle:
+            break;
+        case Monsters::Mood::alert:
+            frame.alarm = 0.6f;
+            break;
+        case Monsters::Mood::angry:
+            frame.alarm = 1;
+            break;
+        case Monsters::Mood::defeated:
+            frame.defeated = true;
+            break;
+    }
+    frame.facing = monsters.facing(place) < 0 ? -1.0f : 1.0f;
     return frame;
 }
 
@@ -187,6 +195,12 @@ void MonsterView::drawWarden(atlax::Canvas& canvas, const Frame& frame,
 void MonsterView::drawEye(atlax::Canvas& canvas, Vec2 at, float radius, const Frame& frame,
                           float side, Color iris) const {
     const Color ink = Color::hex(0x120A1E);
+    if (frame.defeated) {
+        for (const float s : {-1.0f, 1.0f})
+            canvas.line(at + Vec2{-0.7f, -0.7f * s} * radius, at + Vec2{0.7f, 0.7f * s} * radius,
+                        radius * 0.36f, ink);
+        return;
+    }
     canvas.circle(at, radius * 1.18f, ink);
     canvas.circle(at, radius, mix(Color::hex(0xF4FBFF), iris, 0.12f));
     const Vec2 pupil = at + frame.looks * (radius * 0.36f);

@@ -23,11 +23,12 @@ private:
     struct Frame {
         atlax::Vec2 middle, size;
         atlax::Vec2 looks;  ///< towards the hero, unit length
-        float alarm = 0;    ///< 0: at peace, 1: has seen the hero
-        float facing = 1;   ///< -1: to the left
+        float alarm = 0;    ///< 0: at peace, 1: in a rage
+        bool defeated = false;
+        float facing = 1;  ///< -1: to the left
     };
 
-    Frame frameOf(const Monster& monster, const std::vector<atlax::Vec2>& border) const;
+    Frame frameOf(std::size_t place, const std::vector<atlax::Vec2>& border) const;
     void drawBody(atlax::Canvas& canvas, const Monster& monster, const BodyShape& shape,
                   const std::vector<atlax::Vec2>& places, double seconds) const;
     void drawSlug(atlax::Canvas& canvas, const Frame& frame, const std::vector<atlax::Vec2>& border,

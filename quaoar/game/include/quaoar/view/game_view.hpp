@@ -131,8 +131,8 @@ private:
     std::optional<atlax::Vec2> lookAt_;
     std::vector<Strand> strands_;
     std::vector<atlax::Vec2> lastRope_;  ///< of the last tick, from the head to the hand
-    atlax::Vec2 lastHero_;
     Mood mood_;
+    atlax::Vec2 lastHero_;    ///< where he was a tick ago
     float strain_ = 0;        ///< of the rope, 0 to 1, smoothed
     float strainRate_ = 0;    ///< how fast it changes: how much the rope trembles
     float reachFlash_ = 0;    ///< 1 to 0 after a miss
