@@ -86,9 +86,7 @@ void takePicture(const PictureOptions& options) {
         hints.tick(session, {});
     }
     atlax::Canvas& canvas = offscreen.begin();
-    ViewOptions shown;
-    shown.hints = false;
-    view.draw(canvas, 1, shown);
+    view.draw(canvas, 1, {});
     hints.draw({canvas, art, texts});
     drawStatus({canvas, art, texts}, session, {.replay = options.replay.has_value()});
     offscreen.finish();

@@ -181,12 +181,12 @@ void Game::account(const TickInput& input) {
     if (events.fired) ++totals_.shots;
     if (!events.restarted && !events.died) return;
     const bool asked = input.restart || input.retry;
-    LevelProgress progress = progress_.of(session_->level().id);
+    LevelProgress progress = progress_.of(levels_.key(level_));
     progress.attempts += events.restarted ? 1 : 0;
     totals_.attempts += events.restarted ? 1 : 0;
     progress.deaths += events.died && !asked ? 1 : 0;
     totals_.deaths += events.died && !asked ? 1 : 0;
-    progress_.set(session_->level().id, progress);
+    progress_.set(levels_.key(level_), progress);
 }
 
 /// The time at a checkpoint, and how far that is from the best run's.
@@ -195,7 +195,7 @@ void Game::split() {
     if (!checkpoint) return;
     splits_.resize(session_->level().checkpoints.size());
     splits_[*checkpoint] = session_->seconds();
-    const LevelProgress progress = progress_.of(session_->level().id);
+    const LevelProgress progress = progress_.of(levels_.key(level_));
     split_ = clockText(session_->seconds());
     ahead_ = false;
     if (*checkpoint < progress.splits.size() && progress.splits[*checkpoint] > 0) {
@@ -212,7 +212,7 @@ void Game::finish() {
                "level " + session_->level().id + " finished in " + clockText(session_->seconds()));
     recording_.finalHash = session_->hash();
     lastRun_ = std::make_shared<const Recording>(recording_);
-    LevelProgress progress = progress_.of(session_->level().id);
+    LevelProgress progress = progress_.of(levels_.key(level_));
     const bool faster = !progress.finished || session_->seconds() < progress.best;
     before_ = progress.best;
     progress.finished = true;
@@ -221,9 +221,9 @@ void Game::finish() {
     if (faster) {
         progress.best = session_->seconds();
         progress.splits = splits_;
-        progress_.keepBestRun(session_->level(), *lastRun_);
+        progress_.keepBestRun(levels_.key(level_), *lastRun_);
     }
-    progress_.set(session_->level().id, progress);
+    progress_.set(levels_.key(level_), progress);
     progress_.setTotals(totals_);
     progress_.save();
     saveRecording();
@@ -258,9 +258,7 @@ void Game::timeFrame() {
 void Game::drawWorld(atlax::Canvas& canvas, double alpha) {
     const bool playing = screen_ == Screen::playing;
     ViewOptions options;
-    options.texts = &texts_;
     options.quality = governor_.quality();
-    options.hints = false;
     options.aim = playing && !watching();
     options.shake = preferences_.on(Choice::shake);
     options.flashes = preferences_.on(Choice::flashes);

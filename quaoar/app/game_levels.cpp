@@ -33,10 +33,10 @@ void Game::play() {
     splits_.clear();
     splitTicks_ = 0;
     makeGhost();
-    LevelProgress progress = progress_.of(session_->level().id);
+    LevelProgress progress = progress_.of(levels_.key(level_));
     ++progress.attempts;
     ++totals_.attempts;
-    progress_.set(session_->level().id, progress);
+    progress_.set(levels_.key(level_), progress);
     atlax::log(atlax::LogLevel::Info, "level " + session_->level().id + " begins");
     show(Screen::playing);
 }
@@ -75,22 +75,24 @@ void Game::toTitle() {
 
 /// The first level, and each after one that is finished.
 bool Game::unlocked(std::size_t level) const {
-    if (level == 0 || options_.unlockAll || preferences_.on(Choice::unlockAll)) return true;
-    const auto finished = [&](std::size_t i) { return progress_.of(levels_[i].id).finished; };
+    if (level == 0 || levels_.own(level) || options_.unlockAll ||
+        preferences_.on(Choice::unlockAll))
+        return true;
+    const auto finished = [&](std::size_t i) { return progress_.of(levels_.key(i)).finished; };
     return finished(level) || finished(level - 1);
 }
 
 std::size_t Game::lastUnlocked() const {
     std::size_t last = 0;
-    for (std::size_t i = 1; i < levels_.size(); ++i)
-        if (progress_.of(levels_[i - 1].id).finished) last = i;
+    for (std::size_t i = 1; i < levels_.size() && !levels_.own(i); ++i)
+        if (progress_.of(levels_.key(i - 1)).finished) last = i;
     return last;
 }
 
 std::shared_ptr<const Recording> Game::ghostRun() const {
     switch (preferences_.ghost()) {
         case GhostChoice::best:
-            return progress_.bestRun(session_->level());
+            return progress_.bestRun(levels_.key(level_), session_->level());
         case GhostChoice::gold:
             return levels_.proof(level_);
         case GhostChoice::none:

@@ -126,7 +126,7 @@ std::vector<MenuItem> Game::itemsOf(Screen screen) {
 
 std::vector<MenuItem> Game::titleItems() {
     const std::size_t last = lastUnlocked();
-    const bool begun = progress_.of(levels_[0].id).attempts > 0;
+    const bool begun = progress_.of(levels_.key(0)).attempts > 0;
     const std::string level =
         std::to_string(levels_[last].number) + "  " + texts_(levels_[last].name);
     const std::string play = begun ? texts_("Continue: {}", {level}) : texts_("Play");
@@ -210,7 +210,7 @@ MenuRoom Game::drawBehindMenu(const OverlayTools& tools) {
                                     clockText(session_->seconds()));
         case Screen::finished:
             return drawFinish(tools, *session_,
-                              {progress_.of(session_->level().id).best, before_, watching()});
+                              {progress_.of(levels_.key(level_)).best, before_, watching()});
         case Screen::options:
             return drawHeadline(tools, texts_("Options"));
         case Screen::sound:
@@ -245,7 +245,7 @@ MenuRoom Game::drawBehindMenu(const OverlayTools& tools) {
 std::vector<TextLine> Game::statisticsLines() const {
     std::size_t finished = 0, gold = 0;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-        const LevelProgress progress = progress_.of(levels_[i].id);
+        const LevelProgress progress = progress_.of(levels_.key(i));
         finished += progress.finished ? 1 : 0;
         gold += progress.finished && levels_[i].medalFor(progress.best) == Medal::gold ? 1 : 0;
     }
@@ -265,7 +265,7 @@ std::string Game::levelDetails(std::size_t level) const {
     const Level& it = levels_[level];
     std::string text = std::to_string(it.number) + "   " + texts_(it.name);
     if (!unlocked(level)) return text + "     " + texts_("locked");
-    const LevelProgress progress = progress_.of(it.id);
+    const LevelProgress progress = progress_.of(levels_.key(level));
     if (progress.finished) text += "     " + texts_("best {}", {clockText(progress.best)});
     if (!progress.finished || it.medalFor(progress.best) != Medal::gold)
         text += "     " + texts_("gold below {}", {clockText(it.medals.gold)});
@@ -283,7 +283,7 @@ void Game::drawLevels(const OverlayTools& tools) {
     std::vector<LevelCell> cells;
     std::vector<atlax::Texture> pictures(levels_.size());
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-        const LevelProgress progress = progress_.of(levels_[i].id);
+        const LevelProgress progress = progress_.of(levels_.key(i));
         LevelCell cell{levels_[i].number, unlocked(i)};
         cell.finished = progress.finished;
         if (progress.finished) cell.medal = levels_[i].medalFor(progress.best);
@@ -308,7 +308,7 @@ void Game::drawNextThumbnail(atlax::Canvas& canvas) {
         GameView view(*art_, session);
         canvas.pushTarget(thumbnails_[i]);
         ViewOptions options;
-        options.aim = options.hints = false;
+        options.aim = false;
         view.draw(canvas, 1, options);
         canvas.popTarget();
         return;

@@ -1,6 +1,7 @@
 #include "level_list.hpp"
 
 #include <algorithm>
+#include <atlax/files.hpp>
 #include <atlax/log.hpp>
 #include <new>
 
@@ -29,6 +30,31 @@ LevelList LevelList::ofFolder(const std::filesystem::path& folder) {
     }
     list.sort();
     return list;
+}
+
+void LevelList::addOwn(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> folders{folder};
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        if (entry.is_directory(error)) folders.push_back(entry.path());
+    std::sort(folders.begin() + 1, folders.end());
+    for (const auto& pack : folders) {
+        LevelList levels = ofFolder(pack);
+        for (Entry& entry : levels.entries_) {
+            entry.own = true;
+            entries_.push_back(std::move(entry));
+        }
+    }
+}
+
+std::filesystem::path LevelList::ownFolder() {
+    return atlax::dataFolder("quaoar") / "levels";
+}
+
+std::string LevelList::key(std::size_t index) const {
+    const Entry& entry = entries_[index];
+    if (!entry.own) return entry.level->id;
+    return "own-" + entry.file.parent_path().filename().string() + "-" + entry.level->id;
 }
 
 LevelList LevelList::around(const std::filesystem::path& file, std::size_t& index) {

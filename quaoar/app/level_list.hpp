@@ -17,6 +17,7 @@ public:
     struct Entry {
         std::filesystem::path file;  ///< empty: made by a program, without a proof
         std::shared_ptr<const Level> level;
+        bool own = false;  ///< made by the player
     };
 
     LevelList() = default;
@@ -28,10 +29,19 @@ public:
     /// Throws what readLevel throws for this file.
     static LevelList around(const std::filesystem::path& file, std::size_t& index);
 
+    /// Adds the player's own levels after the others: those of a folder and of the folders in it,
+    /// each a pack.
+    void addOwn(const std::filesystem::path& folder);
+    /// In the player's data folder (XDG_DATA_HOME).
+    static std::filesystem::path ownFolder();
+
     std::size_t size() const { return entries_.size(); }
     bool empty() const { return entries_.empty(); }
     const Level& operator[](std::size_t index) const { return *entries_[index].level; }
     std::shared_ptr<const Level> level(std::size_t index) const { return entries_[index].level; }
+    bool own(std::size_t index) const { return entries_[index].own; }
+    /// What progress is kept under: an own level is another one than that of the game with its id.
+    std::string key(std::size_t index) const;
     /// The proof beside the level; nothing when there is none, or one that does not fit.
     std::shared_ptr<const Recording> proof(std::size_t index) const;
     /// The level that a recording was made for, in this very version.

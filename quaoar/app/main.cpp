@@ -102,6 +102,7 @@ quaoar::GameOptions levelsOf(const Arguments& arguments) {
     quaoar::GameOptions options;
     if (arguments.level.empty()) {
         options.levels = gameLevels();
+        options.levels.addOwn(quaoar::LevelList::ownFolder());
         return options;
     }
     std::size_t index = 0;

@@ -23,7 +23,7 @@ std::string safeName(const std::string& level) {
     return name;
 }
 
-std::string key(const std::string& level, const char* what) {
+std::string settingOf(const std::string& level, const char* what) {
     return "level." + safeName(level) + "." + what;
 }
 
@@ -48,26 +48,26 @@ std::filesystem::path Progress::folder() {
 
 LevelProgress Progress::of(const std::string& level) const {
     LevelProgress out;
-    out.best = values_.get(key(level, "best"), 0.0, 0.0, longest);
-    out.finished = values_.get(key(level, "finished"), false);
-    out.attempts = values_.get(key(level, "attempts"), 0, 0);
-    out.deaths = values_.get(key(level, "deaths"), 0, 0);
-    out.pickups = values_.get(key(level, "pickups"), 0, 0);
-    const auto splits = values_.get(key(level, "splits"), std::vector<std::string>());
+    out.best = values_.get(settingOf(level, "best"), 0.0, 0.0, longest);
+    out.finished = values_.get(settingOf(level, "finished"), false);
+    out.attempts = values_.get(settingOf(level, "attempts"), 0, 0);
+    out.deaths = values_.get(settingOf(level, "deaths"), 0, 0);
+    out.pickups = values_.get(settingOf(level, "pickups"), 0, 0);
+    const auto splits = values_.get(settingOf(level, "splits"), std::vector<std::string>());
     for (const std::string& split : splits) out.splits.push_back(secondsOf(split));
     return out;
 }
 
 void Progress::set(const std::string& level, const LevelProgress& progress) {
-    values_.set(key(level, "finished"), progress.finished);
-    values_.set(key(level, "best"), progress.best);
-    values_.set(key(level, "attempts"), progress.attempts);
-    values_.set(key(level, "deaths"), progress.deaths);
-    values_.set(key(level, "pickups"), progress.pickups);
+    values_.set(settingOf(level, "finished"), progress.finished);
+    values_.set(settingOf(level, "best"), progress.best);
+    values_.set(settingOf(level, "attempts"), progress.attempts);
+    values_.set(settingOf(level, "deaths"), progress.deaths);
+    values_.set(settingOf(level, "pickups"), progress.pickups);
     std::vector<std::string> splits;
     for (const double split : progress.splits)
         splits.push_back(std::to_string(std::llround(split * 1000)));
-    values_.set(key(level, "splits"), splits);
+    values_.set(settingOf(level, "splits"), splits);
 }
 
 Totals Progress::totals() const {
@@ -88,8 +88,9 @@ void Progress::setTotals(const Totals& totals) {
     values_.set("total.deaths", totals.deaths);
 }
 
-std::shared_ptr<const Recording> Progress::bestRun(const Level& level) const {
-    const auto file = folder_ / "replays" / (safeName(level.id) + ".recording");
+std::shared_ptr<const Recording> Progress::bestRun(const std::string& key,
+                                                   const Level& level) const {
+    const auto file = folder_ / "replays" / (safeName(key) + ".recording");
     std::error_code ignored;
     if (folder_.empty() || !std::filesystem::exists(file, ignored)) return nullptr;
     try {
@@ -101,10 +102,10 @@ std::shared_ptr<const Recording> Progress::bestRun(const Level& level) const {
     return nullptr;
 }
 
-void Progress::keepBestRun(const Level& level, const Recording& recording) {
+void Progress::keepBestRun(const std::string& key, const Recording& recording) {
     if (folder_.empty()) return;
     try {
-        recording.write(folder_ / "replays" / (safeName(level.id) + ".recording"));
+        recording.write(folder_ / "replays" / (safeName(key) + ".recording"));
     } catch (const atlax::Error& error) {
         atlax::log(atlax::LogLevel::Warning, error.what());
     }

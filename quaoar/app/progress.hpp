@@ -40,14 +40,15 @@ public:
     /// In the player's data folder (XDG_DATA_HOME).
     static std::filesystem::path folder();
 
+    /// Of the level that LevelList::key() names so.
     LevelProgress of(const std::string& level) const;
     void set(const std::string& level, const LevelProgress& progress);
     Totals totals() const;
     void setTotals(const Totals& totals);
 
     /// The best run, when it is of this version of the level; else nothing.
-    std::shared_ptr<const Recording> bestRun(const Level& level) const;
-    void keepBestRun(const Level& level, const Recording& recording);
+    std::shared_ptr<const Recording> bestRun(const std::string& key, const Level& level) const;
+    void keepBestRun(const std::string& key, const Recording& recording);
 
     void save();
 

@@ -199,7 +199,7 @@ TEST(Progress, isKeptAndSurvivesDamage) {
                                      .pickups = 5,
                                      .splits = {1.25, 0}});
         progress.setTotals({.seconds = 60, .distance = 1.5, .shots = 7, .attempts = 3});
-        progress.keepBestRun(*level, run);
+        progress.keepBestRun("room", run);
         progress.save();
         progress.set("other", {.best = 1});
         progress.save();
@@ -210,9 +210,9 @@ TEST(Progress, isKeptAndSurvivesDamage) {
     EXPECT_EQ(again.of("01 Übung/..").pickups, 5);
     EXPECT_EQ(again.of("01 Übung/..").splits, (std::vector<double>{1.25, 0}));
     EXPECT_EQ(again.totals().shots, 7);
-    ASSERT_NE(again.bestRun(*level), nullptr);
-    EXPECT_EQ(again.bestRun(*level)->format(), run.format());
-    EXPECT_EQ(again.bestRun(*room(replaced(roomText, "0.4, 0.4", "0.5, 0.4"))), nullptr)
+    ASSERT_NE(again.bestRun("room", *level), nullptr);
+    EXPECT_EQ(again.bestRun("room", *level)->format(), run.format());
+    EXPECT_EQ(again.bestRun("room", *room(replaced(roomText, "0.4, 0.4", "0.5, 0.4"))), nullptr)
         << "of another version of the level";
 
     writeText(folder / "progress.json", "{ half");
@@ -220,7 +220,7 @@ TEST(Progress, isKeptAndSurvivesDamage) {
     EXPECT_EQ(backup.of("01 Übung/..").best, 12.5) << "from the backup";
     EXPECT_TRUE(std::filesystem::exists(folder / "progress.json.damaged-1"));
     writeText(folder / "replays" / "room.recording", "rubbish");
-    EXPECT_EQ(backup.bestRun(*level), nullptr);
+    EXPECT_EQ(backup.bestRun("room", *level), nullptr);
 }
 
 /// A minute of a hand that aims with small movements, and fires and reels now and then.
@@ -320,6 +320,18 @@ TEST(LevelList, isInTheOrderOfNumbersAndLeavesOutWhatIsNone) {
     EXPECT_EQ(LevelList::around(folder / "a.json", index).size(), 2u);
     EXPECT_EQ(index, 1u);
     EXPECT_EQ(LevelList::ofFolder(folder / "none").size(), 0u);
+
+    std::filesystem::create_directories(folder / "own/pack");
+    writeText(folder / "own/a.json", roomText);
+    writeText(folder / "own/pack/a.json", roomText);
+    LevelList all = list;
+    all.addOwn(folder / "own");
+    all.addOwn(folder / "none");
+    ASSERT_EQ(all.size(), 4u);
+    EXPECT_FALSE(all.own(1));
+    EXPECT_TRUE(all.own(2));
+    EXPECT_EQ((std::set<std::string>{all.key(0), all.key(1), all.key(2), all.key(3)}.size()), 4u)
+        << "each has a progress of its own";
 }
 
 TEST(Hints, comeOneAtATimeAndGoWhenDone) {

@@ -125,7 +125,6 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
     painter_->draw(canvas, alpha, seconds, drawnElsewhere_);
     painter_->drawTies(canvas, alpha);
     monsters_->draw(canvas, alpha, seconds);
-    if (options.hints) drawHints(canvas, options.texts);
     const bool playing = session_.phase() == Session::Phase::playing;
     if (options.aim && playing && session_.rope().state() == Rope::State::idle) drawRange(canvas);
     drawReachFlash(canvas);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <quaoar/view/game_view.hpp>
-#include <quaoar/view/texts.hpp>
 
 namespace quaoar {
 
@@ -44,36 +43,6 @@ void GameView::drawGate(atlax::Canvas& canvas, bool front) {
     }
     canvas.setBlend(atlax::Blend::Alpha);
     canvas.sprite(art_.picture("gate.svg"), at, Vec2{2.42f, 2.42f} * radius);
-}
-
-/// Sentences grow clear as the hero comes near.
-void GameView::drawHints(atlax::Canvas& canvas, const Texts* texts) {
-    const Vec2 hero(session_.heroPosition());
-    for (const Hint& hint : session_.level().hints) {
-        const Vec2 at(hint.position);
-        const float away = std::abs(at.x - hero.x);
-        const float near = std::clamp(1.6f - away / 3.0f, 0.0f, 1.0f);
-        if (near <= 0) continue;
-        const float size = 0.15f;
-        const std::string text = texts == nullptr ? hint.text : (*texts)(hint.text);
-        const atlax::TextExtent extent = canvas.measure(art_.regular(), text, size);
-        const atlax::Rect box =
-            atlax::Rect::around(at, {extent.width + 0.24f, extent.height + 0.12f});
-        canvas.roundedRect(box, 0.08f, palette::night.withAlpha(0.55f * near));
-        canvas.roundedRectOutline(box, 0.08f, 0.01f, palette::ice.withAlpha(0.35f * near));
-        float y = at.y + extent.height * 0.5f;
-        const auto lines = std::count(text.begin(), text.end(), '\n') + 1;
-        const float step = extent.height / static_cast<float>(lines);
-        std::size_t start = 0;
-        while (start <= text.size()) {
-            const std::size_t end = std::min(text.find('\n', start), text.size());
-            canvas.text(art_.regular(), text.substr(start, end - start), {at.x, y - step * 0.5f},
-                        {size, palette::frost.withAlpha(near), atlax::AlignX::Centre,
-                         atlax::AlignY::Middle});
-            y -= step;
-            start = end + 1;
-        }
-    }
 }
 
 /// Where the head would fly. In reach: dots and a ring where it sticks; out of reach: short

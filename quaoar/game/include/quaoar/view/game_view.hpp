@@ -19,15 +19,12 @@ class Backdrop;
 class BodyPainter;
 class MechanicsView;
 class MonsterView;
-class Texts;
 
 /// What is drawn beside the world itself.
 struct ViewOptions {
     bool aim = true;                                      ///< the range line and the crosshair
-    bool hints = true;                                    ///< the level's sentences
     std::optional<atlax::Vec2> crosshair = std::nullopt;  ///< pixels; the mouse
     Quality quality = {};                                 ///< the best unless said otherwise
-    const Texts* texts = nullptr;                         ///< null: sentences as the level has them
     bool shake = true;                                    ///< the picture trembles with blows
     bool flashes = true;                                  ///< sudden lights
     bool highContrast = false;  ///< what can be held and what hurts stands out from the rest
@@ -98,7 +95,6 @@ private:
     float random();
 
     void drawGate(atlax::Canvas& canvas, bool front);
-    void drawHints(atlax::Canvas& canvas, const Texts* texts);
     void drawHero(atlax::Canvas& canvas, double alpha);
     void drawFace(atlax::Canvas& canvas, atlax::Vec2 middle, atlax::Vec2 squash);
     void drawEye(atlax::Canvas& canvas, atlax::Vec2 eye, float side, atlax::Vec2 squash);
