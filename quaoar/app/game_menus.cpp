@@ -15,6 +15,7 @@ constexpr int newsSeconds = 4;
 /// Three steps of the count-in, 0.4 s each.
 constexpr int countInStep = Session::tickRate * 2 / 5;
 constexpr atlax::PixelSize thumbnailSize{320, 180};
+constexpr std::size_t thumbnailQuality = 2;  ///< they are small, and the menu waits for them
 
 /// "1:02:03"
 std::string longClock(double seconds) {
@@ -309,6 +310,10 @@ void Game::drawNextThumbnail(atlax::Canvas& canvas) {
         canvas.pushTarget(thumbnails_[i]);
         ViewOptions options;
         options.aim = false;
+        options.quality = qualities[thumbnailQuality];
+        // Where the level begins to be itself: they all start alike.
+        const std::vector<Checkpoint>& checkpoints = levels_[i].checkpoints;
+        if (!checkpoints.empty()) view.lookAt(atlax::Vec2(checkpoints.front().position));
         view.draw(canvas, 1, options);
         canvas.popTarget();
         return;

@@ -5,8 +5,8 @@
 namespace quaoar {
 namespace {
 
-constexpr double near = 2.2;                      ///< metres from its place at which a hint appears
-constexpr double far = 3.5;                       ///< and at which it goes
+constexpr double near = 3.0;                      ///< metres from its place at which a hint appears
+constexpr double far = 4.2;                       ///< and at which it goes
 constexpr int readTicks = 5 * Session::tickRate;  ///< for a sentence that asks for nothing
 constexpr int leastTicks = Session::tickRate;
 constexpr int doneTicks = Session::tickRate / 10;  ///< so long an action is held until it is known

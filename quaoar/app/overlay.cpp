@@ -392,7 +392,9 @@ std::vector<atlax::Rect> drawGrid(const OverlayTools& tools, const std::vector<L
     const float width = std::min({area.x / static_cast<float>(columns),
                                   area.y / static_cast<float>(rows) * shape, 340 * unit});
     const Vec2 cell{width, width / shape};
-    const Vec2 from{(screen.x - cell.x * static_cast<float>(columns)) * 0.5f, room.top};
+    const float spare = area.y - cell.y * static_cast<float>(rows);
+    const Vec2 from{(screen.x - cell.x * static_cast<float>(columns)) * 0.5f,
+                    room.top + 0.4f * std::max(spare, 0.0f)};
     std::vector<atlax::Rect> places;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto column = static_cast<float>(static_cast<int>(i) % columns);

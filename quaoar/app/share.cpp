@@ -190,7 +190,7 @@ Recording readRecording(Reader& in) {
 
 }  // namespace
 
-std::string shareText(const Recording& recording) {
+std::vector<std::byte> shareBytes(const Recording& recording) {
     Writer out;
     out.byte(formatVersion);
     out.fixed(recording.levelHash, 8);
@@ -206,7 +206,16 @@ std::string shareText(const Recording& recording) {
         out.byte(static_cast<std::uint8_t>(run.input.push));
     int place = 0;
     for (const InputRun& run : recording.runs()) writeAim(out, run.input, place);
-    return std::string(prefix) + toBase64(atlax::compress(out.bytes, 19));
+    return out.bytes;
+}
+
+Recording parseShareBytes(std::span<const std::byte> bytes) {
+    Reader in(bytes);
+    return readRecording(in);
+}
+
+std::string shareText(const Recording& recording) {
+    return std::string(prefix) + toBase64(atlax::compress(shareBytes(recording), 19));
 }
 
 Recording parseShareText(std::string_view text) {
@@ -215,9 +224,7 @@ Recording parseShareText(std::string_view text) {
         refuse("\"" + std::string(prefix) + "\" is missing at its beginning");
     const std::vector<std::byte> packed = fromBase64(text.substr(start + prefix.size()));
     try {
-        const std::vector<std::byte> bytes = atlax::decompress(packed, mostBytes);
-        Reader in(bytes);
-        return readRecording(in);
+        return parseShareBytes(atlax::decompress(packed, mostBytes));
     } catch (const atlax::Error&) {
         refuse("it is damaged or cut short");
     }

@@ -1,9 +1,12 @@
 // Recordings as short texts, for the clipboard.
 #pragma once
 
+#include <cstddef>
 #include <quaoar/recording.hpp>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace quaoar {
 
@@ -15,5 +18,9 @@ std::string shareText(const Recording& recording);
 /// The opposite. What stands before "quaoar-replay:", and spaces and line ends within, are skipped.
 /// Throws RecordingError with one sentence.
 Recording parseShareText(std::string_view text);
+
+/// The binary format within, before it is compressed, and back. The latter throws RecordingError.
+std::vector<std::byte> shareBytes(const Recording& recording);
+Recording parseShareBytes(std::span<const std::byte> bytes);
 
 }  // namespace quaoar

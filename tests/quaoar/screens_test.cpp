@@ -606,6 +606,107 @@ TEST(Game, withoutCountInPlayGoesOnAtOnceAndALetGoButtonLetsGo) {
     EXPECT_EQ(play(played), 9);
 }
 
+TEST(Game, isPlayedByTheGamepadAlone) {
+    const Folder folder("pad");
+    Preferences preferences(folder / "settings.json");
+    Game game({.level = firstLevel()}, preferences);
+    using atlax::PadAxis;
+    using atlax::PadButton;
+    Script script;
+    const auto press = [&](PadButton button) {
+        for (const bool down : {true, false}) {
+            script.then([button, down](atlax::Platform& platform) {
+                platform.post(atlax::PadButtonEvent{0, button, down});
+            });
+        }
+    };
+    const auto push = [&](PadAxis axis, float value) {
+        script.then([axis, value](atlax::Platform& platform) {
+            platform.post(atlax::PadAxisEvent{0, axis, value});
+        });
+    };
+    double length = 0;
+    script.then([](atlax::Platform& platform) { platform.post(atlax::PadConnected{0, "pad"}); });
+    press(PadButton::South);  // play
+    hang(script, game);
+    script.then([&](atlax::Platform&) { length = game.session().rope().restLength(); });
+    push(PadAxis::LeftTrigger, 1);
+    script.wait(30);
+    script.then([&](atlax::Platform&) {
+        EXPECT_LT(game.session().rope().restLength(), length - 0.2) << "reeled in";
+    });
+    press(PadButton::Start);
+    press(PadButton::DpadDown);
+    push(PadAxis::LeftY, -1);  // and the stick
+    push(PadAxis::LeftY, 0);
+    press(PadButton::South);  // options
+    script.then([&](atlax::Platform&) { EXPECT_EQ(game.screen(), Screen::options); });
+    press(PadButton::East);
+    press(PadButton::East);  // back to the game
+    script.wait(90);
+    script.then([&](atlax::Platform&) { EXPECT_EQ(game.screen(), Screen::playing); });
+    press(PadButton::North);
+    script.then([&](atlax::Platform&) { EXPECT_GT(game.session().restarts(), 1); });
+    press(PadButton::Start);
+    press(PadButton::DpadUp);
+    press(PadButton::South);  // quit
+    Played played(game, script);
+    EXPECT_EQ(play(played), 0);
+}
+
+TEST(Game, isPlayedByTheMouseAlone) {
+    const Folder folder("mouse");
+    Preferences preferences(folder / "settings.json");
+    Game game({.level = firstLevel()}, preferences);
+    using atlax::MouseButton;
+    std::vector<atlax::DrawnText> texts;
+    Script script;
+    const auto post = [&](MouseButton button, bool down, atlax::Vec2 at) {
+        script.then([button, down, at](atlax::Platform& platform) {
+            platform.post(atlax::MouseButtonEvent{.button = button, .down = down, .position = at});
+        });
+    };
+    const auto clickOn = [&](const std::string& label) {
+        script.then([&, label](atlax::Platform& platform) {
+            for (const atlax::DrawnText& text : texts) {
+                if (text.text != label) continue;
+                const atlax::Vec2 at = text.box.min + text.box.size * 0.5f;
+                for (const bool down : {true, false})
+                    platform.post(atlax::MouseButtonEvent{.down = down, .position = at});
+                return;
+            }
+            ADD_FAILURE() << "no \"" << label << "\" to click on";
+        });
+    };
+    const atlax::Vec2 up{160, 3};
+    double length = 0;
+    script.wait(3);
+    clickOn("Play");
+    script.wait(10);
+    post(MouseButton::Left, true, up);
+    script.wait(30);
+    script.then([&](atlax::Platform& platform) {
+        length = game.session().rope().restLength();
+        EXPECT_GT(length, 0) << "the rope sticks";
+        platform.post(atlax::WheelEvent{{0, 2}, up});
+    });
+    script.wait(20);
+    script.then([&](atlax::Platform&) {
+        EXPECT_LT(game.session().rope().restLength(), length - 0.1) << "the wheel reels in";
+    });
+    post(MouseButton::Middle, true, up);
+    post(MouseButton::Middle, false, up);
+    post(MouseButton::Left, false, up);
+    script.then([&](atlax::Platform&) { EXPECT_EQ(game.screen(), Screen::paused); });
+    clickOn("Options");
+    clickOn("Back");
+    script.then([&](atlax::Platform&) { EXPECT_EQ(game.screen(), Screen::paused); });
+    clickOn("Title screen");
+    clickOn("Quit");
+    Played played(game, script, [&](atlax::Canvas& canvas) { texts = canvas.recordedTexts(); });
+    EXPECT_EQ(play(played), 0);
+}
+
 /// Rooms in which the hero stands in the exit from the start.
 void writeEasyLevels(const Folder& folder, int count) {
     for (int i = 1; i <= count; ++i) {
