@@ -271,5 +271,22 @@ TEST(Deaths, TheLevelSetsSpeedLimitAndReach) {
     EXPECT_NEAR((session.preview({0, 1}).to - session.heroPosition()).norm(), 1, 1e-5);
 }
 
+/// The same stretch for each metre, whatever the links are long.
+TEST(Deaths, ALongRopeIsTheSameRope) {
+    const auto hang = [](double reach) {
+        const std::string text = replaced(replaced(roomWith("\"reach\": " + std::to_string(reach)),
+                                                   "[4, 3], [-4, 3]", "[4, 12], [-4, 12]"),
+                                          "\"max\": [4, 4]", "\"max\": [4, 12]");
+        Session session(room(text));
+        put(session, 0, 12 - 0.95 * std::min(reach, 4.0));
+        play(session, fireAt(0, 1), 5000);
+        EXPECT_LE(session.rope().particles().size(), 81u);
+        const double rest = session.rope().restLength();
+        const double apart = (session.heroPosition() - session.rope().head(session.world())).norm();
+        return (apart - rest) / rest;
+    };
+    EXPECT_NEAR(hang(4), hang(8), 0.1 * hang(4));
+}
+
 }  // namespace
 }  // namespace quaoar::test

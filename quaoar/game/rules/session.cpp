@@ -17,9 +17,17 @@ HeroRules heroRulesOf(const Level& level) {
     return rules;
 }
 
+/// A long rope has longer links rather than more of them than its usual 80 at 4 m: it is as heavy
+/// and as stiff a piece of rope for each metre, and costs no more.
 RopeRules ropeRulesOf(const Level& level) {
+    constexpr Real longest = 4;  // m, with links as they are
     RopeRules rules;
     if (level.reach) rules.reach = *level.reach;
+    const Real scale = std::max(Real(1), rules.reach / longest);
+    rules.linkLength *= scale;
+    rules.linkMass *= scale;
+    rules.stiffness /= scale;
+    rules.damping /= scale;
     return rules;
 }
 
