@@ -195,7 +195,7 @@ TEST(Session, ReleaseTakesTheRopeOutOfTheWorld) {
     play(session, {}, 500);
     const std::size_t bodies = session.world().bodies().size();
     hang(session);
-    EXPECT_GT(session.world().bodies().size(), bodies + 40);
+    EXPECT_GT(session.world().bodies().size(), bodies + 20);
     play(session, {}, 1);
     EXPECT_EQ(session.rope().state(), Rope::State::idle);
     EXPECT_EQ(session.world().bodies().size(), bodies);

@@ -11,19 +11,21 @@ namespace quaoar {
 
 /// Numbers of the rope.
 struct RopeRules {
-    sulfur::Real linkLength = sulfur::Real(0.05);  ///< m
-    sulfur::Real linkMass = sulfur::Real(0.02);    ///< kg of a particle
-    sulfur::Real stiffness = 5000;                 ///< N/m of a link of linkLength
-    sulfur::Real damping = 1;                      ///< N s/m of a link of linkLength
-    sulfur::Real axialDamping = 3;                 ///< N s/m between hand and anchor
-    sulfur::Real radius = sulfur::Real(0.012);     ///< m: what a particle collides with
-    sulfur::Real reelDamping = 12;                 ///< N s/m of the same while the reel turns
-    sulfur::Real reach = 3;                        ///< m: flight of the head, longest rope
-    sulfur::Real shortest = sulfur::Real(0.3);     ///< m: no reeling beyond
-    sulfur::Real headSpeed = 30;                   ///< m/s
-    sulfur::Real reelSpeed = sulfur::Real(1.5);    ///< m/s
-    sulfur::Real boostSpeed = 3;                   ///< m/s
-    sulfur::Real reelForce = 160;                  ///< N: above this tension the reel stalls
+    /// m. Shorter links of the same rope are stiffer for their mass, beyond what the library takes
+    /// as forces: with 0.05 m a tick costs six times as much.
+    sulfur::Real linkLength = sulfur::Real(0.1);
+    sulfur::Real linkMass = sulfur::Real(0.04);  ///< kg of a particle
+    sulfur::Real stiffness = 2500;               ///< N/m of a link of linkLength
+    sulfur::Real damping = sulfur::Real(0.5);    ///< N s/m of a link of linkLength
+    sulfur::Real axialDamping = 3;               ///< N s/m between hand and anchor
+    sulfur::Real radius = sulfur::Real(0.012);   ///< m: what a particle collides with
+    sulfur::Real reelDamping = 12;               ///< N s/m of the same while the reel turns
+    sulfur::Real reach = 3;                      ///< m: flight of the head, longest rope
+    sulfur::Real shortest = sulfur::Real(0.3);   ///< m: no reeling beyond
+    sulfur::Real headSpeed = 30;                 ///< m/s
+    sulfur::Real reelSpeed = sulfur::Real(1.5);  ///< m/s
+    sulfur::Real boostSpeed = 3;                 ///< m/s
+    sulfur::Real reelForce = 160;                ///< N: above this tension the reel stalls
     /// m/s^2 by which the reel begins to draw, or brakes while it gives out.
     sulfur::Real reelStart = 30;
     /// m/s^2 by which it begins to give out, or ends to draw: less than gravity, so that whoever
