@@ -53,6 +53,7 @@ void Game::makePictures() {
 bool Game::restoreGraphics() {
     const std::unique_ptr<GameView> before = std::move(view_);
     thumbnails_.clear();
+    film_.reset();
     art_ = std::make_unique<Art>(platform_->canvas());
     makePictures();
     if (before) view_->resume(*before);
@@ -236,16 +237,41 @@ void Game::saveRecording() {
     atlax::log(atlax::LogLevel::Info, "recorded to " + options_.record->string());
 }
 
-void Game::takePicture() {
-    for (int number = 1; number < 10000; ++number) {
-        const auto file = atlax::dataFolder("quaoar") / "pictures" /
-                          ("quaoar-" + std::to_string(number) + ".png");
-        if (std::filesystem::exists(file)) continue;
-        platform_->requestScreenshot(file);
-        atlax::log(atlax::LogLevel::Info, "picture goes to " + file.string());
-        tell(texts_("Picture {}", {file.filename().string()}));
-        return;
+/// A name in the player's folder of pictures that is free yet.
+std::filesystem::path Game::nextPicture(const char* ending) const {
+    const auto folder = atlax::dataFolder("quaoar") / "pictures";
+    for (int number = 1;; ++number) {
+        const auto file = folder / ("quaoar-" + std::to_string(number) + ending);
+        if (!std::filesystem::exists(file)) return file;
     }
+}
+
+void Game::takePicture() {
+    const auto file = nextPicture(".png");
+    platform_->requestScreenshot(file);
+    atlax::log(atlax::LogLevel::Info, "picture goes to " + file.string());
+    tell(texts_("Picture {}", {file.filename().string()}));
+}
+
+void Game::startFilm() {
+    const auto& run = watching() ? watched_ : lastRun_;
+    if (!run || film_) return;
+    film_ = std::make_unique<Film>(*art_, levels_.level(level_), run, nextPicture("-film.png"));
+}
+
+/// A frame of the film beside each frame of a menu; play is not disturbed.
+void Game::continueFilm(atlax::Canvas& canvas) {
+    if (!film_ || screen_ == Screen::playing) return;
+    try {
+        if (!film_->step(canvas)) {
+            const auto percent = std::to_string(std::lround(100 * film_->progress()));
+            return tell(texts_("Film: {} %", {percent}));
+        }
+        tell(texts_("The film is {}", {film_->file().string()}));
+    } catch (const atlax::Error& error) {
+        tell(error.what());
+    }
+    film_.reset();
 }
 
 /// Between two frames, waiting for the display and all: what the player sees.
@@ -275,6 +301,7 @@ void Game::drawWorld(atlax::Canvas& canvas, double alpha) {
 void Game::draw(atlax::Canvas& canvas, double alpha) {
     timeFrame();
     if (screen_ == Screen::levels) drawNextThumbnail(canvas);
+    continueFilm(canvas);
     drawWorld(canvas, alpha);
     const OverlayTools tools{canvas, *art_, texts_};
     const bool playing = screen_ == Screen::playing;

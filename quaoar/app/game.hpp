@@ -13,6 +13,7 @@
 #include <quaoar/view/sounds.hpp>
 #include <quaoar/view/texts.hpp>
 
+#include "film.hpp"
 #include "ghost.hpp"
 #include "hints.hpp"
 #include "level_list.hpp"
@@ -94,6 +95,9 @@ private:
     void finish();
     void saveRecording();
     void takePicture();
+    std::filesystem::path nextPicture(const char* ending) const;
+    void startFilm();
+    void continueFilm(atlax::Canvas& canvas);
     void makePictures();
     void timeFrame();
     void drawWorld(atlax::Canvas& canvas, double alpha);
@@ -185,6 +189,7 @@ private:
     FrameGovernor governor_;
     std::optional<std::chrono::steady_clock::time_point> lastFrame_;
     std::unique_ptr<Ghost> ghost_;
+    std::unique_ptr<Film> film_;                   ///< that is being made
     std::vector<atlax::RenderTarget> thumbnails_;  ///< of the levels, as far as drawn
     Menu menu_;
     Screen screen_ = Screen::title;

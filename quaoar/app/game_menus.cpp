@@ -159,6 +159,7 @@ std::vector<MenuItem> Game::finishedItems() {
     items.push_back({texts_(watching() ? "Play this level" : "Play again"), [this] { play(); }});
     items.push_back({texts_("Watch replay"), [this] { watch(watching() ? watched_ : lastRun_); }});
     items.push_back({texts_("Copy replay"), [this] { copyReplay(); }});
+    items.push_back({texts_("Make a film of it"), [this] { startFilm(); }});
     items.push_back({texts_("Levels"), [this] {
                          toTitle();
                          show(Screen::levels, level_);

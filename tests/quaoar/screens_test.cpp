@@ -3,6 +3,7 @@
 
 #include <atlax/backend.hpp>
 #include <atlax/image.hpp>
+#include <atlax/offscreen.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -119,7 +120,8 @@ std::vector<std::string> allTexts() {
 }
 
 /// Words that are the same in English and another language.
-const std::set<std::string> sameWords{"LEVEL {}", "Pause", "Levels", "Text", "Menus: {}", "/"};
+const std::set<std::string> sameWords{"LEVEL {}",  "Pause", "Levels",    "Text",
+                                      "Menus: {}", "/",     "Film: {} %"};
 
 TEST(Texts, noneIsLeftUntranslated) {
     Texts texts;
@@ -799,6 +801,34 @@ TEST(Game, aReplayGoesToTheClipboardAndBack) {
     script.then([&](atlax::Platform&) { EXPECT_EQ(game.screen(), Screen::playing); });
     Played played(game, script);
     EXPECT_EQ(play(played), 9);
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+TEST(Film, ofTheLastSecondsIsMadeBesideTheMenu) {
+    const Folder folder("film");
+    const LevelList levels = LevelList::ofFolder(levelsFolder());
+    const auto file = folder / "film.png";
+    atlax::OffscreenCanvas offscreen({64, 36});
+    Art art(offscreen.canvas());
+    const auto run = std::make_shared<const Recording>(handRun(11));
+    Film film(art, levels.level(0), run, file);
+    int frames = 0;
+    for (bool done = false; !done && frames < 1000; ++frames) {
+        EXPECT_FALSE(std::filesystem::exists(file)) << "written when it is whole";
+        done = film.step(offscreen.begin());
+        offscreen.finish();
+    }
+    const std::string bytes = readText(file);
+    EXPECT_EQ(countOf(bytes, "acTL"), 1u);
+    EXPECT_NEAR(static_cast<double>(countOf(bytes, "fcTL")), 120, 3) << "ten seconds";
+    EXPECT_EQ(countOf(bytes, "fdAT"), countOf(bytes, "fcTL") - 1);
+    EXPECT_EQ(atlax::loadImage(file).size(), Film::size) << "a picture for those who know no films";
 }
 
 /// Of all texts that can be read, those that overlap or leave the picture.
