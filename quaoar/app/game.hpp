@@ -202,6 +202,7 @@ private:
     std::shared_ptr<const Recording> watched_;
     bool saved_ = false;
     double before_ = 0;           ///< best time before the last finish, seconds; 0: none
+    double endSeconds_ = 0;       ///< of the run that the finish screen is about
     int afterFinish_ = 0;         ///< ticks since the exit was reached
     int countIn_ = 0;             ///< ticks until play goes on
     bool fired_ = false;          ///< fire was held in the last tick

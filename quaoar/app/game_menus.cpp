@@ -31,6 +31,7 @@ void Game::show(Screen screen, std::size_t selected) {
     const bool playing = screen == Screen::playing;
     if (screen == Screen::options && screen_ < Screen::options) below_ = screen_;
     if (screen == Screen::paused && screen_ == Screen::playing) controls_.pause();
+    if (screen == Screen::finished) endSeconds_ = session_->seconds();
     screen_ = screen;
     menu_ = Menu(itemsOf(screen), selected, screen == Screen::levels ? 4 : 1);
     actions_.all.setContext(playing ? "play" : screen == Screen::capture ? "capture" : "menu");
@@ -211,8 +212,9 @@ MenuRoom Game::drawBehindMenu(const OverlayTools& tools) {
                                     texts_(session_->level().name) + "   " +
                                     clockText(session_->seconds()));
         case Screen::finished:
-            return drawFinish(tools, *session_,
-                              {progress_.of(levels_.key(level_)).best, before_, watching()});
+            return drawFinish(
+                tools, *session_,
+                {endSeconds_, progress_.of(levels_.key(level_)).best, before_, watching()});
         case Screen::options:
             return drawHeadline(tools, texts_("Options"));
         case Screen::sound:

@@ -306,13 +306,13 @@ MenuRoom drawFinish(const OverlayTools& tools, const Session& session, const Fin
     const float y = room.top + 62 * unit;
     const Medal medal = session.medal();
     if (medal != Medal::none) drawMedal(tools.canvas, {x - 170 * unit, y - 8 * unit}, unit, medal);
-    shadowText(tools.canvas, tools.art.bold(), clockText(session.seconds()), {x, y},
+    shadowText(tools.canvas, tools.art.bold(), clockText(news.seconds), {x, y},
                {62 * unit, palette::amber, AlignX::Centre}, 4 * unit);
     std::string line = medalText(tools.texts, session.level().medals, medal);
     if (news.best > 0) line += "     " + tools.texts("best {}", {clockText(news.best)});
-    if (finished && !news.replay && news.before > session.seconds()) {
-        line += "     " +
-                tools.texts("{} faster than ever", {clockText(news.before - session.seconds())});
+    if (finished && !news.replay && news.before > news.seconds) {
+        line +=
+            "     " + tools.texts("{} faster than ever", {clockText(news.before - news.seconds)});
     }
     tools.canvas.text(
         tools.art.regular(), line, {x, y + 46 * unit},

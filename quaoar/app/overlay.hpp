@@ -60,8 +60,9 @@ MenuRoom drawLines(const OverlayTools& tools, const std::string& headline,
 
 /// What the finish screen says beside the time.
 struct FinishNews {
-    double best = 0;    ///< seconds, with this run; 0: none yet
-    double before = 0;  ///< the best before this run
+    double seconds = 0;  ///< of this run
+    double best = 0;     ///< seconds, with this run; 0: none yet
+    double before = 0;   ///< the best before this run
     bool replay = false;
 };
 MenuRoom drawFinish(const OverlayTools& tools, const Session& session, const FinishNews& news);
