@@ -77,8 +77,8 @@ void keep(const SolverArguments& arguments, const std::string& file, const Groun
                 static_cast<double>(solution.proof.ticks()) / Session::tickRate,
                 solution.simulated);
     if (solution.policy.places().empty()) return;
-    WayFile way{ground.level->id, ground.level->contentHash, solution.searched,
-                solution.survival, std::move(solution.policy)};
+    WayFile way{ground.level->id, ground.level->contentHash, solution.searched, solution.survival,
+                std::move(solution.policy)};
     way.write(wayFile(arguments, file));
     printSurvival(way.survival);
 }
@@ -187,7 +187,9 @@ int runOne(const SolverArguments& arguments, const std::string& file) {
 int runSolver(const SolverArguments& arguments) {
     int status = 0;
     if (arguments.table) {
-        std::printf("level                    gold  first/s  length survival lives  proof/s   speed  load\n");
+        std::printf(
+            "level                    gold  first/s  length survival lives  proof/s   speed  "
+            "load\n");
     }
     for (const std::string& file : arguments.levels) {
         try {

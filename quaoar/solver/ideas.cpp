@@ -54,7 +54,8 @@ Intention randomIdea(const Session& session, const DistanceField& field, std::mt
     const bool tied = session.rope().state() == Rope::State::attached;
     Intention idea;
     const int kind = whole(random, 100);
-    const bool shoots = kind >= (tied ? 100 - shots : 20) && pickAnchor(session, field, random, idea.aim);
+    const bool shoots =
+        kind >= (tied ? 100 - shots : 20) && pickAnchor(session, field, random, idea.aim);
     if (shoots) {
         idea.hook = Intention::Hook::shoot;
         idea.until.latest = pressGap + ticksBetween(random, 0.1, 0.9);

@@ -27,9 +27,12 @@ Search::Cell Search::cellOf(const Situation& situation) {
     const auto step = [](double value, double size) {
         return static_cast<std::int32_t>(std::floor(value / size));
     };
-    return {step(situation.place.x(), 0.5), step(situation.place.y(), 0.5),
-            step(situation.velocity.x() + 1.5, 3), step(situation.velocity.y() + 1.5, 3),
-            situation.tied, situation.signals};
+    return {step(situation.place.x(), 0.5),
+            step(situation.place.y(), 0.5),
+            step(situation.velocity.x() + 1.5, 3),
+            step(situation.velocity.y() + 1.5, 3),
+            situation.tied,
+            situation.signals};
 }
 
 /// A small tournament: few metres to go and few tries win.

@@ -158,6 +158,8 @@ void practise(const Ground& ground, const SolveOptions& options, Solution& solut
     practice.skill = options.skill;
     practice.seed = options.seed;
     practice.jobs = options.jobs;
+    practice.games = std::min(practice.games, options.games);
+    practice.studies = practice.games;
     Practice teacher(ground, solution.policy, practice);
     teacher.studyAll();
     for (int round = 1; round <= options.rounds; ++round) {

@@ -12,8 +12,10 @@ namespace quaoar {
 /// through with that. The proof beside it holds the ticks of the fastest way that is known.
 ///
 /// The file is text, version 1: a line "quaoar-way 1", lines "key value" (level, level-hash,
-/// searched, survival in per cent, games, tries, seconds), and two lines for each place: "at X Y VX VY"
-/// ("tied AX AY LENGTH" follows if the rope is, "signals BITS" if some are on), "worth VALUE: " and the intention; a line "end".
+/// searched, survival in per cent, games, tries, seconds), and two lines for each place: "at X Y VX
+/// VY"
+/// ("tied AX AY LENGTH" follows if the rope is, "signals BITS" if some are on), "worth VALUE: " and
+/// the intention; a line "end".
 struct WayFile {
     std::string levelId;
     std::uint64_t levelHash = 0;

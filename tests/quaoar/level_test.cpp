@@ -130,6 +130,39 @@ TEST(LevelFile, ColoursAreChecked) {
     expectRefusal("\"killDepth\": -3,", theme, {"room.json:10", "#rrggbb"});
 }
 
+/// What readLevel says to a text.
+std::string checked(const std::string& text) {
+    const Folder folder("checked");
+    writeText(folder / "room.json", text);
+    try {
+        readLevel(folder / "room.json");
+    } catch (const sulfur::scene::ReadError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(LevelFile, SpawnAndExitInRockAreRefused) {
+    EXPECT_EQ(checked(roomText), "");
+    const std::string deep = checked(replaced(roomText, "[0, 0.3]", "[0, 0.03]"));
+    EXPECT_NE(deep.find("room.json: object \"spawn\": lies in \"room\""), std::string::npos)
+        << deep;
+    const std::string block = replaced(
+        replaced(roomText, "\"box\": {",
+                 "\"block\": {\"shape\": \"ground\", \"kind\": \"fixed\", \"closed\": true, "
+                 "\"points\": [[-1, 1], [1, 1], [1, -1], [-1, -1]]},\n    \"box\": {"),
+        "\"bodies\": [",
+        "\"bodies\": [\n    {\"id\": \"block\", \"blueprint\": \"block\", \"position\": [3, 1]},");
+    const std::string exit = checked(block);
+    EXPECT_NE(exit.find("\"exit\": lies in \"block\""), std::string::npos) << exit;
+    // The same outline the other way round is a chamber, which nobody can enter.
+    const std::string chamber = checked(replaced(block, "[[-1, 1], [1, 1], [1, -1], [-1, -1]]",
+                                                 "[[-1, 1], [-1, -1], [1, -1], [1, 1]]"));
+    EXPECT_NE(chamber.find("\"exit\": lies within the closed outline of \"block\""),
+              std::string::npos)
+        << chamber;
+}
+
 TEST(LevelFile, AMissingFileIsNamed) {
     try {
         readLevel("/nonexistent/level.json");
