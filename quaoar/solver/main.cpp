@@ -13,7 +13,8 @@ namespace {
 void describe(CLI::App& app, quaoar::SolverArguments& arguments) {
     quaoar::SolveOptions& solve = arguments.solve;
     app.set_version_flag("--version", std::string("quaoar_solve ") + sulfur::version());
-    app.add_option("level", arguments.levels, "Level files")->required()->type_name("FILE...");
+    // Not required here: else an unknown option is passed over for the level that is missing too.
+    app.add_option("level", arguments.levels, "Level files")->type_name("FILE...");
     app.add_option("--out", arguments.out,
                    "Where the proof goes (the way beside it); beside the level if not given")
         ->type_name("PROOF");
@@ -64,6 +65,10 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     arguments.solve.skill = quaoar::Skill::level(arguments.skill);
     try {
+        if (arguments.levels.empty()) throw std::runtime_error("no level is given; see --help");
+        if (!arguments.out.empty() && arguments.levels.size() > 1) {
+            throw std::runtime_error("--out is for one level, not for several");
+        }
         return quaoar::runSolver(arguments);
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "quaoar_solve: there is not enough memory\n");

@@ -131,6 +131,25 @@ TEST(Program, UnknownFilesAndOptionsAreRefused) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
+TEST(Program, TheSolverNamesWhatItDoesNotKnow) {
+    const Outcome option = run(solver + "--foo");
+    EXPECT_NE(option.status, 0);
+    EXPECT_NE(option.output.find("--foo"), std::string::npos) << option.output;
+    expectOneSentence(run(solver));
+    expectOneSentence(run(solver + "/nonexistent.json"));
+}
+
+TEST(Program, TheSolverTellsWhatACheckFound) {
+    const Outcome good =
+        run(solver + quoted(coldWake()) + " --check " + quoted(proofOf(coldWake())));
+    EXPECT_EQ(good.status, 0) << good.output;
+    EXPECT_NE(good.output.find("is finished after"), std::string::npos) << good.output;
+    const Outcome row = run(solver + "--table " + quoted(coldWake()));
+    EXPECT_EQ(row.status, 0) << row.output;
+    EXPECT_NE(row.output.find("survival"), std::string::npos) << row.output;
+    EXPECT_NE(row.output.find("01-cold-wake"), std::string::npos) << row.output;
+}
+
 TEST(Program, AScreenshotIsAPicture) {
     const Folder folder("picture");
     const Outcome outcome =
@@ -157,7 +176,7 @@ TEST(Program, AScreenshotIsAPicture) {
 TEST(Program, TheSolverFindsAWayThroughASmallRoom) {
     const Folder folder("solve");
     writeText(folder / "room.json", roomText);
-    const Outcome solved = run(solver + quoted(folder / "room.json") + " --tries 1 --practice 0");
+    const Outcome solved = run(solver + quoted(folder / "room.json") + " --tries 2 --practice 0");
     EXPECT_EQ(solved.status, 0) << solved.output;
     const Outcome verified = run(game + "--headless --verify " + quoted(folder / "room.json"));
     EXPECT_EQ(verified.status, 0) << verified.output;
