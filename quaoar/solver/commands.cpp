@@ -87,8 +87,12 @@ int solveLevel(const SolverArguments& arguments, const std::string& file) {
     const Ground ground(load(file));
     std::optional<WayFile> known;
     if (!arguments.fresh) known = knownWay(wayFile(arguments, file));
-    Solution solution = solve(ground, arguments.solve, known ? &known->policy : nullptr);
     auto proof = knownProof(ground.level, proofFile(arguments, file));
+    SolveOptions options = arguments.solve;
+    options.proven = [&](const Recording& first) {
+        if (!proof && acceptedByFreshProcess(file, first)) first.write(proofFile(arguments, file));
+    };
+    Solution solution = solve(ground, options, known ? &known->policy : nullptr);
     if (proof && proof->ticks() < solution.proof.ticks()) solution.proof = std::move(*proof);
     keep(arguments, file, ground, solution);
     return 0;

@@ -33,6 +33,9 @@ Intention randomIdea(const Session& session, const DistanceField& field, std::mt
 /// The same, and then one waits until nothing swings, pushing against the swing.
 Intention steadily(Intention idea);
 
+/// Somewhat other than before, as one varies what did not quite work.
+Intention varied(Intention idea, std::mt19937_64& random);
+
 /// The same intention, ended by what can be seen (a line that the hero passes) rather than by a
 /// clock, where that means the same tick. `trace` holds the hero's places after each of its ticks.
 Intention endedBySight(Intention intention, const std::vector<sulfur::Point>& trace);

@@ -25,6 +25,9 @@ void describe(CLI::App& app, quaoar::SolverArguments& arguments) {
         ->check(CLI::Range(1, 10000));
     app.add_option("--budget", solve.budget, "Simulated seconds before a search gives up")
         ->check(atlax::between(1, 1e7), "1 to 1e7");
+    app.add_option("--polish", solve.polish,
+                   "Simulated seconds in which each of two ways is made quicker")
+        ->check(atlax::between(0, 1e7), "0 to 1e7");
     app.add_option("--jobs", solve.jobs, "Threads; they do not change the results")
         ->check(CLI::Range(1, 256));
     app.add_option("--practice", solve.rounds,

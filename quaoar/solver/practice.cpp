@@ -22,33 +22,6 @@ constexpr double searchBudget = 120;
 /// Decisions before a death that are looked at again.
 constexpr std::size_t lookBack = 3;
 
-/// Somewhat other than before, as one varies what did not quite work.
-Intention varied(Intention idea, std::mt19937_64& random) {
-    const auto shift = [&](double size) { return size * (2 * unit(random) - 1); };
-    if (idea.hook == Intention::Hook::shoot) {
-        idea.aim += sulfur::Point(shift(0.25), shift(0.15));
-    }
-    switch (whole(random, 4)) {
-        case 0:
-            idea.push = whole(random, 3) - 1;
-            break;
-        case 1:
-            idea.reel = whole(random, 3) - 1;
-            idea.boost = idea.reel != 0 && whole(random, 2) == 0;
-            break;
-        case 2:
-            idea.until.place += sulfur::Point(shift(0.25), shift(0.25));
-            break;
-        default:
-            break;
-    }
-    if (idea.until.kind == Until::Kind::time) {
-        idea.until.latest = std::max(5, idea.until.latest + static_cast<int>(shift(75)));
-    }
-    makeExact(idea);
-    return idea;
-}
-
 }  // namespace
 
 void learnWay(Policy& policy, Session& session, const Way& way) {

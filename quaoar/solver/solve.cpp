@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "shorten.hpp"
 #include "steady_search.hpp"
 #include "workers.hpp"
 
@@ -179,6 +180,22 @@ void keepShorter(std::optional<Recording>& best, std::optional<Recording> other)
     if (other && (!best || other->ticks() < best->ticks())) best = std::move(other);
 }
 
+/// The shortest that comes of two of the ways when they are shortened.
+std::optional<Recording> shortenAll(const Ground& ground, const SolveOptions& options,
+                                    const std::vector<Way>& ways, Solution& solution) {
+    const int count = std::min(2, static_cast<int>(ways.size()));
+    std::vector<std::optional<Recording>> results(static_cast<std::size_t>(count));
+    forAll(ground.level, options.jobs, count, [&](int i, Session& session) {
+        const auto at = static_cast<std::size_t>(i);
+        results[at] =
+            record(ground.level, shortened(session, ways[at], options.seed, options.polish));
+    });
+    solution.simulated += count * options.polish;
+    std::optional<Recording> best;
+    for (auto& result : results) keepShorter(best, std::move(result));
+    return best;
+}
+
 }  // namespace
 
 Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known) {
@@ -192,6 +209,7 @@ Solution solve(const Ground& ground, const SolveOptions& options, const Policy* 
         const std::vector<Way> ways = searchWays(ground, options, solution);
         Session session(ground.level);
         for (const Way& way : ways) keepShorter(proof, record(ground.level, way));
+        keepShorter(proof, shortenAll(ground, options, ways, solution));
         std::vector<Way> steady;
         if (options.rounds > 0) steady = searchSteadyWays(ground, options, solution);
         for (const Way& way : steady) keepShorter(proof, record(ground.level, way));
@@ -200,6 +218,7 @@ Solution solve(const Ground& ground, const SolveOptions& options, const Policy* 
         }
         if (!proof) throw std::runtime_error(ground.level->id + ": no way was found");
     }
+    if (options.proven) options.proven(*proof);
     if (options.rounds > 0) {
         practise(ground, options, solution);
         keepShorter(proof, recordBest(ground, solution.policy, 6));

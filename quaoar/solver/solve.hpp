@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "practice.hpp"
@@ -13,12 +14,15 @@ struct SolveOptions {
     std::uint64_t seed = 1;
     int searches = 4;       ///< with as many seeds
     double budget = 20000;  ///< simulated seconds of each
-    int rounds = 12;        ///< of practice; 0: only a proof
+    double polish = 400;    ///< simulated seconds in which a way is made quicker
+    int rounds = 4;         ///< of practice; 0: only a proof
     int games = 200;        ///< of the robust bot
     double enough = 0.95;   ///< survival at which practice ends
     Skill skill;
     int jobs = 1;
     bool quiet = false;
+    /// Called with the first proof, before practice, which may take long or be broken off.
+    std::function<void(const Recording&)> proven;
 };
 
 /// What was found. The policy is empty when nobody practised.

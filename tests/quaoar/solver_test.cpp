@@ -7,6 +7,7 @@
 #include "fairness.hpp"
 #include "helpers.hpp"
 #include "ideas.hpp"
+#include "shorten.hpp"
 #include "solve.hpp"
 #include "steady_search.hpp"
 
@@ -131,6 +132,7 @@ SolveOptions quick() {
     SolveOptions options;
     options.searches = 2;
     options.budget = 300;
+    options.polish = 20;
     options.rounds = 0;
     options.quiet = true;
     return options;
@@ -140,7 +142,7 @@ TEST(Solver, ARoomIsSolvedAndSurvived) {
     const Ground ground(room());
     SolveOptions options = quick();
     options.rounds = 1;
-    options.games = 8;
+    options.games = 4;
     const Solution solution = solve(ground, options, nullptr);
     const Verdict verdict = verify(ground.level, solution.proof);
     EXPECT_TRUE(verdict.finished);
@@ -167,6 +169,19 @@ TEST(Solver, AKnownWayIsMendedWithoutASearch) {
     const Solution mended = solve(lighter, quick(), &first.policy);
     EXPECT_EQ(mended.searched, 0);
     EXPECT_TRUE(verify(lighter.level, mended.proof).finished);
+}
+
+TEST(Solver, AWayBecomesQuicker) {
+    const Ground ground(room());
+    Solution solution;
+    const std::vector<Way> ways = searchWays(ground, quick(), solution);
+    ASSERT_FALSE(ways.empty());
+    Session session(ground.level);
+    const Way quicker = shortened(session, ways.back(), 1, 60);
+    EXPECT_LT(quicker.ticks, ways.back().ticks);
+    const auto proof = record(ground.level, quicker);
+    ASSERT_TRUE(proof);
+    EXPECT_EQ(proof->ticks(), quicker.ticks);
 }
 
 TEST(Solver, AWalledExitIsToldAtOnce) {
