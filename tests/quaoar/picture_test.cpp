@@ -155,6 +155,43 @@ TEST(Picture, showsHowTheRopeStrains) {
     EXPECT_GT(scene.view.strain(), hanging + 0.2f);
 }
 
+/// Mean difference of a colour's part, 0..255.
+double apart(const atlax::Image& a, const atlax::Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.bytes().size(); ++i)
+        sum += std::abs(static_cast<double>(a.bytes()[i]) - static_cast<double>(b.bytes()[i]));
+    return sum / static_cast<double>(a.bytes().size());
+}
+
+TEST(Picture, tellsTheFourWorldsApart) {
+    std::vector<atlax::Image> pictures;
+    for (const char* world : {"dawn", "bog", "machine", "deep"}) {
+        Scene scene(room(replaced(roomText, "\"killDepth\": -3,",
+                                  "\"killDepth\": -3, \"theme\": {\"world\": \"" +
+                                      std::string(world) + "\"},")),
+                    {320, 180});
+        scene.play({}, 10);
+        scene.draw();
+        pictures.push_back(scene.offscreen.image());
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        for (std::size_t k = i + 1; k < pictures.size(); ++k)
+            EXPECT_GT(apart(pictures[i], pictures[k]), 8) << i << " and " << k;
+    }
+}
+
+TEST(Picture, dimsTheSceneryForHighContrast) {
+    Scene scene(firstLevel(), {320, 180});
+    scene.play({}, 200);
+    scene.draw();
+    const atlax::Image usual = scene.offscreen.image();
+    ViewOptions options;
+    options.highContrast = true;
+    scene.view.draw(scene.offscreen.begin(), 1, options);
+    scene.offscreen.finish();
+    EXPECT_GT(apart(usual, scene.offscreen.image()), 12);
+}
+
 TEST(Picture, isTheSameWorldAtEveryQuality) {
     Scene scene(firstLevel());
     scene.play(fireAt(0.3, 1), 400);

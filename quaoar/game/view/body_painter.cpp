@@ -50,8 +50,7 @@ std::vector<Vec2> BodyPainter::dressedPlaces(sulfur::BodyId body, const BodyShap
     return places;
 }
 
-BodyPainter::Dress BodyPainter::dressOf(sulfur::BodyId body, const BodyShape& shape,
-                                        const Surface& surface) const {
+BodyPainter::Dress BodyPainter::dressOf(const BodyShape& shape, const Surface& surface) {
     Dress dress{
         shape.texture, palette::ice, palette::deep, palette::frost, palette::night.withAlpha(0.8f),
         surface.deadly};
@@ -87,7 +86,11 @@ BodyPainter::Dress BodyPainter::dressOf(sulfur::BodyId body, const BodyShape& sh
         dress.rim = Color::hex(0xFF9CC0);
         if (shape.texture.empty()) dress.texture.clear();
     }
-    (void)body;
+    // Kills only by its speed: no spikes, but the colour of danger along its edges.
+    if (surface.deadlySpeed) {
+        dress.rim = palette::danger;
+        dress.ink = Color::hex(0x4A0E2C);
+    }
     return dress;
 }
 
@@ -100,7 +103,7 @@ void BodyPainter::drawBody(atlax::Canvas& canvas, sulfur::BodyId body, double al
         return;
     }
     const BodyShape& form = shape(body);
-    const Dress dress = dressOf(body, form, surface);
+    const Dress dress = dressOf(form, surface);
     if (form.particles == 1) {
         drawBall(canvas, body, dress, alpha);
         return;

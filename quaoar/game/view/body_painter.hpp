@@ -36,7 +36,7 @@ private:
         bool spikes = false;
     };
 
-    Dress dressOf(sulfur::BodyId body, const BodyShape& shape, const Surface& surface) const;
+    static Dress dressOf(const BodyShape& shape, const Surface& surface);
     void drawBody(atlax::Canvas& canvas, sulfur::BodyId body, double alpha, double seconds);
     void drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const Dress& dress,
                   double alpha) const;

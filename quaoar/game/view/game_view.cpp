@@ -52,7 +52,6 @@ void GameView::cut() {
     strands_.clear();
     lastRope_.clear();
     mood_ = {};
-    lastHero_ = hero;
     strain_ = strainRate_ = reachFlash_ = 0;
 }
 
@@ -113,7 +112,11 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
 
     backdrop_->drawBehind(canvas, art_, eye, seconds, options.quality);
     canvas.setCamera(eye);
-    backdrop_->drawWeather(canvas, eye, seconds, false, options.quality);
+    if (options.highContrast)
+        dim(canvas);
+    else
+        backdrop_->drawWeather(canvas, eye, seconds, false, options.quality);
+    canvas.setCamera(eye);
     drawGate(canvas, false);
     for (std::size_t i = 0; i < ice_.size(); ++i) {
         ice_[i]->draw(canvas, art_);
@@ -125,9 +128,10 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
     painter_->draw(canvas, alpha, seconds, drawnElsewhere_);
     painter_->drawTies(canvas, alpha);
     monsters_->draw(canvas, alpha, seconds);
+    if (options.highContrast) drawOutlines(canvas, alpha);
     const bool playing = session_.phase() == Session::Phase::playing;
     if (options.aim && playing && session_.rope().state() == Rope::State::idle) drawRange(canvas);
-    drawReachFlash(canvas);
+    drawReachFlash(canvas, options.flashes);
     drawStrands(canvas);
     drawScarf(canvas);
     drawRope(canvas, middle, alpha);
@@ -135,8 +139,35 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
     drawGate(canvas, true);
     mechanics_->drawBefore(canvas, art_, eye.view(canvas.size()), seconds);
     drawSparks(canvas);
+    if (options.highContrast) return;
     if (options.quality.foreground) backdrop_->drawForeground(canvas, eye);
     backdrop_->drawWeather(canvas, eye, seconds, true, options.quality);
+}
+
+/// What is only scenery steps back.
+void GameView::dim(atlax::Canvas& canvas) const {
+    canvas.setScreenSpace();
+    canvas.rect({{0, 0}, canvas.size().toVec()}, palette::night.withAlpha(0.72f));
+}
+
+/// White round what can be held or stood on, magenta and double round what hurts.
+void GameView::drawOutlines(atlax::Canvas& canvas, double alpha) {
+    const sulfur::World& world = session_.world();
+    for (const sulfur::BodyId body : world.bodies()) {
+        if (!session_.origin(body) || !world.isEnabled(body)) continue;
+        const Surface& surface = session_.surface(body);
+        const bool hurts = surface.deadly || surface.cuts || surface.deadlySpeed;
+        const Color color = hurts            ? palette::danger
+                            : surface.sticky ? palette::frost
+                                             : palette::ice;
+        const float width = hurts ? 0.05f : 0.03f;
+        for (const sulfur::JointId joint : world.joints(body)) {
+            const sulfur::JointInfo info = world.info(joint);
+            if (!(info.radius > 0)) continue;
+            canvas.line(Vec2(world.interpolated(info.a, alpha)),
+                        Vec2(world.interpolated(info.b, alpha)), width, color);
+        }
+    }
 }
 
 /// The bulb of the hero's antenna lights air and rock about him.

@@ -23,9 +23,8 @@ void GameView::tick() {
     ++time_;
     const TickEvents& events = session_.events();
     if (events.restarted || events.died) {
-        const Vec2 fell = lastHero_;
         cut();
-        if (events.died) burst(fell, 60, 2.6f, palette::amber);
+        if (events.died) burst(Vec2(events.diedAt), 60, 2.6f, palette::amber);
         return;
     }
     notice();
@@ -35,7 +34,6 @@ void GameView::tick() {
     moveMood();
     moveRopes();
     breathe();
-    lastHero_ = Vec2(session_.heroPosition());
 }
 
 /// Sparks, chips and dust of what has happened.

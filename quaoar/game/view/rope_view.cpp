@@ -174,11 +174,13 @@ void GameView::drawStrands(atlax::Canvas& canvas) {
 }
 
 /// A dashed ring where the rope ends, so that the next shot is aimed nearer.
-void GameView::drawReachFlash(atlax::Canvas& canvas) {
+void GameView::drawReachFlash(atlax::Canvas& canvas, bool bright) {
     if (reachFlash_ <= 0) return;
     const Vec2 middle(session_.heroPosition());
     const auto reach = static_cast<float>(session_.rope().rules().reach);
     const float grown = reach * (1 - 0.06f * reachFlash_ * reachFlash_);
+    const float strength =
+        (bright ? 0.85f : 0.35f) * (bright ? reachFlash_ : std::min(1.0f, reachFlash_ * 2));
     constexpr int dashes = 48;
     for (int i = 0; i < dashes; ++i) {
         const float a = 6.2831853f * static_cast<float>(i) / dashes,
@@ -187,7 +189,7 @@ void GameView::drawReachFlash(atlax::Canvas& canvas) {
         // Brightest where the shot went.
         const float near = 0.35f + 0.65f * std::max(0.0f, dot(from, Vec2(session_.aim())));
         canvas.line(middle + from * grown, middle + to * grown, 0.026f,
-                    palette::glow.withAlpha(0.85f * near * reachFlash_));
+                    palette::glow.withAlpha(near * strength));
     }
 }
 

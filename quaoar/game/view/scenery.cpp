@@ -13,7 +13,8 @@ void GameView::drawGate(atlax::Canvas& canvas, bool front) {
     const Vec2 at(exit.position);
     const auto radius = static_cast<float>(exit.radius);
     const float t = static_cast<float>(static_cast<double>(time_) / Session::tickRate);
-    const float pulse = 0.85f + 0.15f * std::sin(t * 2.1f);
+    const bool open = session_.exitOpen();
+    const float pulse = open ? 0.85f + 0.15f * std::sin(t * 2.1f) : 0.12f;
     if (!front) {
         canvas.setBlend(atlax::Blend::Additive);
         canvas.sprite(art_.light(), at, Vec2{5.2f, 5.2f} * radius,
@@ -21,6 +22,19 @@ void GameView::drawGate(atlax::Canvas& canvas, bool front) {
         canvas.sprite(art_.light(), at, Vec2{2.3f, 2.3f} * radius,
                       {.tint = palette::glow.withAlpha(0.8f * pulse)});
         canvas.setBlend(atlax::Blend::Alpha);
+        return;
+    }
+    if (!open) {
+        // Shut: a dark disc behind bars.
+        canvas.circle(at, radius * 0.95f, palette::night.withAlpha(0.85f));
+        for (int i = -2; i <= 2; ++i) {
+            const float x = static_cast<float>(i) * 0.36f * radius;
+            const float tall = std::sqrt(std::max(0.0f, radius * radius * 0.9f - x * x));
+            canvas.line(at + Vec2{x, -tall}, at + Vec2{x, tall}, 0.07f, palette::night);
+            canvas.line(at + Vec2{x, -tall}, at + Vec2{x, tall}, 0.045f, Color::hex(0x6C7A94));
+        }
+        canvas.sprite(art_.picture("gate.svg"), at, Vec2{2.42f, 2.42f} * radius,
+                      {.tint = Color::hex(0x7C88A4)});
         return;
     }
     canvas.setBlend(atlax::Blend::Additive);

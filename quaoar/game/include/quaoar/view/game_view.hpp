@@ -82,6 +82,8 @@ private:
     };
 
     void drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions& options);
+    void dim(atlax::Canvas& canvas) const;
+    void drawOutlines(atlax::Canvas& canvas, double alpha);
     void drawLamp(atlax::Canvas& canvas, const Quality& quality);
     void moveTrails();
     void notice();
@@ -105,7 +107,7 @@ private:
     void drawArm(atlax::Canvas& canvas, atlax::Vec2 middle, double alpha);
     void drawRope(atlax::Canvas& canvas, atlax::Vec2 middle, double alpha);
     void drawStrands(atlax::Canvas& canvas);
-    void drawReachFlash(atlax::Canvas& canvas);
+    void drawReachFlash(atlax::Canvas& canvas, bool bright);
     void drawRange(atlax::Canvas& canvas);
     void drawSparks(atlax::Canvas& canvas);
     void drawCrosshair(atlax::Canvas& canvas, atlax::Vec2 pixels);
@@ -128,7 +130,6 @@ private:
     std::vector<Strand> strands_;
     std::vector<atlax::Vec2> lastRope_;  ///< of the last tick, from the head to the hand
     Mood mood_;
-    atlax::Vec2 lastHero_;    ///< where he was a tick ago
     float strain_ = 0;        ///< of the rope, 0 to 1, smoothed
     float strainRate_ = 0;    ///< how fast it changes: how much the rope trembles
     float reachFlash_ = 0;    ///< 1 to 0 after a miss
