@@ -58,9 +58,11 @@ void Backdrop::drawAll(atlax::Canvas& canvas, Art& art, const atlax::Camera& cam
         canvas.setScreenSpace();
         canvas.setBlend(atlax::Blend::Additive);
         const float drift = static_cast<float>(std::fmod(seconds * 4, 1e4)) * layer.parallax;
+        canvas.setShader(art.plain());
         canvas.sprite(art.light(),
                       {screen.x * (0.3f + 0.4f * std::sin(drift * 0.05f)), screen.y * 0.8f},
                       {screen.x * 1.6f, screen.y * 0.6f}, {.tint = look_.haze.withAlpha(0.16f)});
+        canvas.setShader({});
         canvas.setBlend(atlax::Blend::Alpha);
     }
     if (theme_.world == Theme::World::bog || theme_.world == Theme::World::deep)
@@ -111,10 +113,12 @@ void Backdrop::drawSky(atlax::Canvas& canvas, Art& art, double seconds) const {
     if (look_.stars) drawStars(canvas, art, seconds);
     canvas.setBlend(atlax::Blend::Additive);
     // Light along the horizon, strongest below the Sun.
+    canvas.setShader(art.plain());
     canvas.sprite(art.light(), {screen.x * 0.24f, ground}, {screen.x * 1.3f, screen.y * 0.75f},
                   {.tint = look_.horizon.withAlpha(0.5f)});
+    canvas.setShader({});
     if (look_.sun) {
-        const Vec2 sun{screen.x * 0.2f, screen.y * 0.42f};
+        const Vec2 sun{screen.x * 0.2f, screen.y * 0.27f};
         canvas.glow(sun, 210 * unit, look_.horizon.withAlpha(0.55f));
         canvas.glow(sun, 60 * unit, mix(look_.horizon, palette::glow, 0.7f));
         canvas.circle(sun, 9 * unit, palette::frost);

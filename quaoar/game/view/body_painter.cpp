@@ -21,13 +21,17 @@ BodyPainter::BodyPainter(Art& art, const Session& session)
     }
 }
 
-void BodyPainter::draw(atlax::Canvas& canvas, double alpha, double seconds,
+void BodyPainter::draw(atlax::Canvas& canvas, atlax::Rect view, double alpha, double seconds,
                        const std::vector<sulfur::BodyId>& others) {
     const sulfur::World& world = session_.world();
     for (const sulfur::BodyId body : world.bodies()) {
         if (!session_.origin(body) || !world.isEnabled(body) || world.sensor(body)) continue;
         if (std::find(others.begin(), others.end(), body) != others.end()) continue;
-        drawBody(canvas, body, alpha, seconds);
+        const sulfur::Bounds box = world.bounds(body);
+        const Vec2 low(box.low), high(box.high);
+        const bool seen = high.x > view.min.x && low.x < view.max().x && high.y > view.min.y &&
+                          low.y < view.max().y;
+        if (seen) drawBody(canvas, body, alpha, seconds);
     }
 }
 

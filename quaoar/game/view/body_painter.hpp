@@ -16,8 +16,8 @@ class BodyPainter {
 public:
     BodyPainter(Art& art, const Session& session);
 
-    /// All bodies of the world but the hero, the rope, those in `others`.
-    void draw(atlax::Canvas& canvas, double alpha, double seconds,
+    /// All bodies of the world within `view` but the hero, the rope, those in `others`.
+    void draw(atlax::Canvas& canvas, atlax::Rect view, double alpha, double seconds,
               const std::vector<sulfur::BodyId>& others);
     /// Joints between bodies, hinges.
     void drawTies(atlax::Canvas& canvas, double alpha);

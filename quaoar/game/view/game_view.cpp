@@ -119,13 +119,16 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
     canvas.setCamera(eye);
     drawGate(canvas, false);
     for (std::size_t i = 0; i < ice_.size(); ++i) {
-        ice_[i]->draw(canvas, art_);
+        ice_[i]->draw(canvas, art_, eye.view(canvas.size()));
         const auto& material = session_.world().material(drawnElsewhere_[i]);
         ice_[i]->drawTrim(canvas, static_cast<float>(material.surfaceSpeed), seconds);
     }
     drawLamp(canvas, options.quality);
     mechanics_->drawBehind(canvas, art_, seconds);
-    painter_->draw(canvas, alpha, seconds, drawnElsewhere_);
+    const Vec2 room{0.4f, 0.4f};  // for spikes and lights that stand out of bodies
+    const atlax::Rect view = eye.view(canvas.size());
+    painter_->draw(canvas, {view.min - room, view.size + room * 2}, alpha, seconds,
+                   drawnElsewhere_);
     painter_->drawTies(canvas, alpha);
     monsters_->draw(canvas, alpha, seconds);
     if (options.highContrast) drawOutlines(canvas, alpha);

@@ -239,23 +239,33 @@ void IceView::addPieces(std::uint32_t seed) {
     }
 }
 
-void IceView::draw(atlax::Canvas& canvas, Art& art) const {
+void IceView::draw(atlax::Canvas& canvas, Art& art, atlax::Rect view) const {
+    const atlax::Rect seen{view.min - Vec2{0.3f, 0.3f}, view.size + Vec2{0.6f, 0.6f}};
+    const auto visible = [&](Vec2 a, Vec2 b) {
+        return std::max(a.x, b.x) > seen.min.x && std::min(a.x, b.x) < seen.max().x &&
+               std::max(a.y, b.y) > seen.min.y && std::min(a.y, b.y) < seen.max().y;
+    };
+    if (!visible(box_.min, box_.max())) return;
     canvas.mesh({}, icicles_, icicleIndices_);
     canvas.setShader(art.plain());
     canvas.sprite(inside_, box_.centre(), box_.size);
     canvas.setShader({});
     canvas.mesh({}, vertices_, indices_);
     for (const Crack& crack : cracks_) {
-        canvas.polyline(crack.points, 0.008f, rim_.withAlpha(crack.alpha));
+        if (visible(crack.points.front(), crack.points.back()))
+            canvas.polyline(crack.points, 0.008f, rim_.withAlpha(crack.alpha));
     }
     const std::size_t n = loop_.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 a = loop_[i], b = loop_[(i + 1) % n];
+        if (!visible(a, b)) continue;
         const float bright = lightOn(-perpendicular(normalized(b - a)));
         canvas.line(a, b, 0.014f + 0.014f * bright, rim_.withAlpha(0.3f + 0.6f * bright));
     }
-    for (const Cap& drip : drips_) canvas.line(drip.from, drip.to, drip.width, drip.color);
-    for (const Cap& cap : caps_) canvas.line(cap.from, cap.to, cap.width, cap.color);
+    for (const auto* caps : {&drips_, &caps_}) {
+        for (const Cap& cap : *caps)
+            if (visible(cap.from, cap.to)) canvas.line(cap.from, cap.to, cap.width, cap.color);
+    }
     if (surface_.look != Surface::Look::mirror) return;
     // Polished: streaks of reflected sky.
     for (std::size_t i = 0; i < pieces_.size(); i += 5) {

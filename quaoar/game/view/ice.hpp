@@ -19,7 +19,8 @@ public:
     IceView(Art& art, const std::vector<atlax::Vec2>& loop, float radius, const Surface& surface,
             const Theme& theme, atlax::Rect shown);
 
-    void draw(atlax::Canvas& canvas, Art& art) const;
+    /// `view`: what the camera shows, metres; nothing else is drawn.
+    void draw(atlax::Canvas& canvas, Art& art, atlax::Rect view) const;
     /// Spikes or belts on its border.
     void drawTrim(atlax::Canvas& canvas, float surfaceSpeed, double seconds) const;
     /// The light of a lamp on border and glints near it, additive.

@@ -10,8 +10,10 @@ void FrameGovernor::frame(double seconds) {
     ++count_;
     since_ += seconds;
     settled_ = std::max(0.0, settled_ - seconds);
-    // A third of a second and eight frames, so that one hiccup decides nothing.
-    if (sum_ < 0.33 || count_ < 8) return;
+    // A third of a second and eight frames, so that one hiccup decides nothing; fewer where all of
+    // them are so long that waiting for eight would be felt.
+    const bool crawls = sum_ > count_ * 2 * tooLong;
+    if (sum_ < 0.33 || count_ < (crawls ? 4 : 8)) return;
     const double mean = sum_ / count_;
     sum_ = 0;
     count_ = 0;
@@ -28,7 +30,7 @@ void FrameGovernor::judge(double mean) {
             }
             if (raised_ && since_ < 2) patience_ = std::min(60.0, patience_ * 2);  // in vain
             lowering_ = true;
-            change(level_ + 1);
+            change(std::min(cheapest, level_ + (mean > 2 * tooLong ? 2 : 1)));
         } else if (lowering_) {
             lowering_ = false;
             if (mean < 0.85 * fromMean_) return;
