@@ -7,6 +7,7 @@
 #include <ctime>
 #include <quaoar/view/game_view.hpp>
 
+#include "../../quaoar/game/view/body_shape.hpp"
 #include "helpers.hpp"
 
 namespace quaoar::test {
@@ -190,6 +191,37 @@ TEST(Picture, dimsTheSceneryForHighContrast) {
     scene.view.draw(scene.offscreen.begin(), 1, options);
     scene.offscreen.finish();
     EXPECT_GT(apart(usual, scene.offscreen.image()), 12);
+}
+
+TEST(Picture, tearsSkinsWhereJointsBreak) {
+    std::string text =
+        replaced(roomText, "\"shape\": \"box\", \"size\": [0.4, 0.4], \"mass\": 1",
+                 "\"shape\": \"wall\", \"size\": [0.8, 0.8], \"columns\": 4, \"rows\": 4, "
+                 "\"mass\": 4, \"skin\": {\"texture\": \"crate.svg\"}");
+    text = replaced(text, "\"position\": [-2, 0.3]", "\"position\": [-2, 0.5]");
+    Session session(room(text));
+    const sulfur::BodyId wall = session.instance().body("box-1");
+    const BodyShape whole = shapeOf(session, wall);
+    EXPECT_EQ(whole.texture, "crate.svg");
+    EXPECT_GE(whole.triangles.size(), 32u) << "two at least in each of 16 cells";
+    EXPECT_EQ(whole.border.size(), 16u);
+    EXPECT_TRUE(whole.loose.empty());
+    EXPECT_TRUE(whole.fits(session.world(), wall));
+    // All joints of one particle in the middle go.
+    const sulfur::ParticleId middle = session.world().particles(wall)[12];
+    std::vector<sulfur::JointId> doomed;
+    for (const sulfur::JointId joint : session.world().joints(wall)) {
+        const sulfur::JointInfo info = session.world().info(joint);
+        if (info.a == middle || info.b == middle) doomed.push_back(joint);
+    }
+    ASSERT_GE(doomed.size(), 4u);
+    for (const sulfur::JointId joint : doomed) session.world().remove(joint);
+    session.tick({});
+    EXPECT_FALSE(whole.fits(session.world(), wall));
+    const BodyShape torn = shapeOf(session, wall);
+    EXPECT_LT(torn.triangles.size(), whole.triangles.size());
+    EXPECT_GT(torn.border.size(), whole.border.size()) << "the hole has a border of its own";
+    EXPECT_EQ(torn.uv.size(), torn.particles) << "and the rest keeps its picture";
 }
 
 TEST(Picture, isTheSameWorldAtEveryQuality) {
