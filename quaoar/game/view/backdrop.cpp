@@ -201,7 +201,7 @@ void Backdrop::drawForeground(atlax::Canvas& canvas, const atlax::Camera& camera
         Dice dice(theme_.seed * 31 + static_cast<std::uint32_t>(cell + 100000));
         if (dice.unit() < 0.55f) continue;
         const float x = (static_cast<float>(cell) + dice.unit()) * gap;
-        const bool above = theme_.world != Theme::World::machine && dice.unit() < 0.4f;
+        const bool above = theme_.world == Theme::World::bog && dice.unit() < 0.4f;
         const float up = above ? -1.0f : 1.0f, edge = above ? view.max().y : view.min.y;
         const float tall = unit * dice.between(0.07f, 0.13f);
         const int blades = 5 + static_cast<int>(dice.between(0, 5));
@@ -221,9 +221,13 @@ void Backdrop::drawBlade(atlax::Canvas& canvas, Vec2 root, float size, float lea
     const Vec2 tip = root + Vec2{lean, size};
     const float wide = std::abs(size) * 0.2f;
     switch (theme_.world) {
+        // Nothing pointed: what is pointed kills.
         case Theme::World::dawn:
+            canvas.circle(root, std::abs(size) * 0.62f, dark);
+            break;
         case Theme::World::deep:
-            canvas.triangle(root - Vec2{wide, 0}, root + Vec2{wide, 0}, tip, dark);
+            canvas.capsule(root, lerp(root, tip, 0.75f), wide * 0.75f, dark);
+            canvas.circle(lerp(root, tip, 0.75f), wide * 1.1f, dark);
             break;
         case Theme::World::bog:
             canvas.line(root, lerp(root, tip, 0.6f) + Vec2{lean * 0.1f, 0}, wide * 0.4f, dark);

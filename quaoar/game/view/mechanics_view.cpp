@@ -226,8 +226,8 @@ void MechanicsView::drawWind(atlax::Canvas& canvas, const Zone& zone, float stre
         const Vec2 at = box.centre() + side * (lane * across) + way * ((t - 0.5f) * along);
         const float fade = std::sin(t * 3.14159f) * strength;
         const float reach = std::min(0.5f, 0.05f * speed) * quick;
-        canvas.line(at - way * reach, at, 0.012f, palette::frost.withAlpha(0.35f * fade));
-        if (i % 3 == 0) canvas.glow(at, 0.16f, palette::frost.withAlpha(0.16f * fade));
+        canvas.line(at - way * reach, at, 0.014f, palette::frost.withAlpha(0.55f * fade));
+        if (i % 3 == 0) canvas.glow(at, 0.22f, palette::frost.withAlpha(0.24f * fade));
     }
     canvas.setBlend(atlax::Blend::Alpha);
 }
@@ -272,8 +272,8 @@ void MechanicsView::drawGravity(atlax::Canvas& canvas, const Zone& zone, float s
     const Vec2 pull(*zone.gravity);
     const float speed = length(pull);
     const Vec2 way = speed > 0 ? pull / speed : Vec2{0, 1};
-    const Color tint = mix(look_.accent, Color::hex(0xC79BFF), 0.5f);
-    canvas.rect(box, tint.withAlpha(0.07f * strength));
+    const Color tint = Color::hex(0xC79BFF);  // in every world, for it means the same
+    canvas.rect(box, tint.withAlpha(0.12f * strength));
     canvas.setBlend(atlax::Blend::Additive);
     Dice dice(static_cast<std::uint32_t>(box.min.x * 17 + box.min.y * 5) + 3);
     const int count = std::clamp(static_cast<int>(box.size.x * box.size.y * 2), 12, 80);
@@ -285,11 +285,12 @@ void MechanicsView::drawGravity(atlax::Canvas& canvas, const Zone& zone, float s
             cycle(static_cast<double>(start.y) + seconds * rate * static_cast<double>(way.y))};
         const Vec2 at = box.min + Vec2{place.x * box.size.x, place.y * box.size.y};
         const auto beat = static_cast<float>(0.6 + 0.4 * std::sin(seconds * 1.7 + 2.3 * i));
-        canvas.circleOutline(at, 0.022f, 0.005f, tint.withAlpha(0.45f * beat * strength));
-        if (i % 4 != 0) continue;
-        const Vec2 side = perpendicular(way) * 0.05f;
-        canvas.line(at + side, at + way * 0.07f, 0.010f, tint.withAlpha(0.5f * beat * strength));
-        canvas.line(at - side, at + way * 0.07f, 0.010f, tint.withAlpha(0.5f * beat * strength));
+        canvas.circleOutline(at, 0.028f, 0.007f, tint.withAlpha(0.7f * beat * strength));
+        if (i % 2 != 0) continue;
+        const Vec2 side = perpendicular(way) * 0.08f;
+        const Vec2 tip = at + way * 0.12f;
+        canvas.line(at + side, tip, 0.018f, tint.withAlpha(0.7f * beat * strength));
+        canvas.line(at - side, tip, 0.018f, tint.withAlpha(0.7f * beat * strength));
     }
     canvas.setBlend(atlax::Blend::Alpha);
 }

@@ -144,7 +144,8 @@ void GameView::moveRopes() {
     const Rope& rope = session_.rope();
     const double tension =
         rope.state() == Rope::State::attached ? rope.tension(session_.world()) : 0;
-    const float goal = std::clamp(static_cast<float>(tension) / 130, 0.0f, 1.0f);
+    // A hanging hero's 20 N are a sixth of it, a launch's 300 N nearly all.
+    const float goal = 1 - std::exp(-std::max(0.0f, static_cast<float>(tension)) / 110);
     const float change = std::abs(goal - strain_);
     strain_ += 0.05f * (goal - strain_);
     strainRate_ += 0.02f * (std::min(1.0f, change * 4) - strainRate_);
