@@ -277,7 +277,8 @@ void Game::continueFilm(atlax::Canvas& canvas) {
 /// Between two frames, waiting for the display and all: what the player sees.
 void Game::timeFrame() {
     const auto now = std::chrono::steady_clock::now();
-    if (lastFrame_) governor_.frame(std::chrono::duration<double>(now - *lastFrame_).count());
+    if (lastFrame_ && options_.adapt)
+        governor_.frame(std::chrono::duration<double>(now - *lastFrame_).count());
     lastFrame_ = now;
 }
 

@@ -42,6 +42,8 @@ struct GameOptions {
     std::optional<std::filesystem::path> progress = std::nullopt;
     /// Every level may be played.
     bool unlockAll = false;
+    /// The picture's quality follows the time that frames take; else it stays as at first.
+    bool adapt = true;
 };
 
 class Game : public atlax::Application {

@@ -960,7 +960,7 @@ TEST(Game, goesOnAfterTheDriverWasReset) {
     const Folder folder("reset");
     Preferences preferences(folder / "settings.json");
     const LostDriver driver;
-    Game game({.level = firstLevel(), .skipTitle = true}, preferences);
+    Game game({.level = firstLevel(), .skipTitle = true, .adapt = false}, preferences);
     Played played(game, [&](atlax::Platform& platform, int frame) {
         // Paused, so that both pictures show the same moment.
         if (frame == 5) tap(platform, atlax::Key::Escape);

@@ -157,7 +157,10 @@ void GameView::moveRopes() {
             const Vec2 moved = (strand.now[i] - strand.before[i]) * 0.996f;
             strand.before[i] = strand.now[i];
             strand.now[i] += moved - Vec2{0, 9.81f * tick * tick};
-            if (strand.drawnBack) strand.now[i] = lerp(strand.now[i], hand, 0.018f);
+            if (strand.drawnBack)
+                strand.now[i] = lerp(strand.now[i], hand, 0.018f);
+            else if (follow_.space().isRock(strand.now[i]))
+                strand.now[i] = strand.before[i];  // it comes to lie on the ground
         }
         if (!strand.drawnBack) strand.now.back() = hand;
     }
