@@ -286,6 +286,16 @@ TEST(Session, SpeedIsCapped) {
     EXPECT_LT(fastest, 11.1);
 }
 
+TEST(Session, AHeroWhoBurstsEndsNoGame) {
+    Session session(room());
+    const auto particles = session.world().particles(session.hero());
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        session.world().setVelocity(particles[i], {i == 3 ? -1900.0f : 1900.0f, 0});
+    }
+    EXPECT_NO_THROW(play(session, {}, 100));
+    EXPECT_EQ(session.world().validate(), "");
+}
+
 TEST(Session, TheHeroCannotLeaveThroughGround) {
     Session session(room());
     TickInput input;

@@ -214,8 +214,12 @@ void Session::limitSpeed() {
     const Real limit = heroRules_.speedLimit;
     if (speed <= limit) return;
     const Vec2 excess = mean * ((speed - limit) / speed);
+    // Where a scene bursts, single particles may be so fast that less of the mean is more than the
+    // library takes.
+    const Vec2 most = Vec2::Constant(1000);
     for (const sulfur::ParticleId particle : world_->particles(hero_)) {
-        world_->setVelocity(particle, world_->velocity(particle) - excess);
+        const Vec2 slower = world_->velocity(particle) - excess;
+        world_->setVelocity(particle, slower.cwiseMax(-most).cwiseMin(most));
     }
 }
 
