@@ -80,7 +80,7 @@ void keep(const SolverArguments& arguments, const std::string& file, const Groun
     WayFile way{ground.level->id, ground.level->contentHash, solution.searched, solution.survival,
                 std::move(solution.policy)};
     way.write(wayFile(arguments, file));
-    printSurvival(way.survival);
+    if (way.survival.games > 0) printSurvival(way.survival);
 }
 
 int solveLevel(const SolverArguments& arguments, const std::string& file) {
@@ -142,7 +142,7 @@ int printRow(const SolverArguments& arguments, const std::string& file) {
         std::printf("        -");
     }
     std::printf(" %7.1f", DistanceField(session).at(level->spawn));
-    if (fits) {
+    if (fits && way->survival.games > 0) {
         std::printf(" %8.1f %5.0f", 100 * way->survival.share(), way->survival.tries);
     } else {
         std::printf("        -     -");
