@@ -1,6 +1,7 @@
 // The camera: the hero stays well inside of the picture, and the picture shows more than rock.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <quaoar/view/follow_camera.hpp>
 #include <random>
@@ -138,6 +139,16 @@ TEST(Camera, looksAheadAndOpensWithSpeed) {
     EXPECT_GT(view.centre().x, static_cast<float>(session.heroPosition().x()) + 0.5f);
 }
 
+/// Whether nobody can be there for long.
+bool kills(const Level& level, Vec2 at) {
+    if (at.y < float(level.killDepth)) return true;
+    return std::any_of(level.zones.begin(), level.zones.end(), [&](const Zone& zone) {
+        return zone.deadly && zone.needs.empty() && !zone.pulse && at.x > float(zone.low.x()) &&
+               at.x < float(zone.high.x()) && at.y > float(zone.low.y()) &&
+               at.y < float(zone.high.y());
+    });
+}
+
 /// Places where a hero can lie or hang: open, reachable from the spawn, with ground just below or
 /// something to hang from just above.
 std::vector<Vec2> restingPlaces(const Level& level, const OpenSpace& space) {
@@ -161,7 +172,7 @@ std::vector<Vec2> restingPlaces(const Level& level, const OpenSpace& space) {
         for (const float below : {0.2f, 0.3f}) rests = rests || space.isRock(at - Vec2{0, below});
         for (const float above : {0.3f, 0.4f, 0.5f})
             rests = rests || space.isRock(at + Vec2{0, above});
-        if (rests) places.push_back(at);
+        if (rests && !kills(level, at)) places.push_back(at);
         for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
             const Vec2 next = at + Vec2{static_cast<float>(dx), static_cast<float>(dy)} * step;
             if (open(next) && seen.insert({x + dx, y + dy}).second)
