@@ -82,6 +82,20 @@ Way Search::trace(std::size_t parent, const Intention& last, std::uint64_t ticks
     return way;
 }
 
+/// Whoever falls comes back to the last checkpoint, and from each the level can be finished: what
+/// was reached before the first that comes to a new one is of no use any more.
+void Search::enterStage() {
+    int reached = 0;
+    const int count = static_cast<int>(session_.level().checkpoints.size());
+    for (int i = 0; i < count; ++i)
+        reached += session_.reached(static_cast<std::size_t>(i)) ? 1 : 0;
+    const bool leads = field_.at(session_.heroPosition()) < DistanceField::unreachable;
+    if (reached <= stage_ || !leads) return;
+    stage_ = reached;
+    states_.clear();
+    cells_.clear();
+}
+
 /// A few ideas in a row reach further than one before the archive cuts in again.
 std::optional<Way> Search::explore() {
     const State& from = choose();
@@ -101,6 +115,7 @@ std::optional<Way> Search::explore() {
         if (options_.goal && options_.goal(situationOf(session_))) {
             return trace(parent, seen, ticks, false);
         }
+        if (player.reachedCheckpoint()) enterStage();
         const std::size_t known = nodes_.size();
         insert(parent, seen, ticks);
         if (nodes_.size() == known) break;

@@ -92,6 +92,7 @@ private:
     State& choose();
     void insert(std::size_t parent, const Intention& intention, std::uint64_t ticks);
     Way trace(std::size_t parent, const Intention& last, std::uint64_t ticks, bool finished) const;
+    void enterStage();
     std::optional<Way> explore();
 
     SearchOptions options_;
@@ -102,6 +103,7 @@ private:
     std::map<Cell, std::size_t> cells_;
     std::vector<State> states_;
     SearchReport report_;
+    int stage_ = 0;  ///< checkpoints reached by what is in the archive
 };
 
 }  // namespace quaoar
