@@ -54,14 +54,24 @@ std::vector<Vec2> BodyPainter::dressedPlaces(sulfur::BodyId body, const BodyShap
     return places;
 }
 
-BodyPainter::Dress BodyPainter::dressOf(const BodyShape& shape, const Surface& surface) {
+BodyPainter::Dress BodyPainter::dressOf(const BodyShape& shape, const Surface& surface) const {
     Dress dress{
         shape.texture, palette::ice, palette::deep, palette::frost, palette::night.withAlpha(0.8f),
         surface.deadly};
     const bool net = shape.outline.empty() && shape.soft && shape.triangles.size() > 8;
+    // What comes loose from the ground is of the world's own stone.
+    const Theme& theme = session_.level().theme;
+    if (surface.look == Surface::Look::ice && theme.world != Theme::World::dawn) {
+        dress.light = mix(Color::hex(theme.ice), palette::frost, 0.25f);
+        dress.dark = mix(Color::hex(theme.ice), palette::night, 0.4f);
+        dress.rim = Color::hex(theme.rim);
+    }
     switch (surface.look) {
         case Surface::Look::metal:
             if (dress.texture.empty()) dress.texture = "plate.svg";
+            dress.light = Color::hex(0x8492AC);
+            dress.dark = Color::hex(0x39414F);
+            dress.rim = Color::hex(0xC7D0DE);
             break;
         case Surface::Look::rock:
             if (dress.texture.empty()) dress.texture = "boulder.svg";

@@ -36,7 +36,7 @@ private:
         bool spikes = false;
     };
 
-    static Dress dressOf(const BodyShape& shape, const Surface& surface);
+    Dress dressOf(const BodyShape& shape, const Surface& surface) const;
     void drawBody(atlax::Canvas& canvas, sulfur::BodyId body, double alpha, double seconds);
     void drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const Dress& dress,
                   double alpha) const;
