@@ -85,10 +85,7 @@ Way Search::trace(std::size_t parent, const Intention& last, std::uint64_t ticks
 /// Whoever falls comes back to the last checkpoint, and from each the level can be finished: what
 /// was reached before the first that comes to a new one is of no use any more.
 void Search::enterStage() {
-    int reached = 0;
-    const int count = static_cast<int>(session_.level().checkpoints.size());
-    for (int i = 0; i < count; ++i)
-        reached += session_.reached(static_cast<std::size_t>(i)) ? 1 : 0;
+    const int reached = checkpointsReached(session_);
     const bool leads = field_.at(session_.heroPosition()) < DistanceField::unreachable;
     if (reached <= stage_ || !leads) return;
     stage_ = reached;

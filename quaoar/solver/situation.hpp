@@ -33,4 +33,12 @@ inline Situation situationOf(const Session& session) {
     return now;
 }
 
+inline int checkpointsReached(const Session& session) {
+    int reached = 0;
+    for (std::size_t i = 0; i < session.level().checkpoints.size(); ++i) {
+        reached += session.reached(i) ? 1 : 0;
+    }
+    return reached;
+}
+
 }  // namespace quaoar

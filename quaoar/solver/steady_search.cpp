@@ -103,12 +103,21 @@ void SteadySearch::insert(std::size_t index, const std::vector<Intention>& inten
         if (rival.reliability >= 0.9 * parent.reliability || rival.parent == from.node) return;
     }
     const auto snapshot = session_.snapshot();
+    const int reached = checkpointsReached(session_);
     const double certain = parent.reliability * reliability(from, intentions, here, false);
     if (certain < leastReliable * parent.reliability) return;
     if (known != cells_.end() && nodes_[states_[known->second].node].reliability >= certain) return;
     report_.nearest = std::min(report_.nearest, distance);
-    nodes_.push_back({from.node, intentions, parent.ticks + spent, certain});
+    // As in search.hpp: from a new checkpoint on, what was before does not count.
+    const bool stage = reached > stage_;
+    nodes_.push_back({from.node, intentions, parent.ticks + spent, stage ? 1 : certain});
     const State state{nodes_.size() - 1, snapshot, here, distance, 0};
+    if (stage) {
+        stage_ = reached;
+        cells_ = {{cellOf(here), 0}};
+        states_ = {state};
+        return;
+    }
     if (known == cells_.end()) {
         cells_[cellOf(here)] = states_.size();
         states_.push_back(state);

@@ -42,7 +42,7 @@ private:
         std::size_t parent = 0;
         std::vector<Intention> intentions;  ///< that led from the parent to here
         std::uint64_t ticks = 0;
-        double reliability = 1;  ///< share of attempts that come here from the spawn
+        double reliability = 1;  ///< share of attempts that come here from the last checkpoint
     };
     struct State {
         std::size_t node = 0;
@@ -71,6 +71,7 @@ private:
     std::map<Cell, std::size_t> cells_;
     std::vector<State> states_;
     SearchReport report_;
+    int stage_ = 0;  ///< checkpoints reached by what is in the archive
 };
 
 }  // namespace quaoar
