@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "player.hpp"
+
 namespace quaoar {
 namespace {
 
