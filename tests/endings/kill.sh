@@ -41,7 +41,7 @@ kill_now() {
 
 # --- quaoar_solve: a proof is written over another ------------------------------------------------
 
-solve() { "$1" "$solver" level.json --out way.proof --jitter 0 --seed $((RANDOM + 1)); }
+solve() { "$1" "$solver" level.json --out way.proof --tries 1 --practice 0 --polish 0 --seed $((RANDOM + 1)); }
 solver_begins() {
     level=level.json
     # Whoever begins beside the exit is there at once.

@@ -19,7 +19,8 @@ protected:
             document.add("box", sulfur::shapes::BoxOptions{}, {.position = {x, 2}});
         });
     }
-    const fs::path folder_ = fs::path(testing::TempDir()) / "sulfurchamber_recovery";
+    const fs::path folder_ =
+        fs::path(testing::TempDir()) / ("sulfurchamber_recovery-" + std::to_string(::getpid()));
 };
 
 TEST_F(RecoveryTest, KeepsWhatIsNotSavedUntilItIs) {
