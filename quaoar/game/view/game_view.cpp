@@ -117,6 +117,7 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
     else
         backdrop_->drawWeather(canvas, eye, seconds, false, options.quality);
     canvas.setCamera(eye);
+    mechanics_->drawLiquids(canvas, eye.view(canvas.size()), seconds);
     drawGate(canvas, false);
     for (std::size_t i = 0; i < ice_.size(); ++i) {
         ice_[i]->draw(canvas, art_, eye.view(canvas.size()));
@@ -140,7 +141,7 @@ void GameView::drawScene(atlax::Canvas& canvas, double alpha, const ViewOptions&
     drawRope(canvas, middle, alpha);
     drawHero(canvas, alpha);
     drawGate(canvas, true);
-    mechanics_->drawBefore(canvas, art_, eye.view(canvas.size()), seconds);
+    mechanics_->drawBefore(canvas, art_, seconds);
     drawSparks(canvas);
     if (options.highContrast) return;
     if (options.quality.foreground) backdrop_->drawForeground(canvas, eye);

@@ -87,9 +87,13 @@ void MechanicsView::drawBehind(atlax::Canvas& canvas, Art& art, double seconds) 
         drawCheckpoint(canvas, art, i, seconds);
 }
 
-void MechanicsView::drawBefore(atlax::Canvas& canvas, Art& art, Rect view, double seconds) {
+void MechanicsView::drawBefore(atlax::Canvas& canvas, Art& art, double seconds) {
+    for (std::size_t i = 0; i < session_.level().pickups.size(); ++i)
+        drawPickup(canvas, art, i, seconds);
+}
+
+void MechanicsView::drawLiquids(atlax::Canvas& canvas, Rect view, double seconds) {
     const Level& level = session_.level();
-    for (std::size_t i = 0; i < level.pickups.size(); ++i) drawPickup(canvas, art, i, seconds);
     for (std::size_t i = 0; i < level.zones.size(); ++i) {
         const auto strength = static_cast<float>(session_.workings().zones.strength(i));
         if (level.zones[i].liquid) drawLiquid(canvas, level.zones[i], view, strength, seconds);

@@ -16,8 +16,10 @@ public:
 
     /// Rails, cables, lamps, wind: behind the bodies.
     void drawBehind(atlax::Canvas& canvas, Art& art, double seconds);
-    /// Liquids and pick-ups: before them.
-    void drawBefore(atlax::Canvas& canvas, Art& art, atlax::Rect view, double seconds);
+    /// Pick-ups: before them.
+    void drawBefore(atlax::Canvas& canvas, Art& art, double seconds);
+    /// Behind the ground, which gives the rectangles of their zones a shape.
+    void drawLiquids(atlax::Canvas& canvas, atlax::Rect view, double seconds);
 
 private:
     /// A line of light from a switch to what its signal moves.
