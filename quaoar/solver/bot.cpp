@@ -35,37 +35,48 @@ public:
     }
 
     Game play() {
-        while (seconds() < longestGame && lives_ <= options_.tries) {
+        while (player_.seconds() < longestGame && lives_ <= options_.tries) {
             const Ending ending = decide();
             surprised_ = ending != Ending::done;
             if (ending == Ending::finished) {
                 game_.finished = true;
                 break;
             }
+            const int reached = checkpointsReached(session_);
+            if (reached > reached_) lives_ = 1;
+            reached_ = std::max(reached_, reached);
             if (ending == Ending::died) begin();
-            if (player_.reachedCheckpoint()) lives_ = 1;
+            if (options_.remember) forget();
         }
-        game_.seconds = seconds();
+        game_.seconds = player_.seconds();
         return std::move(game_);
     }
 
 private:
-    double seconds() const { return static_cast<double>(player_.ticks()) / Session::tickRate; }
-
     void begin() {
-        ++game_.tries;
         ++lives_;
+        if (lives_ <= options_.tries) ++game_.tries;
         nearest_ = DistanceField::unreachable;
-        lastProgress_ = seconds();
+        lastProgress_ = player_.seconds();
     }
 
     bool stalled() {
         const double distance = ground_.field.at(session_.heroPosition());
         if (distance < nearest_ - progress) {
             nearest_ = distance;
-            lastProgress_ = seconds();
+            lastProgress_ = player_.seconds();
         }
-        return seconds() - lastProgress_ > options_.patience;
+        return player_.seconds() - lastProgress_ > options_.patience;
+    }
+
+    /// Drops the snapshot of a decision that nobody will look at again.
+    void forget() {
+        if (game_.decisions.size() < lookBack) return;
+        const auto window = game_.decisions.end() - static_cast<std::ptrdiff_t>(lookBack);
+        const bool led = std::any_of(window, game_.decisions.end(), [](const Decision& decision) {
+            return decision.attempt.ending == Ending::died;
+        });
+        if (window->match.unlike <= 1 && !led) window->snapshot = nullptr;
     }
 
     Ending decide() {
@@ -82,14 +93,11 @@ private:
         const Place& place = policy_.places()[static_cast<std::size_t>(match.place)];
         Decision decision{now, nullptr, match, place.best, {}};
         if (options_.remember) decision.snapshot = session_.snapshot();
-        const double began = seconds();
+        const double began = player_.seconds();
         const Choice& choice = place.choices[static_cast<std::size_t>(place.best)];
         Ending ending = player_.carryOut(choice.intention, slip);
-        if (ending == Ending::done && stalled()) {
-            session_.retry();
-            ending = Ending::died;
-        }
-        decision.attempt = {ending, situationOf(session_), seconds() - began};
+        if (ending == Ending::done && stalled()) ending = player_.giveUp();
+        decision.attempt = {ending, situationOf(session_), player_.seconds() - began};
         game_.decisions.push_back(decision);
         return ending;
     }
@@ -104,7 +112,8 @@ private:
     double nearest_ = DistanceField::unreachable;
     double lastProgress_ = 0;
     bool surprised_ = false;
-    int lives_ = 1;  ///< since the last checkpoint
+    int lives_ = 1;    ///< since the last checkpoint
+    int reached_ = 0;  ///< most checkpoints reached
 };
 
 }  // namespace

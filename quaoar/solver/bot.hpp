@@ -1,7 +1,6 @@
 // A player with a human's faults, who knows what a policy knows.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "policy.hpp"
@@ -11,11 +10,15 @@ namespace quaoar {
 struct BotOptions {
     Skill skill;
     std::uint64_t seed = 1;
-    int tries = 3;                   ///< lives from the spawn, and from each checkpoint
-    double patience = 10;            ///< s without coming nearer to the exit: as bad as a fall
-    bool remember = false;           ///< keep a snapshot of each decision
+    int tries = 3;         ///< lives from the spawn, and from each checkpoint
+    double patience = 10;  ///< s without coming nearer to the exit: as bad as a fall
+    /// Keep snapshots of decisions that were not foreseen, and of those before a death.
+    bool remember = false;
     Recording* recording = nullptr;  ///< for the ticks of the game; not for more than one life
 };
+
+/// So many decisions before a death count as what led to it.
+constexpr std::size_t lookBack = 3;
 
 /// One decision of a game and what came of it.
 struct Decision {

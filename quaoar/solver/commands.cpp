@@ -53,10 +53,23 @@ std::optional<Recording> knownProof(const std::shared_ptr<const Level>& level,
     return std::nullopt;
 }
 
-/// The way that lies there, whatever version of the level it was made for.
+/// The way that lies there, whatever version of the level it was made for. One that is damaged is
+/// told and counts as none.
 std::optional<WayFile> knownWay(const fs::path& file) {
     if (!fs::exists(file)) return std::nullopt;
-    return WayFile::read(file);
+    try {
+        return WayFile::read(file);
+    } catch (const WayError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return std::nullopt;
+    }
+}
+
+/// The same if it was made for the level as it is now.
+std::optional<WayFile> fittingWay(const Level& level, const fs::path& file) {
+    auto way = knownWay(file);
+    if (way && way->levelHash != level.contentHash) way.reset();
+    return way;
 }
 
 void printSurvival(const Survival& survival) {
@@ -65,43 +78,49 @@ void printSurvival(const Survival& survival) {
                 survival.seconds);
 }
 
+/// Writes the proof, and the way unless `known` survives more.
 void keep(const SolverArguments& arguments, const std::string& file, const Ground& ground,
-          Solution& solution) {
+          const std::optional<WayFile>& known, Solution& solution) {
     if (!acceptedByFreshProcess(file, solution.proof)) {
         throw std::runtime_error("the way that was found does not replay in a fresh process");
     }
     const fs::path proof = proofFile(arguments, file);
     solution.proof.write(proof);
     std::printf("%s  %.3f s, replayed by a fresh process, after %.0f simulated s in all\n",
-                proof.string().c_str(),
-                static_cast<double>(solution.proof.ticks()) / Session::tickRate,
-                solution.simulated);
+                proof.string().c_str(), secondsOf(solution.proof.ticks()), solution.simulated);
+    if (solution.survival.games > 0) printSurvival(solution.survival);
+    if (known && known->survival.share() > solution.survival.share()) return;
     if (solution.policy.places().empty()) return;
     WayFile way{ground.level->id, ground.level->contentHash, solution.searched, solution.survival,
                 std::move(solution.policy)};
     way.write(wayFile(arguments, file));
-    if (way.survival.games > 0) printSurvival(way.survival);
 }
 
 int solveLevel(const SolverArguments& arguments, const std::string& file) {
     const Ground ground(load(file));
-    std::optional<WayFile> known;
-    if (!arguments.fresh) known = knownWay(wayFile(arguments, file));
+    auto known = knownWay(wayFile(arguments, file));
     auto proof = knownProof(ground.level, proofFile(arguments, file));
     SolveOptions options = arguments.solve;
     options.proven = [&](const Recording& first) {
         if (!proof && acceptedByFreshProcess(file, first)) first.write(proofFile(arguments, file));
     };
-    Solution solution = solve(ground, options, known ? &known->policy : nullptr);
+    const bool begins = known && !arguments.fresh;
+    Solution solution = solve(ground, options, begins ? &known->policy : nullptr);
+    if (known && solution.searched == 0) solution.searched = known->searched;
+    // What was measured in another version of the level, or of the physics, is worth nothing.
+    if (known && (!proof || known->levelHash != ground.level->contentHash)) known.reset();
     if (proof && proof->ticks() < solution.proof.ticks()) solution.proof = std::move(*proof);
-    keep(arguments, file, ground, solution);
+    keep(arguments, file, ground, known, solution);
     return 0;
 }
 
 int playBot(const SolverArguments& arguments, const std::string& file) {
     const Ground ground(load(file));
-    const auto known = knownWay(wayFile(arguments, file));
-    if (!known) throw std::runtime_error(wayFile(arguments, file).string() + " is missing");
+    const auto known = fittingWay(*ground.level, wayFile(arguments, file));
+    if (!known) {
+        throw std::runtime_error(wayFile(arguments, file).string() +
+                                 " is missing or was made for another version of the level");
+    }
     BotOptions bot;
     bot.skill = arguments.solve.skill;
     bot.seed = arguments.solve.seed;
@@ -114,10 +133,8 @@ int playBot(const SolverArguments& arguments, const std::string& file) {
 int repairLevel(const SolverArguments& arguments, const std::string& file) {
     const auto level = load(file);
     const auto proof = knownProof(level, proofFile(arguments, file));
-    const auto way = knownWay(wayFile(arguments, file));
-    if (proof && way && way->levelHash == level->contentHash) {
-        std::printf("%s  holds, %.3f s\n", level->id.c_str(),
-                    static_cast<double>(proof->ticks()) / Session::tickRate);
+    if (proof && fittingWay(*level, wayFile(arguments, file))) {
+        std::printf("%s  holds, %.3f s\n", level->id.c_str(), secondsOf(proof->ticks()));
         return 0;
     }
     return solveLevel(arguments, file);
@@ -134,15 +151,14 @@ int printRow(const SolverArguments& arguments, const std::string& file) {
     const Session session(level);
     const double loading = secondsSince(start);
     std::printf("%-22s %6.1f", level->id.c_str(), level->medals.gold);
-    const auto way = knownWay(wayFile(arguments, file));
-    const bool fits = way && way->levelHash == level->contentHash;
-    if (fits) {
+    const auto way = fittingWay(*level, wayFile(arguments, file));
+    if (way) {
         std::printf(" %8.0f", way->searched);
     } else {
         std::printf("        -");
     }
     std::printf(" %7.1f", DistanceField(session).at(level->spawn));
-    if (fits && way->survival.games > 0) {
+    if (way && way->survival.games > 0) {
         std::printf(" %8.1f %5.0f", 100 * way->survival.share(), way->survival.tries);
     } else {
         std::printf("        -     -");
@@ -150,7 +166,7 @@ int printRow(const SolverArguments& arguments, const std::string& file) {
     const auto replay = std::chrono::steady_clock::now();
     const auto proof = knownProof(level, proofFile(arguments, file));
     if (proof) {
-        const double length = static_cast<double>(proof->ticks()) / Session::tickRate;
+        const double length = secondsOf(proof->ticks());
         std::printf(" %8.2f %7.0f", length, length / secondsSince(replay));
     } else {
         std::printf("     none       -");
@@ -162,7 +178,7 @@ int printRow(const SolverArguments& arguments, const std::string& file) {
 
 int checkFair(const SolverArguments& arguments, const std::string& file) {
     const Ground ground(load(file));
-    const auto way = knownWay(wayFile(arguments, file));
+    const auto way = fittingWay(*ground.level, wayFile(arguments, file));
     FairOptions options;
     options.states = arguments.fair;
     options.seed = arguments.solve.seed;

@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <filesystem>
+#include <cerrno>
 #include <stdexcept>
 
 extern char** environ;
@@ -34,7 +34,8 @@ private:
 
 bool acceptedByFreshProcess(const std::string& level, const Recording& proof) {
     const MemoryFile file(proof.format());
-    std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    // Not its name: the program may have been built anew while the search went on.
+    std::string program = "/proc/self/exe";
     std::string check = "--check", levelArgument = level, proofArgument = file.name();
     std::string quiet = "--quiet";
     char* arguments[] = {program.data(),       levelArgument.data(), check.data(),
@@ -44,7 +45,9 @@ bool acceptedByFreshProcess(const std::string& level, const Recording& proof) {
         throw std::runtime_error("a fresh process for checking the proof could not be started");
     }
     int status = 0;
-    if (waitpid(child, &status, 0) != child) return false;
+    while (waitpid(child, &status, 0) != child) {
+        if (errno != EINTR) return false;
+    }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

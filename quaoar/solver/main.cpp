@@ -22,7 +22,7 @@ void describe(CLI::App& app, quaoar::SolverArguments& arguments) {
         ->check(CLI::NonNegativeNumber);
     app.add_option("--tries", solve.searches,
                    "Search with so many seeds until half have found a way")
-        ->check(CLI::Range(1, 10000));
+        ->check(CLI::Range(1, 64));
     app.add_option("--budget", solve.budget, "Simulated seconds before a search gives up")
         ->check(atlax::between(1, 1e7), "1 to 1e7");
     app.add_option("--polish", solve.polish,
@@ -69,8 +69,9 @@ int main(int argc, char** argv) {
     arguments.solve.skill = quaoar::Skill::level(arguments.skill);
     try {
         if (arguments.levels.empty()) throw std::runtime_error("no level is given; see --help");
-        if (!arguments.out.empty() && arguments.levels.size() > 1) {
-            throw std::runtime_error("--out is for one level, not for several");
+        const bool any = arguments.out.empty() && arguments.check.empty();
+        if (!any && arguments.levels.size() > 1) {
+            throw std::runtime_error("--out and --check are for one level, not for several");
         }
         return quaoar::runSolver(arguments);
     } catch (const std::bad_alloc&) {

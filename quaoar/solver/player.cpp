@@ -51,7 +51,6 @@ bool Player::tick(const TickInput& input) {
     if (recording_ != nullptr) recording_->append(input);
     trace_.push_back(session_.heroPosition());
     died_ = session_.events().died || session_.events().restarted;
-    checkpoint_ = checkpoint_ || session_.events().checkpoint;
     const bool slow = static_cast<double>(session_.heroVelocity().norm()) < calmSpeed;
     calm_ = slow ? calm_ + 1 : 0;
     return !died_ && session_.phase() == Session::Phase::playing;
@@ -81,11 +80,17 @@ Ending Player::wait(int ticks) {
     return Ending::done;
 }
 
+Ending Player::giveUp() {
+    TickInput input;
+    input.retry = true;
+    tick(input);
+    return Ending::died;
+}
+
 Ending Player::carryOut(const Intention& intention, const Slip& slip) {
     trace_.clear();
     calm_ = 0;
     died_ = false;
-    checkpoint_ = false;
     if (intention.hook == Intention::Hook::shoot) {
         const Ending shot = shoot(intention, slip);
         return shot == Ending::done ? holdOn(intention, slip) : shot;

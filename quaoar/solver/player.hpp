@@ -51,6 +51,10 @@ enum class Ending : std::uint8_t {
     finished,  ///< at the exit
 };
 
+inline double secondsOf(std::uint64_t ticks) {
+    return static_cast<double>(ticks) / Session::tickRate;
+}
+
 /// Ticks between letting go and the next shot of one who does not slip: 80 ms.
 constexpr int pressGap = 40;
 
@@ -65,10 +69,11 @@ public:
     Ending wait(int ticks);
     /// The hero's places after each tick of the last intention.
     const std::vector<sulfur::Point>& trace() const { return trace_; }
-    /// Whether a checkpoint was reached during the last intention.
-    bool reachedCheckpoint() const { return checkpoint_; }
-    /// All ticks that were played.
+    /// Back to the last checkpoint, of the player's own will.
+    Ending giveUp();
+    /// All ticks that were played, and their seconds.
     std::uint64_t ticks() const { return ticks_; }
+    double seconds() const { return secondsOf(ticks_); }
 
 private:
     bool tick(const TickInput& input);
@@ -86,7 +91,6 @@ private:
     std::uint64_t ticks_ = 0;
     int calm_ = 0;  ///< ticks of rest in a row
     bool died_ = false;
-    bool checkpoint_ = false;
 };
 
 }  // namespace quaoar

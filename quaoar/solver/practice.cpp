@@ -19,26 +19,41 @@ constexpr std::size_t bestChoices = 2;
 constexpr double hopeless = 0.25;
 /// Simulated seconds for such a search.
 constexpr double searchBudget = 120;
-/// Decisions before a death that are looked at again.
-constexpr std::size_t lookBack = 3;
+
+/// Plays on from where the session is: each place with the one choice and what it led to.
+std::vector<Place> placesAlong(Session& session, const Way& way) {
+    std::vector<Place> places;
+    Player player(session);
+    for (const Intention& step : way.steps) {
+        Place place;
+        place.here = situationOf(session);
+        place.snapshot = session.snapshot();
+        const double before = player.seconds();
+        const Ending ending = player.carryOut(step);
+        const Try attempt{ending, situationOf(session), player.seconds() - before};
+        place.choices.push_back({step, {attempt}, 0});
+        places.push_back(std::move(place));
+        if (ending != Ending::done) break;
+    }
+    return places;
+}
+
+/// Adds them to the policy; `first` is the index of the first where that is known already.
+void addPlaces(Policy& policy, std::vector<Place> places, int first = -1) {
+    for (Place& place : places) {
+        const Choice choice = place.choices.front();
+        place.choices.clear();
+        const int index = first >= 0 ? first : policy.add(std::move(place));
+        first = -1;
+        policy.addTry(index, policy.addChoice(index, choice.intention), choice.tries.front());
+    }
+}
 
 }  // namespace
 
 void learnWay(Policy& policy, Session& session, const Way& way) {
     session.restart();
-    Player player(session);
-    for (const Step& step : way.steps) {
-        Place place;
-        place.here = situationOf(session);
-        place.snapshot = session.snapshot();
-        const std::uint64_t before = player.ticks();
-        const Ending ending = player.carryOut(step.intention);
-        const double seconds = static_cast<double>(player.ticks() - before) / Session::tickRate;
-        const int index = policy.add(std::move(place));
-        policy.addTry(index, policy.addChoice(index, step.intention),
-                      {ending, situationOf(session), seconds});
-        if (ending != Ending::done) break;
-    }
+    addPlaces(policy, placesAlong(session, way));
     policy.weigh();
 }
 
@@ -47,9 +62,8 @@ Try Practice::attempt(Lesson& lesson, Session& session, const Intention& idea,
     session.restore(*lesson.snapshot);
     Player player(session);
     const Ending ending = player.carryOut(idea, slip);
-    const double seconds = static_cast<double>(player.ticks()) / Session::tickRate;
-    lesson.simulated += seconds;
-    return policy_.known({ending, situationOf(session), seconds});
+    lesson.simulated += player.seconds();
+    return policy_.known({ending, situationOf(session), player.seconds()});
 }
 
 double Practice::promise(const Choice& choice) const {
@@ -88,9 +102,8 @@ Choice Practice::plainly(Lesson& lesson, Session& session, const Intention& idea
     Choice choice{idea, {}, 0};
     const Ending ending = player.carryOut(idea);
     if (ending == Ending::done) choice.intention = endedBySight(idea, player.trace());
-    const double seconds = static_cast<double>(player.ticks()) / Session::tickRate;
-    lesson.simulated += seconds;
-    choice.tries.push_back(policy_.known({ending, situationOf(session), seconds}));
+    lesson.simulated += player.seconds();
+    choice.tries.push_back(policy_.known({ending, situationOf(session), player.seconds()}));
     return choice;
 }
 
@@ -139,7 +152,6 @@ void Practice::tryAll(Lesson& lesson, Session& session, Nerves& nerves, int coun
 void Practice::searchOn(Lesson& lesson, Session& session, std::uint64_t seed) const {
     SearchOptions options;
     options.seed = seed;
-    options.budget = searchBudget;
     options.start = lesson.snapshot;
     options.goal = [this](const Situation& situation) {
         for (const Place& place : policy_.places()) {
@@ -152,17 +164,7 @@ void Practice::searchOn(Lesson& lesson, Session& session, std::uint64_t seed) co
     lesson.simulated += search.report().simulated;
     if (!way) return;
     session.restore(*lesson.snapshot);
-    Player player(session);
-    for (const Step& step : way->steps) {
-        Place place;
-        place.here = situationOf(session);
-        place.snapshot = session.snapshot();
-        const std::uint64_t before = player.ticks();
-        const Ending ending = player.carryOut(step.intention);
-        const double seconds = static_cast<double>(player.ticks() - before) / Session::tickRate;
-        place.choices.push_back({step.intention, {{ending, situationOf(session), seconds}}, 0});
-        lesson.wayOn.push_back(std::move(place));
-    }
+    lesson.wayOn = placesAlong(session, *way);
 }
 
 /// Takes what was learned into the policy, in the order of the lessons.
@@ -182,13 +184,7 @@ void Practice::learn(std::vector<Lesson>& lessons) {
             const int at = policy_.addChoice(index, choice.intention);
             for (const Try& attempt : choice.tries) policy_.addTry(index, at, attempt);
         }
-        for (std::size_t i = 0; i < lesson.wayOn.size(); ++i) {
-            Place& place = lesson.wayOn[i];
-            const Choice choice = place.choices.front();
-            place.choices.clear();
-            const int step = i == 0 ? index : policy_.add(std::move(place));
-            policy_.addTry(step, policy_.addChoice(step, choice.intention), choice.tries.front());
-        }
+        addPlaces(policy_, std::move(lesson.wayOn), index);
     }
     policy_.weigh();
 }
@@ -241,7 +237,9 @@ std::vector<Practice::Lesson> Practice::lessonsOf(const std::vector<Game>& games
 Survival Practice::round() {
     std::vector<Game> games(static_cast<std::size_t>(options_.games));
     forAll(ground_.level, options_.jobs, options_.games, [&](int i, Session& session) {
-        BotOptions bot{options_.skill, 0, 3, 10, true};
+        BotOptions bot;
+        bot.skill = options_.skill;
+        bot.remember = true;
         bot.seed = options_.seed * 7919 + 1000003 * (round_ + 1) + static_cast<std::uint64_t>(i);
         games[static_cast<std::size_t>(i)] = playGame(session, ground_, policy_, bot);
     });

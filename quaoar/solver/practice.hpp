@@ -10,10 +10,8 @@ namespace quaoar {
 struct PracticeOptions {
     Skill skill;
     std::uint64_t seed = 1;
-    int rounds = 12;
-    int games = 16;        ///< a round
-    int studies = 16;      ///< most places looked at in a round
-    double enough = 0.97;  ///< survival at which it stops
+    int games = 16;    ///< a round
+    int studies = 16;  ///< most places looked at in a round
     int jobs = 1;
 };
 

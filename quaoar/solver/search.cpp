@@ -9,16 +9,32 @@ namespace quaoar {
 
 Ground::Ground(std::shared_ptr<const Level> of) : level(std::move(of)), field(Session(level)) {}
 
+std::optional<Way> Explorer::run(double until) {
+    while (report_.simulated < until) {
+        if (auto way = explore()) return way;
+    }
+    return std::nullopt;
+}
+
+bool Explorer::entersStage() {
+    const int reached = checkpointsReached(session_);
+    const bool leads = field_.at(session_.heroPosition()) < DistanceField::unreachable;
+    if (reached <= stage_ || !leads) return false;
+    stage_ = reached;
+    return true;
+}
+
 Search::Search(Session& session, const DistanceField& field, const SearchOptions& options)
-    : options_(options), session_(session), field_(field), random_(options.seed) {
+    : Explorer(session, field, options.seed), options_(options) {
     if (options.start) {
         session_.restore(*options.start);
     } else {
         session_.restart();
     }
+    stage_ = checkpointsReached(session_);
     const Situation here = situationOf(session_);
     report_.nearest = field_.at(here.place);
-    nodes_.push_back({0, {}, 0, here});
+    nodes_.push_back({0, {}, 0});
     states_.push_back({0, session_.snapshot(), report_.nearest, 0});
     cells_[cellOf(here)] = 0;
 }
@@ -58,7 +74,7 @@ void Search::insert(std::size_t parent, const Intention& intention, std::uint64_
     report_.nearest = std::min(report_.nearest, distance);
     const auto [place, fresh] = cells_.try_emplace(cellOf(here), states_.size());
     if (!fresh && nodes_[states_[place->second].node].ticks <= ticks) return;
-    nodes_.push_back({parent, intention, ticks, here});
+    nodes_.push_back({parent, intention, ticks});
     const State state{nodes_.size() - 1, session_.snapshot(), distance, 0};
     if (fresh) {
         states_.push_back(state);
@@ -67,30 +83,13 @@ void Search::insert(std::size_t parent, const Intention& intention, std::uint64_
     }
 }
 
-Way Search::trace(std::size_t parent, const Intention& last, std::uint64_t ticks,
-                  bool finished) const {
-    Way way;
-    way.ticks = ticks;
-    way.finished = finished;
-    Intention next = last;
-    for (std::size_t node = parent;; node = nodes_[node].parent) {
-        way.steps.push_back({nodes_[node].here, next});
-        if (node == 0) break;
-        next = nodes_[node].intention;
+Way Search::trace(std::size_t parent, const Intention& last, std::uint64_t ticks) const {
+    Way way{{last}, ticks};
+    for (std::size_t node = parent; node != 0; node = nodes_[node].parent) {
+        way.steps.push_back(nodes_[node].intention);
     }
     std::reverse(way.steps.begin(), way.steps.end());
     return way;
-}
-
-/// Whoever falls comes back to the last checkpoint, and from each the level can be finished: what
-/// was reached before the first that comes to a new one is of no use any more.
-void Search::enterStage() {
-    const int reached = checkpointsReached(session_);
-    const bool leads = field_.at(session_.heroPosition()) < DistanceField::unreachable;
-    if (reached <= stage_ || !leads) return;
-    stage_ = reached;
-    states_.clear();
-    cells_.clear();
 }
 
 /// A few ideas in a row reach further than one before the archive cuts in again.
@@ -104,28 +103,23 @@ std::optional<Way> Search::explore() {
         const std::uint64_t before = player.ticks();
         const Ending ending = player.carryOut(idea);
         const std::uint64_t spent = player.ticks() - before;
-        report_.simulated += static_cast<double>(spent) / Session::tickRate;
+        count(spent);
         const std::uint64_t ticks = nodes_[parent].ticks + spent;
-        if (ending == Ending::finished) return trace(parent, idea, ticks, true);
+        if (ending == Ending::finished) return trace(parent, idea, ticks);
         if (ending != Ending::done) break;
         const Intention seen = endedBySight(idea, player.trace());
         if (options_.goal && options_.goal(situationOf(session_))) {
-            return trace(parent, seen, ticks, false);
+            return trace(parent, seen, ticks);
         }
-        if (player.reachedCheckpoint()) enterStage();
+        if (entersStage()) {
+            states_.clear();
+            cells_.clear();
+        }
         const std::size_t known = nodes_.size();
         insert(parent, seen, ticks);
+        report_.cells = states_.size();
         if (nodes_.size() == known) break;
         parent = nodes_.size() - 1;
-    }
-    return std::nullopt;
-}
-
-std::optional<Way> Search::run(double until) {
-    while (report_.simulated < std::min(until, options_.budget)) {
-        auto way = explore();
-        report_.cells = states_.size();
-        if (way) return way;
     }
     return std::nullopt;
 }

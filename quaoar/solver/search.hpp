@@ -22,16 +22,9 @@
 
 namespace quaoar {
 
-/// One thing to do on a way.
-struct Step {
-    Situation before;
-    Intention intention;
-};
-
 struct Way {
-    std::vector<Step> steps;
+    std::vector<Intention> steps;
     std::uint64_t ticks = 0;  ///< from the search's start to its goal
-    bool finished = false;    ///< at the exit; else at another goal
 };
 
 /// What is known about a search's world without simulating it, and shared by all that search it.
@@ -43,7 +36,6 @@ struct Ground {
 
 struct SearchOptions {
     std::uint64_t seed = 1;
-    double budget = 20000;  ///< simulated seconds after which the search gives up
     /// Where the search starts; at the spawn if not given.
     std::shared_ptr<const Session::Snapshot> start;
     /// Whether a state is as good as the exit, besides the exit.
@@ -56,14 +48,38 @@ struct SearchReport {
     double nearest = 0;     ///< metres left to the exit along free space, at best
 };
 
-class Search {
+/// A search in a session of its own, whose state it changes.
+class Explorer {
 public:
-    /// Works in `session`, whose state it changes.
-    Search(Session& session, const DistanceField& field, const SearchOptions& options);
+    virtual ~Explorer() = default;
+    Explorer(const Explorer&) = delete;
+    Explorer& operator=(const Explorer&) = delete;
 
     /// Goes on until a way is found, or until so many seconds were simulated in all.
     std::optional<Way> run(double until);
     const SearchReport& report() const { return report_; }
+
+protected:
+    Explorer(Session& session, const DistanceField& field, std::uint64_t seed)
+        : session_(session), field_(field), random_(seed) {}
+    /// One attempt from one state of the archive.
+    virtual std::optional<Way> explore() = 0;
+    /// Whether the session has come to a checkpoint that nothing in the archive has. Whoever falls
+    /// comes back to the last one, and from each the level can be finished: what was reached before
+    /// is of no use any more.
+    bool entersStage();
+    void count(std::uint64_t ticks) { report_.simulated += secondsOf(ticks); }
+
+    Session& session_;
+    const DistanceField& field_;
+    std::mt19937_64 random_;
+    SearchReport report_;
+    int stage_ = 0;  ///< checkpoints reached by what is in the archive
+};
+
+class Search : public Explorer {
+public:
+    Search(Session& session, const DistanceField& field, const SearchOptions& options);
 
 private:
     /// 0.5 m of position, 3 m/s of velocity, tied or not.
@@ -79,7 +95,6 @@ private:
         std::size_t parent = 0;
         Intention intention;  ///< that led from the parent to here
         std::uint64_t ticks = 0;
-        Situation here;
     };
     struct State {
         std::size_t node = 0;
@@ -91,19 +106,13 @@ private:
     static Cell cellOf(const Situation& situation);
     State& choose();
     void insert(std::size_t parent, const Intention& intention, std::uint64_t ticks);
-    Way trace(std::size_t parent, const Intention& last, std::uint64_t ticks, bool finished) const;
-    void enterStage();
-    std::optional<Way> explore();
+    Way trace(std::size_t parent, const Intention& last, std::uint64_t ticks) const;
+    std::optional<Way> explore() override;
 
     SearchOptions options_;
-    Session& session_;
-    const DistanceField& field_;
-    std::mt19937_64 random_;
     std::vector<Node> nodes_;
     std::map<Cell, std::size_t> cells_;
     std::vector<State> states_;
-    SearchReport report_;
-    int stage_ = 0;  ///< checkpoints reached by what is in the archive
 };
 
 }  // namespace quaoar

@@ -21,7 +21,7 @@ Run playOn(Session& session, const Way& way, std::size_t first, std::uint64_t be
     for (std::size_t i = first; i < way.steps.size() && begun + player.ticks() < limit; ++i) {
         run.before.push_back(session.snapshot());
         run.at.push_back(begun + player.ticks());
-        const Ending ending = player.carryOut(way.steps[i].intention);
+        const Ending ending = player.carryOut(way.steps[i]);
         run.finished = ending == Ending::finished;
         if (ending != Ending::done) break;
     }
@@ -32,7 +32,7 @@ Run playOn(Session& session, const Way& way, std::size_t first, std::uint64_t be
 /// The way with one step left out, varied or cut short.
 Way changed(const Way& way, std::size_t step, std::mt19937_64& random) {
     Way other = way;
-    Intention& intention = other.steps[step].intention;
+    Intention& intention = other.steps[step];
     const int kind = whole(random, 4);
     if (kind == 0 && way.steps.size() > 1) {
         other.steps.erase(other.steps.begin() + static_cast<std::ptrdiff_t>(step));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "shorten.hpp"
 #include "steady_search.hpp"
@@ -10,39 +11,27 @@
 namespace quaoar {
 namespace {
 
-double secondsOf(std::uint64_t ticks) {
-    return static_cast<double>(ticks) / Session::tickRate;
-}
+/// Simulated seconds of a search for a steady way, which is a help and no need.
+constexpr double steadyBudget = 6000;
 
 /// A search of either kind with the session that it works in.
-template <class Kind>
 struct Effort {
     std::unique_ptr<Session> session;
-    std::unique_ptr<Kind> search;
+    std::unique_ptr<Explorer> search;
     std::optional<Way> way;
 };
 
-template <class Kind, class Options>
-std::vector<Effort<Kind>> beginEfforts(const Ground& ground, Options options, int count) {
-    std::vector<Effort<Kind>> efforts(static_cast<std::size_t>(count));
-    for (Effort<Kind>& effort : efforts) {
-        effort.session = std::make_unique<Session>(ground.level);
-        effort.search = std::make_unique<Kind>(*effort.session, ground.field, options);
-        ++options.seed;
-    }
-    return efforts;
-}
+using Begin = std::function<std::unique_ptr<Explorer>(Session& session, std::uint64_t seed)>;
 
 /// Lets searches go on side by side until half of them have found a way or all have spent their
 /// budget. Stages that grow make it independent of the number of threads.
-template <class Kind>
-void carryOn(std::vector<Effort<Kind>>& efforts, double budget, const SolveOptions& options) {
+void carryOn(std::vector<Effort>& efforts, double budget, const SolveOptions& options) {
     std::size_t found = 0;
     for (double until = 200; found * 2 < efforts.size(); until *= 1.5) {
         share(options.jobs, static_cast<int>(efforts.size()), [&] {
             return [&](int i) {
-                Effort<Kind>& effort = efforts[static_cast<std::size_t>(i)];
-                if (!effort.way) effort.way = effort.search->run(until);
+                Effort& effort = efforts[static_cast<std::size_t>(i)];
+                if (!effort.way) effort.way = effort.search->run(std::min(until, budget));
             };
         });
         found = static_cast<std::size_t>(std::count_if(
@@ -60,10 +49,9 @@ void carryOn(std::vector<Effort<Kind>>& efforts, double budget, const SolveOptio
 }
 
 /// Adds what was found, the shortest first.
-template <class Kind>
-void gather(const std::vector<Effort<Kind>>& efforts, const char* kind, bool quiet,
-            Solution& solution, std::vector<Way>& ways) {
-    for (const Effort<Kind>& effort : efforts) {
+void gather(const std::vector<Effort>& efforts, const char* kind, bool quiet, Solution& solution,
+            std::vector<Way>& ways) {
+    for (const Effort& effort : efforts) {
         const SearchReport& report = effort.search->report();
         solution.simulated += report.simulated;
         if (effort.way) {
@@ -86,6 +74,24 @@ void gather(const std::vector<Effort<Kind>>& efforts, const char* kind, bool qui
               [](const Way& a, const Way& b) { return a.ticks < b.ticks; });
 }
 
+std::vector<Way> searchSideBySide(const Ground& ground, const char* kind, double budget,
+                                  const Begin& begin, const SolveOptions& options,
+                                  Solution& solution) {
+    std::vector<Effort> efforts(static_cast<std::size_t>(options.searches));
+    for (std::size_t i = 0; i < efforts.size(); ++i) {
+        efforts[i].session = std::make_unique<Session>(ground.level);
+        efforts[i].search = begin(*efforts[i].session, options.seed + i);
+    }
+    carryOn(efforts, budget, options);
+    std::vector<Way> ways;
+    gather(efforts, kind, options.quiet, solution, ways);
+    return ways;
+}
+
+void keepShorter(std::optional<Recording>& best, std::optional<Recording> other) {
+    if (other && (!best || other->ticks() < best->ticks())) best = std::move(other);
+}
+
 }  // namespace
 
 std::vector<Way> searchWays(const Ground& ground, const SolveOptions& options, Solution& solution) {
@@ -93,35 +99,29 @@ std::vector<Way> searchWays(const Ground& ground, const SolveOptions& options, S
         throw std::runtime_error(ground.level->id +
                                  ": no free space leads from the spawn to the exit");
     }
-    SearchOptions search;
-    search.seed = options.seed;
-    search.budget = options.budget;
-    auto efforts = beginEfforts<Search>(ground, search, options.searches);
-    carryOn(efforts, options.budget, options);
-    std::vector<Way> ways;
-    gather(efforts, "way", options.quiet, solution, ways);
-    return ways;
+    const auto begin = [&](Session& session, std::uint64_t seed) {
+        SearchOptions search;
+        search.seed = seed;
+        return std::make_unique<Search>(session, ground.field, search);
+    };
+    return searchSideBySide(ground, "way", options.budget, begin, options, solution);
 }
 
 std::vector<Way> searchSteadyWays(const Ground& ground, const SolveOptions& options,
                                   Solution& solution) {
-    SteadyOptions search;
-    search.seed = options.seed;
-    search.budget = std::min(search.budget, options.budget);
-    search.skill = options.skill;
-    auto efforts = beginEfforts<SteadySearch>(ground, search, options.searches);
-    carryOn(efforts, search.budget, options);
-    std::vector<Way> ways;
-    gather(efforts, "steady way", options.quiet, solution, ways);
-    return ways;
+    const auto begin = [&](Session& session, std::uint64_t seed) {
+        return std::make_unique<SteadySearch>(session, ground.field, options.skill, seed);
+    };
+    const double budget = std::min(steadyBudget, options.budget);
+    return searchSideBySide(ground, "steady way", budget, begin, options, solution);
 }
 
 std::optional<Recording> record(const std::shared_ptr<const Level>& level, const Way& way) {
     Session session(level);
     Recording recording(*level);
     Player player(session, &recording);
-    for (const Step& step : way.steps) {
-        const Ending ending = player.carryOut(step.intention);
+    for (const Intention& step : way.steps) {
+        const Ending ending = player.carryOut(step);
         if (ending == Ending::done) continue;
         if (ending != Ending::finished) return std::nullopt;
         recording.finalHash = session.hash();
@@ -146,8 +146,7 @@ std::optional<Recording> record(const Ground& ground, const Policy& policy, std:
 std::optional<Recording> recordBest(const Ground& ground, const Policy& policy, int games) {
     std::optional<Recording> best;
     for (int seed = 0; seed < games; ++seed) {
-        auto recording = record(ground, policy, static_cast<std::uint64_t>(seed));
-        if (recording && (!best || recording->ticks() < best->ticks())) best = std::move(recording);
+        keepShorter(best, record(ground, policy, static_cast<std::uint64_t>(seed)));
     }
     return best;
 }
@@ -174,10 +173,6 @@ void practise(const Ground& ground, const SolveOptions& options, Solution& solut
         if (survival.share() >= options.enough && round >= 3) break;
     }
     solution.simulated += teacher.simulated();
-}
-
-void keepShorter(std::optional<Recording>& best, std::optional<Recording> other) {
-    if (other && (!best || other->ticks() < best->ticks())) best = std::move(other);
 }
 
 /// The shortest that comes of two of the ways when they are shortened.

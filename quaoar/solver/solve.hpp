@@ -1,7 +1,6 @@
 // Finds a way through a level, makes it last, and proves it.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 
@@ -25,7 +24,7 @@ struct SolveOptions {
     std::function<void(const Recording&)> proven;
 };
 
-/// What was found. The policy is empty when nobody practised.
+/// What was found.
 struct Solution {
     Recording proof;
     Policy policy;

@@ -18,13 +18,9 @@ constexpr double samePlace = 0.6;
 
 }  // namespace
 
-SteadySearch::SteadySearch(Session& session, const DistanceField& field,
-                           const SteadyOptions& options)
-    : options_(options),
-      session_(session),
-      field_(field),
-      random_(options.seed),
-      nerves_(options.skill, options.seed) {
+SteadySearch::SteadySearch(Session& session, const DistanceField& field, const Skill& skill,
+                           std::uint64_t seed)
+    : Explorer(session, field, seed), nerves_(skill, seed) {
     session_.restart();
     const Situation here = situationOf(session_);
     report_.nearest = field_.at(here.place);
@@ -67,7 +63,7 @@ Ending SteadySearch::attempt(const Session::Snapshot& from,
         ending = player.carryOut(intention, nerves_.next());
         if (ending != Ending::done) break;
     }
-    report_.simulated += static_cast<double>(player.ticks()) / Session::tickRate;
+    count(player.ticks());
     return ending;
 }
 
@@ -124,19 +120,19 @@ void SteadySearch::insert(std::size_t index, const std::vector<Intention>& inten
     } else {
         states_[known->second] = state;
     }
+    report_.cells = states_.size();
 }
 
 Way SteadySearch::trace(std::size_t parent, const std::vector<Intention>& last,
                         std::uint64_t ticks) const {
     Way way;
     way.ticks = ticks;
-    way.finished = true;
     std::vector<const std::vector<Intention>*> parts{&last};
     for (std::size_t node = parent; node != 0; node = nodes_[node].parent) {
         parts.push_back(&nodes_[node].intentions);
     }
     for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-        for (const Intention& intention : **part) way.steps.push_back({{}, intention});
+        for (const Intention& intention : **part) way.steps.push_back(intention);
     }
     return way;
 }
@@ -165,20 +161,11 @@ std::optional<Way> SteadySearch::explore() {
         ending = player.carryOut(idea);
         intentions.push_back(ending == Ending::done ? endedBySight(idea, player.trace()) : idea);
     }
-    report_.simulated += static_cast<double>(player.ticks()) / Session::tickRate;
+    count(player.ticks());
     if (ending == Ending::done) insert(index, intentions, player.ticks());
     if (ending != Ending::finished) return std::nullopt;
     if (reliability(from, intentions, {}, true) < leastReliable) return std::nullopt;
     return trace(from.node, intentions, nodes_[from.node].ticks + player.ticks());
-}
-
-std::optional<Way> SteadySearch::run(double until) {
-    while (report_.simulated < std::min(until, options_.budget)) {
-        auto way = explore();
-        report_.cells = states_.size();
-        if (way) return way;
-    }
-    return std::nullopt;
 }
 
 }  // namespace quaoar

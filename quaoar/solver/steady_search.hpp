@@ -16,20 +16,11 @@
 
 namespace quaoar {
 
-struct SteadyOptions {
-    std::uint64_t seed = 1;
-    double budget = 6000;  ///< simulated seconds
-    Skill skill;
-};
-
-class SteadySearch {
+class SteadySearch : public Explorer {
 public:
-    /// Works in `session`, whose state it changes.
-    SteadySearch(Session& session, const DistanceField& field, const SteadyOptions& options);
-
-    /// Goes on until a way is found, or until so many seconds were simulated in all.
-    std::optional<Way> run(double until);
-    const SearchReport& report() const { return report_; }
+    /// Repeats with the slips of `skill`.
+    SteadySearch(Session& session, const DistanceField& field, const Skill& skill,
+                 std::uint64_t seed);
 
 private:
     /// 0.4 m of position and of rope.
@@ -60,18 +51,12 @@ private:
     void insert(std::size_t from, const std::vector<Intention>& intentions, std::uint64_t spent);
     Intention atRest(const Intention& idea);
     Way trace(std::size_t parent, const std::vector<Intention>& last, std::uint64_t ticks) const;
-    std::optional<Way> explore();
+    std::optional<Way> explore() override;
 
-    SteadyOptions options_;
-    Session& session_;
-    const DistanceField& field_;
-    std::mt19937_64 random_;
     Nerves nerves_;
     std::vector<Node> nodes_;
     std::map<Cell, std::size_t> cells_;
     std::vector<State> states_;
-    SearchReport report_;
-    int stage_ = 0;  ///< checkpoints reached by what is in the archive
 };
 
 }  // namespace quaoar

@@ -26,12 +26,15 @@ void share(int jobs, int count, const Prepare& prepare) {
         } catch (...) {
             const std::lock_guard<std::mutex> lock(guard);
             problem = std::current_exception();
+            next = count;
         }
     };
-    std::vector<std::thread> threads;
-    for (int n = 1; n < std::min(jobs, count); ++n) threads.emplace_back(worker);
-    worker();
-    for (std::thread& thread : threads) thread.join();
+    {
+        // Joins those that run, also where the system gives no more threads.
+        std::vector<std::jthread> threads;
+        for (int n = 1; n < std::min(jobs, count); ++n) threads.emplace_back(worker);
+        worker();
+    }
     if (problem) std::rethrow_exception(problem);
 }
 

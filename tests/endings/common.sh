@@ -15,6 +15,7 @@ whole() {
         *.svg) ends_with "$1" $'</svg>\n' ;;
         *.png) identify "$1" > /dev/null 2>&1 ;;
         *.proof) "$solver" "$level" --check "$1" 2> /dev/null ;;
+        *.way) ends_with "$1" $'\nend\n' ;;
         *) false ;;
     esac
 }

@@ -61,7 +61,7 @@ at_many_pieces() {
 
 # Whoever begins beside the exit is there at once.
 sed -E 's/("exit": \{"position": )\[[^]]*\]/\1[2.2, 0.3]/' "$level" > near.json
-level=$work/near.json at_many_pieces way.proof "$solver" "$work/near.json" --out way.proof --tries 1 --practice 0 --polish 0
+level=$work/near.json at_many_pieces 'way.proof way.way' "$solver" "$work/near.json" --out way.proof --tries 1 --practice 0 --polish 0
 at_many_pieces '' "$game" --headless --verify "$level"
 [[ -z $lab ]] ||
     at_many_pieces 'a.csv b.json' "$lab" table3 --highest 200 --resolution 1 --seconds 2 \

@@ -53,7 +53,7 @@ at_every_file() {
 sed -E 's/("exit": \{"position": )\[[^]]*\]/\1[2.2, 0.3]/' "$level" > near.json
 echo 'save scene.json' > once
 cp "$scene" scene.json
-level=$work/near.json at_every_file way.proof "$solver" "$work/near.json" --out way.proof --tries 1 --practice 0 --polish 0
+level=$work/near.json at_every_file 'way.proof way.way' "$solver" "$work/near.json" --out way.proof --tries 1 --practice 0 --polish 0
 at_every_file a.png "$game" --screenshot a.png --level "$level" --at 0.1
 at_every_file a.png "$sandbox" --picture a.png --at 0.1 "$scene"
 at_every_file scene.json "$sandbox" --script "$work/once" scene.json

@@ -99,14 +99,14 @@ while_writing() {
 
 work=$PWD
 
-at_moments way.proof "$solver" "$level" --out way.proof --tries 10000
+at_moments way.proof "$solver" "$level" --out way.proof --tries 64
 mapfile -t levels < <(yes "$level" | head -1000)
 at_moments '' "$game" --headless --verify "${levels[@]}"
 at_moments a.png "$game" --screenshot a.png --level "$level" --at 3600
 at_moments a.png "$sandbox" --picture a.png --at 3600 "$scene"
 # Whoever begins beside the exit is there at once.
 sed -E 's/("exit": \{"position": )\[[^]]*\]/\1[2.2, 0.3]/' "$level" > "$work/near.json"
-level=$work/near.json while_writing way.proof "$solver" "$work/near.json" --out way.proof --tries 1 --practice 0 --polish 0
+level=$work/near.json while_writing 'way.proof way.way' "$solver" "$work/near.json" --out way.proof --tries 1 --practice 0 --polish 0
 while_writing a.png "$game" --screenshot a.png --level "$level" --at 0.1
 while_writing a.png "$sandbox" --picture a.png --at 0.1 "$scene"
 [[ -z $lab ]] || {

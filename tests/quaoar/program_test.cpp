@@ -181,6 +181,14 @@ TEST(Program, TheSolverFindsAWayThroughASmallRoom) {
     const Outcome verified = run(game + "--headless --verify " + quoted(folder / "room.json"));
     EXPECT_EQ(verified.status, 0) << verified.output;
     EXPECT_NE(verified.output.find("room  finished"), std::string::npos) << verified.output;
+    // What has been measured stays when somebody only wants a quicker proof.
+    const auto way = folder / "room.way";
+    const std::string measured =
+        replaced(replaced(readText(way), "survival 0.0", "survival 50.0"), "games 0", "games 8");
+    writeText(way, measured);
+    const Outcome again = run(solver + quoted(folder / "room.json") + " --practice 0");
+    EXPECT_EQ(again.status, 0) << again.output;
+    EXPECT_EQ(readText(way), measured);
 }
 
 TEST(Program, TheSolverGivesUpHonestly) {

@@ -1,6 +1,5 @@
 // The solver: intentions and their text, a player with slips, searches, the robust bot.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 
@@ -9,7 +8,6 @@
 #include "ideas.hpp"
 #include "shorten.hpp"
 #include "solve.hpp"
-#include "steady_search.hpp"
 
 namespace quaoar::test {
 namespace {
@@ -154,11 +152,44 @@ TEST(Solver, ARoomIsSolvedAndSurvived) {
 TEST(Solver, ThreadsDoNotChangeTheResult) {
     const Ground ground(room());
     SolveOptions options = quick();
+    options.rounds = 1;
+    options.games = 4;
+    const auto textOf = [](const Solution& solution) {
+        return WayFile{"room", 1, solution.searched, solution.survival, solution.policy}.format();
+    };
     const Solution alone = solve(ground, options, nullptr);
     options.jobs = 3;
     const Solution together = solve(ground, options, nullptr);
     EXPECT_EQ(alone.proof.format(), together.proof.format());
     EXPECT_EQ(alone.simulated, together.simulated);
+    EXPECT_EQ(textOf(alone), textOf(together));
+}
+
+TEST(Solver, ASteadyWayThroughTheRoomIsFound) {
+    const Ground ground(room());
+    Solution solution;
+    EXPECT_FALSE(searchSteadyWays(ground, quick(), solution).empty());
+}
+
+TEST(Bot, WhoDoesNotKnowWhatToDoUsesUpHisLives) {
+    const Ground ground(room());
+    Session session(ground.level);
+    const Game game = playGame(session, ground, Policy(), {});
+    EXPECT_FALSE(game.finished);
+    EXPECT_EQ(game.tries, 3);
+}
+
+/// Practice takes snapshots of one session into others.
+TEST(Solver, ASnapshotFitsEverySessionOfTheLevel) {
+    const auto level = room();
+    Session one(level), other(level);
+    play(one, fireAt(0.4, 1), 300);
+    play(other, fireAt(-1, 0.5), 100);
+    other.restore(*one.snapshot());
+    EXPECT_EQ(one.hash(), other.hash());
+    play(one, fireAt(0.4, 1), 300);
+    play(other, fireAt(0.4, 1), 300);
+    EXPECT_EQ(one.hash(), other.hash());
 }
 
 TEST(Solver, AKnownWayIsMendedWithoutASearch) {

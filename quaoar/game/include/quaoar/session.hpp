@@ -136,7 +136,7 @@ public:
     /// Everything that decides how the game goes on, for search programs and rewinding.
     struct Snapshot;
     std::shared_ptr<const Snapshot> snapshot() const;
-    /// Goes on from a snapshot of this very session.
+    /// Goes on from a snapshot of a session of the same level.
     void restore(const Snapshot& snapshot);
 
 private:
