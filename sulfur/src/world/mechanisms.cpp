@@ -56,6 +56,15 @@ void wakeBoth(State& state, const Mechanism& m) {
         if (state.bodySlots.contains(body)) wakeBody(state, state.bodySlots.dense(body));
 }
 
+/// What a drive no longer has, gives nothing any more: the next step begins with the forces of the
+/// last one, and nobody would take these back.
+void forgetTaken(const Drive& drive, RowForces& forces) {
+    if (!(drive.stiffness > 0) && !(drive.damping > 0)) forces.spring = 0;
+    if (!(drive.motorMax > 0)) forces.motor = 0;
+    if (drive.lower == -infinite) forces.lower = 0;
+    if (drive.upper == infinite) forces.upper = 0;
+}
+
 }  // namespace detail
 
 void World::setDrive(MechanismId id, const Drive& drive) {
@@ -68,6 +77,7 @@ void World::setDrive(MechanismId id, const Drive& drive) {
                                                "; allowed is more than 0");
     Mechanism& m = state.mechanisms.list[state.mechanisms.slots.dense(id)];
     m.drive = drive;
+    detail::forgetTaken(drive, m.forces[0]);
     detail::wakeBoth(state, m);
 }
 

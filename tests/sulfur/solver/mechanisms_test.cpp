@@ -386,5 +386,37 @@ TEST(Mechanisms, AMotorAgainstALimitBreaksIt) {
     EXPECT_FALSE(world.contains(hinge));
 }
 
+// What it gave in the last step is a blow with which the next one begins.
+TEST(Mechanisms, AMotorThatIsTakenAwayGivesNothingAnyMore) {
+    for (const Drive& drive : {Drive{.motorSpeed = 100, .motorMax = 2},
+                               Drive{.stiffness = 5, .damping = 1, .rest = 2}}) {
+        World world({.gravity = {0, 0}});
+        const Body arm = boxAt(world, {0.5, 0});
+        const MechanismId hinge =
+            world.hinge(fixedAt(world, {0, 0}), arm, {0, 0}, {.drive = drive});
+        test::run(world, 0.05);
+        const double speed = world.info(hinge).speed;
+        ASSERT_GT(speed, 0.1);
+        world.setDrive(hinge, {});
+        test::run(world, 0.1);
+        EXPECT_NEAR(world.info(hinge).speed, speed, 1e-4);
+        EXPECT_EQ(world.info(hinge).force, 0);
+    }
+}
+
+TEST(Mechanisms, ALimitThatIsTakenAwayBearsNothingAnyMore) {
+    World world;
+    const Body arm = boxAt(world, {0.5, 0});
+    const MechanismId hinge =
+        world.hinge(fixedAt(world, {0, 0}), arm, {0, 0}, {.drive = {.lower = 0}});
+    test::run(world, 0.2);
+    ASSERT_NEAR(world.info(hinge).force, 0.5 * g, 0.01);
+    world.setDrive(hinge, {});
+    world.step();
+    const double inertia = static_cast<double>(arm.inertia()) + 0.25;
+    const double fall = 0.5 * g / inertia * static_cast<double>(world.tickDuration());
+    EXPECT_NEAR(world.info(hinge).speed, -fall, 0.1 * fall);
+}
+
 }  // namespace
 }  // namespace sulfur
