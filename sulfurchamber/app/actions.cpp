@@ -140,37 +140,55 @@ void MainFrame::addToolActions() {
          "Select and move; while playing: pull with a spring"},
         {ToolKind::box, "&Box", 'B', "Rigid boxes"},
         {ToolKind::ball, "Ba&ll", 'O', "Balls"},
-        {ToolKind::jelly, "&Jelly", 'J', "Soft boxes"},
         {ToolKind::wheel, "&Wheel", 'W', "Wheels; on a body they turn about an axle"},
         {ToolKind::polygon, "Pol&ygon", 'Y', "Rigid polygons, corner by corner"},
+        {ToolKind::wall, "Wa&ll", 'N', "Walls that crumble"},
+        {ToolKind::ground, "&Ground", 'G', "Fixed lines to stand on"},
+        {ToolKind::jelly, "&Jelly", 'J', "Soft boxes"},
         {ToolKind::draw, "&Draw", 'L', "Soft bodies, drawn freehand"},
+        {ToolKind::cloth, "Cl&oth", 'Q', "Cloths that hang by their corners"},
         {ToolKind::rope, "&Rope", 'R', "Ropes between two points"},
         {ToolKind::chain, "C&hain", 'H', "Chains of rigid links"},
         {ToolKind::bridge, "Br&idge", 'U', "Bridges of planks between two pins"},
-        {ToolKind::cloth, "Cl&oth", 'Q', "Cloths that hang by their corners"},
-        {ToolKind::wall, "Wa&ll", 'N', "Walls that crumble"},
-        {ToolKind::ground, "&Ground", 'G', "Fixed lines to stand on"},
         {ToolKind::particle, "Pa&rticle", '1', "Particles, one by one"},
         {ToolKind::joint, "Joi&nt", '2', "Joints between particles, one by one"},
+        {ToolKind::hinge, "&Hinge", '4', "Two bodies turn about a point"},
+        {ToolKind::motor, "&Motor", '5', "A hinge that turns by itself, or by keys"},
+        {ToolKind::weld, "&Weld", '6', "Two bodies become as one"},
+        {ToolKind::spring, "&Spring", '7', "A spring between two bodies"},
+        {ToolKind::cable, "&Cable", '8', "A distance that only pulls"},
+        {ToolKind::winch, "Wi&nch", '9', "A cable that is wound in and out by keys"},
+        {ToolKind::slider, "S&lider", '0', "A body that is led along a rail"},
+        {ToolKind::axle, "&Axle\tCtrl+Shift+X", 0, "A driven wheel with suspension"},
+        {ToolKind::pulley, "&Pulley\tCtrl+Shift+Y", 0, "A rope that runs over two points"},
+        {ToolKind::gear, "&Gear\tCtrl+Shift+J", 0, "Two mechanisms that turn together"},
+        {ToolKind::thruster, "&Thruster\tCtrl+Shift+T", 0, "A force on a body, by a key"},
+        {ToolKind::wind, "&Wind\tCtrl+Shift+W", 0, "A zone in which air moves"},
+        {ToolKind::gravity, "&Gravity zone\tCtrl+Shift+K", 0,
+         "A zone in which things weigh nothing, or fall elsewhere"},
+        {ToolKind::conveyor, "&Conveyor\tCtrl+Shift+B", 0, "A belt, or a body whose surface runs"},
+        {ToolKind::liquid, "&Liquid\tCtrl+Shift+L", 0, "A pool of many small drops"},
         {ToolKind::pin, "&Pin", 'P', "Hold a particle where it is, or let it go"},
         {ToolKind::cut, "&Cut", 'X', "Cut through joints"},
-        {ToolKind::erase, "&Erase", 'E', "Remove bodies"},
+        {ToolKind::erase, "&Erase", 'E', "Remove bodies and what is fitted to them"},
         {ToolKind::measure, "&Measure", '3', "Measure lengths and angles"},
     };
     for (const Entry& entry : entries) {
         const std::string name(toolName(entry.kind));
-        add({"tool-" + name,
-             MenuId::tools,
-             entry.label,
-             entry.key,
-             entry.help,
-             name,
-             [this, kind = entry.kind] { bench_.setTool(kind); },
-             {},
-             [this, kind = entry.kind] { return bench_.tool() == kind; }})
-            .separatorBefore = entry.kind == ToolKind::box || entry.kind == ToolKind::rope ||
-                               entry.kind == ToolKind::particle || entry.kind == ToolKind::pin ||
-                               entry.kind == ToolKind::measure;
+        const ToolGroup group = groupOf(entry.kind);
+        Action& action = add({"tool-" + name,
+                              MenuId::tools,
+                              entry.label,
+                              entry.key,
+                              entry.help,
+                              name,
+                              [this, kind = entry.kind] { bench_.setTool(kind); },
+                              {},
+                              [this, kind = entry.kind] { return bench_.tool() == kind; }});
+        if (group == ToolGroup::select || group == ToolGroup::measure) continue;
+        for (const ToolGroupInfo& info : toolGroups())
+            if (info.group == group)
+                action.under = wxString::FromUTF8(info.title.data(), info.title.size());
     }
 }
 

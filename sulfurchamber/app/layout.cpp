@@ -127,16 +127,61 @@ void MainFrame::makeBars() {
         for (const Action& action : actions_)
             if (!name.empty() && action.name == name) put(toolBar_, action);
     }
-    // Two columns, so that all of them fit into a small window.
-    std::size_t tools = 0;
-    for (const Action& action : actions_) {
-        if (action.menu != MenuId::tools) continue;
-        put(tools < (allTools.size() + 1) / 2 ? palette_ : secondPalette_, action);
-        ++tools;
-    }
     toolBar_->Realize();
+    makePalette();
+}
+
+// Two columns, so that all of it fits into a small window: groups of tools, and beside them the
+// tools of one. A click on a group takes the tool of it that was used last.
+void MainFrame::makePalette() {
+    for (const ToolGroupInfo& group : toolGroups()) {
+        const int id = wxWindow::NewControlId();
+        groupIds_[group.group] = id;
+        const wxString title = wxString::FromUTF8(group.title.data(), group.title.size());
+        palette_->AddTool(id, title, icon(group.icon), title, wxITEM_CHECK);
+        palette_->Bind(
+            wxEVT_TOOL,
+            [this, which = group.group](wxCommandEvent&) {
+                bench_.setTool(lastTools_.at(which));
+                followTool();
+                nextRefreshNs_ = 0;
+            },
+            id);
+    }
+    for (const ToolKind tool : allTools()) lastTools_.emplace(groupOf(tool), tool);
     palette_->Realize();
+    showGroup(ToolGroup::create);
+}
+
+void MainFrame::showGroup(ToolGroup group) {
+    if (shownGroup_ == group) return;
+    shownGroup_ = group;
+    secondPalette_->ClearTools();
+    for (const ToolKind tool : allTools()) {
+        if (groupOf(tool) != group) continue;
+        for (const Action& action : actions_)
+            if (action.name == "tool-" + std::string(toolName(tool))) {
+                secondPalette_->AddTool(action.id, wxMenuItem::GetLabelText(action.label),
+                                        icon(action.icon), tooltip(action), wxITEM_CHECK);
+                secondPalette_->ToggleTool(action.id, bench_.tool() == tool);
+            }
+    }
     secondPalette_->Realize();
+    if (manager_.GetManagedWindow() == nullptr) return;
+    manager_.GetPane(secondPalette_).BestSize(secondPalette_->GetSize());
+    manager_.Update();
+}
+
+// The tool may have been chosen by a key. Selecting leaves the group that one builds with.
+void MainFrame::followTool() {
+    const ToolGroup group = groupOf(bench_.tool());
+    lastTools_[group] = bench_.tool();
+    for (const auto& [which, id] : groupIds_) {
+        const bool on = which == group;
+        if (palette_->GetToolToggled(id) != on) palette_->ToggleTool(id, on);
+    }
+    if (group != ToolGroup::select && group != ToolGroup::measure) showGroup(group);
+    palette_->Refresh();
 }
 
 void MainFrame::makePanels() {

@@ -34,12 +34,13 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     : wxFrame(nullptr, wxID_ANY, "SulfurChamber"), bench_(bench), options_(options), view_(bench) {
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
-    actions_.reserve(128);
+    actions_.reserve(256);
     makeActions();
     makeMenus();
     makeBars();
     makePanels();
     makeStatusBar();
+    bindControls();
     loadPreferences();
     view_.onFile = [this](const std::filesystem::path& file) {
         if (mayDiscard()) openFile(file);
@@ -84,6 +85,50 @@ void MainFrame::onClose(wxCloseEvent& event) {
 
 // --- keys and actions ------------------------------------------------------------------------
 
+namespace {
+
+// As the keys of what is driven are called; "" for others.
+std::string controlKeyOf(const wxKeyEvent& event) {
+    switch (event.GetKeyCode()) {
+        case WXK_LEFT:
+            return "Left";
+        case WXK_RIGHT:
+            return "Right";
+        case WXK_UP:
+            return "Up";
+        case WXK_DOWN:
+            return "Down";
+        default:
+            break;
+    }
+    const int code = std::toupper(event.GetKeyCode() < 128 ? event.GetKeyCode() : 0);
+    return code >= 'A' && code <= 'Z' ? std::string(1, static_cast<char>(code)) : "";
+}
+
+}  // namespace
+
+// While time runs, keys that drive something do nothing else. They are let go where they were
+// taken: the drawing area gets the focus.
+bool MainFrame::holdControl(const wxKeyEvent& event) {
+    const std::string key = controlKeyOf(event);
+    if (key.empty() || !bench_.document().playing() || !answersTo(bench_.document(), key))
+        return false;
+    canvas_->SetFocus();
+    bench_.controls().hold(key, true);
+    return true;
+}
+
+void MainFrame::bindControls() {
+    canvas_->Bind(wxEVT_KEY_UP, [this](wxKeyEvent& event) {
+        event.Skip();
+        bench_.controls().hold(controlKeyOf(event), false);
+    });
+    canvas_->Bind(wxEVT_KILL_FOCUS, [this](wxFocusEvent& event) {
+        event.Skip();
+        bench_.controls().release();
+    });
+}
+
 void MainFrame::onKey(wxKeyEvent& event) {
     const wxWindow* focus = wxWindow::FindFocus();
     const bool typing = dynamic_cast<const wxTextEntry*>(focus) != nullptr;
@@ -92,6 +137,7 @@ void MainFrame::onKey(wxKeyEvent& event) {
         event.Skip();
         return;
     }
+    if (holdControl(event)) return;
     int key =
         event.GetUnicodeKey() != 0 ? static_cast<int>(event.GetUnicodeKey()) : event.GetKeyCode();
     if (key < 128) key = std::toupper(key);
@@ -190,6 +236,7 @@ void MainFrame::refresh() {
     side_->refresh();
     timeBar_->refresh();
     plot_->refresh();
+    followTool();
     refreshActions();
     refreshHistoryLabels();
     refreshStatus();

@@ -12,6 +12,7 @@
 #include <atlax/wx/view.hpp>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,6 +102,9 @@ private:
     void makePanels();
     void makeStatusBar();
     void arrange();
+    void makePalette();
+    void showGroup(ToolGroup group);
+    void followTool();
     void showSide(bool on);
     wxString tooltip(const Action& action) const;
 
@@ -124,6 +128,8 @@ private:
     void onClose(wxCloseEvent& event);
     void onKey(wxKeyEvent& event);
     void onFrame();
+    bool holdControl(const wxKeyEvent& event);
+    void bindControls();
     void runAction(const Action& action);
     void changeSpeed(int steps);
     void seekBy(double seconds);
@@ -158,7 +164,10 @@ private:
     wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;
-    wxAuiToolBar* secondPalette_ = nullptr;
+    wxAuiToolBar* secondPalette_ = nullptr;    ///< the tools of the group that is shown
+    std::map<ToolGroup, int> groupIds_;        ///< of the buttons of the palette
+    std::map<ToolGroup, ToolKind> lastTools_;  ///< that were chosen of the groups
+    std::optional<ToolGroup> shownGroup_;
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
     std::optional<Preferences> preferences_;  ///< none while unattended

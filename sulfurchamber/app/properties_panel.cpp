@@ -41,6 +41,9 @@ PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
         body_, "Angle", utf8("\xC2\xB0"), 180,
         [](const sulfur::Pose& pose) { return pose.angle * degrees; },
         [](sulfur::Pose& pose, double value) { pose.angle = value / degrees; });
+    auto* fittingSizer = new wxBoxSizer(wxVERTICAL);
+    fitting_ = std::make_unique<FittingRows>(this, fittingSizer, bench_, refuse_);
+    all->Add(fittingSizer, wxSizerFlags(0).Expand());
     all->Add(body_, wxSizerFlags(1).Expand());
     auto* border = new wxBoxSizer(wxVERTICAL);
     border->Add(all, wxSizerFlags(1).Expand().Border(wxALL, FromDIP(8)));
@@ -193,7 +196,7 @@ void PropertiesPanel::addPlace(wxSizer* sizer, const wxString& name, const wxStr
         for (const sulfur::BodyId body : bodies) {
             sulfur::Pose pose = document.world().pose(body);
             set(pose, value);
-            document.place(body, pose);
+            document.placeWithPegs(body, pose);
         }
     };
     spec.finish = [this] { bench_.document().commit(); };
@@ -234,6 +237,13 @@ void PropertiesPanel::showHead() {
     const std::string id = bodies.size() == 1 ? document.idOf(bodies[0]) : "";
     wxString title = wxString::Format("%zu bodies", bodies.size());
     if (bodies.empty()) title = "Nothing is selected";
+    if (const auto ref = bench_.fitting()) {
+        const Fitting is = document.fitting(*ref);
+        const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);
+        title = utf8(kindName(is));
+        if (mechanism != nullptr && !mechanism->id.empty())
+            title += "  \"" + wxString::FromUTF8(mechanism->id) + "\"";
+    }
     if (bodies.size() == 1) title = id.empty() ? wxString("A piece") : wxString::FromUTF8(id);
     title_->SetLabel(title);
     name_->Enable(!id.empty());
@@ -270,6 +280,11 @@ void PropertiesPanel::refresh() {
         shownIds_ = std::move(ids);
         shownRevision_ = document.revision();
         fresh_ = false;
+        fitting_->refresh();
+        FitInside();
+        Layout();
+    } else if (fitting_->refresh()) {
+        showHead();
         FitInside();
         Layout();
     }

@@ -18,6 +18,7 @@
 
 #include "../model/properties.hpp"
 #include "../model/workbench.hpp"
+#include "fitting_rows.hpp"
 #include "value_row.hpp"
 
 namespace sulfurchamber {
@@ -55,7 +56,8 @@ private:
     wxColourPickerCtrl* colour_ = nullptr;
     wxButton* ownColour_ = nullptr;
     std::array<wxCheckBox*, layerCount> layers_{};
-    wxSizer* body_ = nullptr;  ///< all below the title
+    wxSizer* body_ = nullptr;               ///< all below the title
+    std::unique_ptr<FittingRows> fitting_;  ///< instead of what bodies have
     std::vector<std::unique_ptr<ValueRow>> places_;
 
     /// A row, what the selection has in common, and what it had when it was selected.

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "../model/fitting_properties.hpp"
 #include "../model/properties.hpp"
 #include "chamber_app.hpp"
 #include "screen_picture.hpp"
@@ -26,17 +27,11 @@ double processorSeconds() {
 
 // 0 when there is no such key.
 int keyCode(const std::string& name) {
-    static const std::map<std::string, int> keys{{"Space", WXK_SPACE},
-                                                 {"Period", '.'},
-                                                 {"Comma", ','},
-                                                 {"Escape", WXK_ESCAPE},
-                                                 {"Delete", WXK_DELETE},
-                                                 {"Home", WXK_HOME},
-                                                 {"End", WXK_END},
-                                                 {"Up", WXK_UP},
-                                                 {"Down", WXK_DOWN},
-                                                 {"PageUp", WXK_PAGEUP},
-                                                 {"PageDown", WXK_PAGEDOWN}};
+    static const std::map<std::string, int> keys{
+        {"Space", WXK_SPACE},   {"Period", '.'},           {"Comma", ','},   {"Escape", WXK_ESCAPE},
+        {"Delete", WXK_DELETE}, {"Home", WXK_HOME},        {"End", WXK_END}, {"Left", WXK_LEFT},
+        {"Right", WXK_RIGHT},   {"Enter", WXK_RETURN},     {"Up", WXK_UP},   {"Down", WXK_DOWN},
+        {"PageUp", WXK_PAGEUP}, {"PageDown", WXK_PAGEDOWN}};
     if (name.size() == 1) return name[0];
     const auto key = keys.find(name);
     return key == keys.end() ? 0 : key->second;
@@ -46,15 +41,18 @@ int keyCode(const std::string& name) {
 
 std::string scriptHelp() {
     return "A script has one command a line; # begins a comment. Places are in metres.\n"
-           "  tool NAME               select box ball jelly wheel polygon draw rope\n"
-           "                          chain bridge cloth wall ground particle joint pin cut\n"
-           "                          erase measure\n"
+           "  tool NAME               select box ball wheel polygon wall ground jelly draw\n"
+           "                          cloth rope chain bridge particle joint hinge motor weld\n"
+           "                          spring cable winch slider axle pulley gear thruster wind\n"
+           "                          gravity conveyor liquid pin cut erase measure\n"
            "  click X Y               press and release the left button\n"
            "  drag X Y X2 Y2          press, move, release\n"
            "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"
            "  wheel X Y NOTCHES       turn the wheel, positive away from you\n"
            "  key NAME                a letter, Space, Period, Comma, Escape, Delete, Home, End,\n"
-           "                          Up, Down, PageUp, PageDown, or one of them after Ctrl+\n"
+           "                          Left, Right, Up, Down, Enter, PageUp, PageDown, or one of "
+           "them after Ctrl+\n"
+           "  hold-key NAME SECONDS   plays on with a key held, for simulated seconds\n"
            "  slide A B               drag the time bar from one share of it to another\n"
            "  plot-drag A B           drag over the diagram, in shares of its time; A = B hovers\n"
            "  plot-wheel A NOTCHES    zoom the diagram\n"
@@ -63,7 +61,14 @@ std::string scriptHelp() {
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
            "  run SECONDS             play for simulated seconds, then pause\n"
-           "  property KEY VALUE      of what is selected: mass, stiffness, width, ... or inf\n"
+           "  property KEY VALUE      of what is selected: mass, stiffness, width, x, y, angle,\n"
+           "                          speed, torque, ... or inf\n"
+           "  keys ON BACK            that drive the fitting which is selected; none: no key\n"
+           "  colour RRGGBB           of what is selected\n"
+           "  layers N ...            of what is selected, 1 to 8\n"
+           "  select NAME ...         bodies by their names\n"
+           "  name NAME               of the body that is selected\n"
+           "  title WORDS, describe WORDS  of the scene\n"
            "  material NAME           makes what is selected of ice, rubber, wood, steel, ...\n"
            "  open FILE, save FILE    without questions\n"
            "  save-moment FILE        the state of this moment as a scene of its own\n"
@@ -71,7 +76,7 @@ std::string scriptHelp() {
            "  expect QUANTITY OP N    fails unless it holds; OP is = != < or >; quantities:\n"
            "                          bodies particles joints contacts time selected modified\n"
            "                          playing problem newest.x newest.y gravity elasticity rain\n"
-           "                          strays steps property.KEY branches speed fps\n"
+           "                          fittings strays steps property.KEY branches speed fps\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
@@ -248,6 +253,27 @@ bool Script::startPointer(const Words& words) {
         // wxUIActionSimulator turns no wheels: the event begins where atlax has it.
         const atlax::Vec2 at = frame_.sceneView().toPixels(point(1));
         frame_.canvas().send(atlax::WheelEvent{{0, static_cast<float>(number(words[3]))}, at, {}});
+    } else if (words[0] == "hold-key" && words.size() == 3) {
+        const int code = keyCode(words[1]);
+        if (code == 0) fail("there is no key " + words[1]);
+        Document& document = frame_.bench().document();
+        frame_.canvas().SetFocus();
+        document.play();
+        simulator_.KeyDown(code);
+        const double until = document.world().time() + number(words[2]);
+        double last = -1;
+        waitFor(
+            [this, until, last]() mutable {
+                const auto& world = frame_.bench().document().world();
+                if (world.time() != last) waitedFrames_ = 0;
+                last = world.time();
+                return world.time() >= until;
+            },
+            [this, code] {
+                simulator_.KeyUp(code);
+                frame_.bench().document().pause();
+                waitForFrames(10, {});
+            });
     } else if (words[0] == "key" && words.size() == 2) {
         const bool control = words[1].starts_with("Ctrl+");
         const std::string name = words[1].substr(control ? 5 : 0);
@@ -310,6 +336,35 @@ void Script::dragPlot(double from, double to) {
 
 // --- world and files -------------------------------------------------------------------------
 
+// By number: of a fitting, or of bodies.
+void Script::setOfSelection(const std::string& key, double value) {
+    Workbench& bench = frame_.bench();
+    Document& document = bench.document();
+    const std::string label = "Change " + key;
+    if (const auto ref = bench.fitting()) {
+        const FittingProperty* property = fittingProperty(key, document.fitting(*ref));
+        if (property == nullptr) fail("it has no property " + key);
+        document.edit(label, [&] { setFittingProperty(document, *ref, *property, value); });
+        return;
+    }
+    if (key == "x" || key == "y" || key == "angle") {
+        document.edit("Place by number", [&] {
+            const auto bodies = bench.selection();
+            for (const sulfur::BodyId body : bodies) {
+                sulfur::Pose pose = document.world().pose(body);
+                if (key == "x") pose.position.x() = value;
+                if (key == "y") pose.position.y() = value;
+                if (key == "angle") pose.angle = value * 3.14159265358979 / 180;
+                document.placeWithPegs(body, pose);
+            }
+        });
+        return;
+    }
+    const NumberProperty* property = numberProperty(key);
+    if (property == nullptr) fail("there is no property " + key);
+    document.edit(label, [&] { setProperty(document, bench.selection(), *property, value); });
+}
+
 bool Script::startWorld(const Words& words) {
     Document& document = frame_.bench().document();
     if (words[0] == "run" && words.size() == 2) {
@@ -350,13 +405,47 @@ bool Script::startWorld(const Words& words) {
             fail("there is no constant " + words[1]);
         if (words[1] != "rain") document.setConstants(constants);
     } else if (words[0] == "property" && words.size() == 3) {
-        const NumberProperty* property = numberProperty(words[1]);
-        if (property == nullptr) fail("there is no property " + words[1]);
-        const double value =
-            words[2] == "inf" ? std::numeric_limits<double>::infinity() : number(words[2]);
-        const std::string label = "Change " + words[1];
-        document.edit(label,
-                      [&] { setProperty(document, frame_.bench().selection(), *property, value); });
+        setOfSelection(words[1], words[2] == "inf" ? std::numeric_limits<double>::infinity()
+                                                   : number(words[2]));
+    } else if (words[0] == "keys" && words.size() == 3) {
+        const auto ref = frame_.bench().fitting();
+        auto keys = ref ? keysOf(document.fitting(*ref)) : std::nullopt;
+        if (!keys) fail("nothing is selected that a key can drive");
+        keys->forward = words[1] == "none" ? "" : words[1];
+        keys->back = words[2] == "none" ? "" : words[2];
+        document.edit("Choose a key", [&] { setFittingKeys(document, *ref, *keys); });
+    } else if (words[0] == "colour" && words.size() == 2) {
+        if (words[1].size() != 6 ||
+            words[1].find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+            fail("\"" + words[1] + "\" is no colour; allowed are six hexadecimal digits");
+        document.edit("Colour",
+                      [&] { setColour(document, frame_.bench().selection(), "#" + words[1]); });
+    } else if (words[0] == "layers" && words.size() > 1) {
+        std::uint32_t bits = 0;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            const int layer = static_cast<int>(number(words[i]));
+            if (layer < 1 || layer > 8) fail("there are layers 1 to 8");
+            bits |= 1u << (layer - 1);
+        }
+        document.edit("Change layers",
+                      [&] { setLayers(document, frame_.bench().selection(), bits); });
+    } else if (words[0] == "select" && words.size() > 1) {
+        std::vector<sulfur::BodyId> bodies;
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            bodies.push_back(document.bodyOf(words[i]));
+            if (!bodies.back()) fail("there is no body " + words[i]);
+        }
+        frame_.bench().select(std::move(bodies));
+    } else if (words[0] == "name" && words.size() == 2) {
+        if (frame_.bench().selection().size() != 1) fail("a name needs one selected body");
+        document.edit("Rename", [&] { document.rename(frame_.bench().selection()[0], words[1]); });
+    } else if ((words[0] == "title" || words[0] == "describe") && words.size() > 1) {
+        std::string text;
+        for (std::size_t i = 1; i < words.size(); ++i) text += (i > 1 ? " " : "") + words[i];
+        document.edit(words[0] == "title" ? "Title" : "Description", [&] {
+            auto& scene = document.planForEditing();
+            (words[0] == "title" ? scene.title : scene.description) = text;
+        });
     } else if (words[0] == "material" && words.size() == 2) {
         for (const MaterialPreset& preset : materialPresets())
             if (wxString::FromUTF8(preset.name.data(), preset.name.size()).Lower() == words[1]) {
@@ -416,6 +505,13 @@ double Script::quantity(const std::string& name) const {
     if (name == "gravity") return document.constants().gravity;
     if (name == "elasticity") return document.constants().elasticity;
     if (name == "rain") return bench.rain();
+    if (name == "fittings") return static_cast<double>(document.fittings().size());
+    if (name.starts_with("property.") && bench.fitting()) {
+        const Fitting fitting = document.fitting(*bench.fitting());
+        const FittingProperty* property = fittingProperty(name.substr(9), fitting);
+        if (property == nullptr) fail("it has no " + name);
+        return *property->get(fitting);
+    }
     if (name.starts_with("property.")) {
         const NumberProperty* property = numberProperty(name.substr(9));
         if (property == nullptr) fail("there is no " + name);

@@ -37,6 +37,7 @@ private:
     void goOn();
     void start(const Words& words);
     bool startPointer(const Words& words);
+    void setOfSelection(const std::string& key, double value);
     bool startWorld(const Words& words);
     bool startFile(const Words& words);
     void expect(const Words& words);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting_marks.hpp"
 #include "geometry.hpp"
 #include "tool.hpp"
 
@@ -69,6 +70,7 @@ public:
         if (!erasing_) return;
         // A quick hand leaves no gaps: everything on the way is erased.
         const Point way = pointer.position - last_;
+        if (way.norm() == 0) return;  // what lay below it stays
         const double step = std::max(pointer.reach, 1e-3);
         const int steps = std::clamp(static_cast<int>(std::ceil(way.norm() / step)), 1, 500);
         for (int i = 1; i <= steps; ++i) {
@@ -87,15 +89,21 @@ public:
         if (changed_) document().rollback();
         erasing_ = changed_ = false;
     }
-    std::string hint() const override { return "Click a body to erase it, or drag over several"; }
+    std::string hint() const override {
+        return "Click a body or a mark to erase it, or drag over several";
+    }
 
 private:
     void erase(const Pointer& pointer) {
+        const auto fitting = fittingAt(document(), pointer.position, pointer.reach);
         const sulfur::BodyId body = bodyAt(world(), pointer.position, pointer.reach);
-        if (!body) return;
+        if (!body && !fitting) return;
         if (!changed_) document().begin("Erase");
         changed_ = true;
-        document().remove({&body, 1});
+        if (fitting)
+            document().unfit(*fitting);
+        else
+            document().remove({&body, 1});
         bench().documentChanged();
     }
 

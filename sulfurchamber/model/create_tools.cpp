@@ -1,11 +1,9 @@
 // Tools that make bodies: a click makes one of the usual size, a drag says how large.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "drag_tool.hpp"
 #include "geometry.hpp"
-#include "tool.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -22,89 +20,10 @@ constexpr double bridgeMassPerMetre = 3;
 constexpr double clothMassPerArea = 0.3;
 constexpr double wallMassPerArea = 15;
 constexpr double wallStrength = 200;  // N for each kilogram
-constexpr double smallest = 0.08;     // metres; a shorter drag is a click
 
 Real real(double value) {
     return static_cast<Real>(value);
 }
-
-// "1.20 m", for hints while one draws.
-std::string metres(double length) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f m", length);
-    return text.data();
-}
-
-std::string kilograms(double mass) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), mass < 10 ? "%.2f kg" : "%.0f kg", mass);
-    return text.data();
-}
-
-std::string degreesOf(const Point& way) {
-    const double angle = std::atan2(way.y(), way.x()) * 180 / 3.14159265;
-    return std::to_string(std::lround(angle)) + " degrees";
-}
-
-// Press, drag, release between two points.
-class DragTool : public Tool {
-public:
-    using Tool::Tool;
-
-    void press(const Pointer& pointer) override {
-        from_ = to_ = bench().snapped(pointer.position);
-        dragging_ = true;
-    }
-    void move(const Pointer& pointer) override {
-        if (dragging_) to_ = bench().snapped(pointer.position);
-    }
-    void release(const Pointer& pointer) override {
-        if (!dragging_) return;
-        move(pointer);
-        dragging_ = false;
-        make(pointer);
-    }
-    void cancel() override { dragging_ = false; }
-
-protected:
-    virtual void make(const Pointer& pointer) = 0;
-
-    bool dragging() const { return dragging_; }
-    const Point& from() const { return from_; }
-    const Point& to() const { return to_; }
-    double length() const { return (to_ - from_).norm(); }
-    bool clicked() const { return length() < smallest; }
-    void add(const std::string& name, const sulfur::scene::Generator& recipe,
-             const Point& position) {
-        document().edit("Add " + name,
-                        [&] { document().add(name, recipe, {.position = position}); });
-    }
-
-private:
-    bool dragging_ = false;
-    Point from_{0, 0};
-    Point to_{0, 0};
-};
-
-// A drag from corner to corner.
-class FrameTool : public DragTool {
-public:
-    using DragTool::DragTool;
-    Preview preview() const override {
-        if (!dragging() || clicked()) return {};
-        return {Preview::Kind::rectangle, from(), to(), 0};
-    }
-
-protected:
-    Point size() const { return (to() - from()).cwiseAbs(); }
-    Point centre() const { return clicked() ? to() : Point((from() + to()) / 2); }
-    /// While it is drawn; else what a click does.
-    std::string sizeOr(const char* click, double kilogramsPerArea) const {
-        if (!dragging() || clicked()) return click;
-        return metres(size().x()) + " wide, " + metres(size().y()) + " high, " +
-               kilograms(size().x() * size().y() * kilogramsPerArea);
-    }
-};
 
 // Boxes and jellies.
 class RectangleTool final : public FrameTool {

@@ -66,6 +66,7 @@ void Document::recover(const std::filesystem::path& kept, const std::filesystem:
 void Document::adopt(Scene scene) {
     Plan plan(std::move(scene));
     std::string text = sulfur::scene::format(plan.scene());
+    thrustersOf(plan.scene());  // refuses those that are unusable
     {
         World trial(plan.scene().settings);  // what cannot be stamped is refused here
         sulfur::scene::instantiate(plan.scene(), trial);
@@ -129,6 +130,8 @@ Document::Captured Document::captureMoment() const {
             pieces.push_back(body);
         }
     }
+    instance.mechanisms = made();
+    for (std::size_t i = 0; i < base.fields.size(); ++i) instance.fields.push_back(fieldOf(i));
     // What has a name comes first.
     captured.bodies.insert(captured.bodies.end(), pieces.begin(), pieces.end());
     Scene& moment = captured.scene;
@@ -280,6 +283,18 @@ void Document::push(const Push& push) {
     timeline_.note(push);
     world_->wake(world_->info(push.particle).body);
     world_->applyForce(push.particle, push.force);
+}
+
+void Document::thrust(const Thrust& thrust) {
+    beforeActing();
+    timeline_.note(thrust);
+    apply(*world_, thrust);
+}
+
+void Document::drive(sulfur::MechanismId mechanism, const sulfur::Drive& drive) {
+    beforeActing();
+    timeline_.note(DriveChange{mechanism, drive});
+    world_->setDrive(mechanism, drive);
 }
 
 bool Document::goTo(const Moment& moment, double milliseconds) {

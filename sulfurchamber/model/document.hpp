@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "constants.hpp"
+#include "fitting.hpp"
 #include "geometry.hpp"
 #include "plan.hpp"
 #include "shelf.hpp"
@@ -97,6 +98,19 @@ public:
     sulfur::BodyId bodyOf(std::string_view id) const;
     /// Bodies of this moment that mechanisms have made for themselves: their pins.
     std::set<sulfur::BodyId> pins() const;
+    /// What is fitted in the plan: mechanisms, then zones, then thrusters.
+    std::vector<FittingRef> fittings() const;
+    /// Precondition: the plan has it.
+    Fitting fitting(const FittingRef& ref) const;
+    const std::vector<Thruster>& thrusters() const;
+    /// What the mechanisms of the plan are in this moment; null where they are not there.
+    const std::vector<sulfur::scene::MadeMechanism>& made() const;
+    /// What a zone of the plan is in this moment; null when it is not there.
+    sulfur::FieldId fieldOf(std::size_t zone) const;
+    /// Whether a body of the plan is but a point, or a line, that something is fitted to.
+    bool isPeg(const std::string& id) const;
+    /// With the pegs whose mechanisms tie them to these bodies alone.
+    std::vector<sulfur::BodyId> withPegs(std::span<const sulfur::BodyId> bodies) const;
     /// Grows with everything that may change what a view has derived from the world, except
     /// for ticks: edits, undo, other files.
     std::uint64_t revision() const { return revision_; }
@@ -116,6 +130,9 @@ public:
     /// These act in the next tick, for which they are recorded: they are no edits.
     void push(const Push& push);
     void letFall(const sulfur::scene::Prefab& prefab, const sulfur::Pose& pose);
+    void thrust(const Thrust& thrust);
+    /// From the next tick on.
+    void drive(sulfur::MechanismId mechanism, const sulfur::Drive& drive);
     /// Whether time has passed since the plan.
     bool canReset() const { return moved_; }
     /// Stamps the world from the plan again. Stops playing. Can itself be undone.
@@ -182,6 +199,8 @@ public:
     void translate(std::span<const sulfur::BodyId> bodies, const sulfur::Point& by);
     /// Puts the frame of a body's blueprint at a pose.
     void place(sulfur::BodyId body, const sulfur::Pose& pose);
+    /// The same, and its pegs go along.
+    void placeWithPegs(sulfur::BodyId body, const sulfur::Pose& pose);
     /// Puts bodies at rest where the plan has them, and what it does not have in a row above all
     /// else. Of this moment alone.
     void bringBack(std::span<const sulfur::BodyId> bodies);
@@ -203,6 +222,14 @@ public:
     void join(sulfur::ParticleId a, sulfur::ParticleId b, const sulfur::JointSpec& joint);
     void setPinned(sulfur::ParticleId particle, bool pinned);
     void remove(sulfur::JointId joint);
+    /// Adds a mechanism, a zone or a thruster. A mechanism without an id gets one. Points are those
+    /// of this moment.
+    FittingRef fit(const Fitting& fitting);
+    /// Changes one. In a moment a mechanism is made anew where its bodies are, unless `live`: then
+    /// nothing changes but what drives it, and its keys.
+    void refit(const FittingRef& ref, const std::function<void(Fitting&)>& change, bool live);
+    /// Takes one away, with gears that need it and pegs that only it had.
+    void unfit(const FittingRef& ref);
     /// For members of the plan that are not of bodies and blueprints: texts, the level, fields.
     sulfur::scene::Scene& planForEditing() { return plan_.scene(); }
     sulfur::scene::Placement& placementForEditing(std::string_view id) { return plan_.body(id); }
@@ -222,6 +249,12 @@ private:
     void bringPlanHere(std::span<const sulfur::BodyId> bodies);
     void insertMechanisms(const sulfur::scene::Scene& scene, const sulfur::Point& by,
                           const std::map<std::string, sulfur::BodyId, std::less<>>& made);
+    std::string freeMechanismId(std::string_view base) const;
+    void makeInMoment(const sulfur::scene::SceneMechanism& mechanism);
+    void remakeInMoment(std::size_t mechanism);
+    void matchMechanisms() const;
+    std::vector<sulfur::BodyId> bodiesOfMechanism(std::size_t mechanism) const;
+    void setZone(std::size_t zone, const std::optional<sulfur::Field>& field);
     void merge(const std::string& into, const std::string& single, std::uint32_t other,
                const sulfur::JointSpec& joint);
     void takeOver(const std::function<void()>& change);
@@ -251,6 +284,16 @@ private:
         std::shared_ptr<const sulfur::Blueprint> blueprint;
     };
     Falling falling_;
+
+    // What is found out about fittings, until the plan or the mechanisms of the world change.
+    struct Fitted {
+        std::optional<std::uint64_t> revision;
+        std::vector<Thruster> thrusters;
+        std::optional<std::uint64_t> matched;  ///< revision
+        std::vector<sulfur::MechanismId> there;
+        std::vector<sulfur::scene::MadeMechanism> made;
+    };
+    mutable Fitted fitted_;
 
     Constants constants_;
     Constants initialConstants_;

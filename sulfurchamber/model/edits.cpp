@@ -168,6 +168,12 @@ std::vector<BodyId> Document::insert(const sulfur::scene::Scene& scene, const Po
         plan.vetoes.push_back({idOf(made.at(veto.a)), idOf(made.at(veto.b))});
     }
     insertMechanisms(scene, by, made);
+    auto own = thrustersOf(plan);
+    for (Thruster thruster : thrustersOf(scene)) {
+        thruster.body = idOf(made.at(thruster.body));
+        own.push_back(std::move(thruster));
+    }
+    setThrusters(plan, own);
     return bodies;
 }
 
@@ -199,8 +205,8 @@ void Document::insertMechanisms(const sulfur::scene::Scene& scene, const Point& 
 }
 
 void Document::remove(std::span<const BodyId> bodies) {
-    plan_.remove(idsOf(bodies));
-    const std::vector<BodyId> gone(bodies.begin(), bodies.end());
+    const std::vector<BodyId> gone = withPegs(bodies);
+    plan_.remove(idsOf(gone));
     for (const BodyId body : gone)
         if (world_->contains(body)) world_->remove(body);
     touched();
@@ -232,7 +238,8 @@ void Document::bringPlanHere(std::span<const BodyId> bodies) {
     }
 }
 
-void Document::translate(std::span<const BodyId> bodies, const Point& by) {
+void Document::translate(std::span<const BodyId> chosen, const Point& by) {
+    const std::vector<BodyId> bodies = withPegs(chosen);
     for (const BodyId body : bodies) {
         for (const ParticleId particle : world_->particles(body))
             world_->setPosition(particle, world_->position(particle) + by);
@@ -267,6 +274,20 @@ void Document::place(BodyId body, const Pose& pose) {
         place = pose.position + turned * (place - before.position);
     for (Vec2& velocity : placement.state->velocities)
         velocity = (turned * velocity.cast<double>()).cast<Real>();
+}
+
+void Document::placeWithPegs(BodyId body, const Pose& pose) {
+    const Pose before = world_->pose(body);
+    const auto all = withPegs({&body, 1});
+    const Eigen::Rotation2Dd turned(pose.angle - before.angle);
+    for (const BodyId one : all) {
+        const Pose was = world_->pose(one);
+        const double angle =
+            std::remainder(was.angle + pose.angle - before.angle, 2 * std::numbers::pi);
+        place(one, one == body
+                       ? pose
+                       : Pose{pose.position + turned * (was.position - before.position), angle});
+    }
 }
 
 Bounds worldBounds(const Document& document) {

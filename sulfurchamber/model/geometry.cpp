@@ -167,6 +167,40 @@ BodyId bodyAt(const World& world, const Point& point, double reach) {
     return {};
 }
 
+std::vector<BodyId> movingBodiesAt(const World& world, const Point& point, double reach) {
+    std::vector<BodyId> found;
+    const auto bodies = world.bodies();
+    for (auto body = bodies.rbegin(); body != bodies.rend(); ++body) {
+        if (world.kind(*body) != sulfur::BodyKind::dynamic) continue;
+        const auto bounds = world.bounds(*body);
+        if ((point.array() < bounds.low.array() - reach).any() ||
+            (point.array() > bounds.high.array() + reach).any())
+            continue;
+        const auto particles = world.particles(*body);
+        bool hit = std::any_of(particles.begin(), particles.end(), [&](ParticleId particle) {
+            const auto radius = static_cast<double>(world.info(particle).radius);
+            return (world.position(particle) - point).norm() <= radius + reach;
+        });
+        for (const JointId joint : world.joints(*body)) {
+            if (hit) break;
+            const auto info = world.info(joint);
+            const Point a = world.position(info.a), way = world.position(info.b) - a;
+            const double along = (point - a).dot(way) / std::max(1e-12, way.squaredNorm());
+            const Point nearest = a + std::clamp(along, 0.0, 1.0) * way;
+            hit = (nearest - point).norm() <= static_cast<double>(info.radius) + reach;
+        }
+        for (const auto& loop : outlines(world, *body)) {
+            if (hit) break;
+            std::vector<Point> polygon;
+            for (const std::uint32_t index : loop)
+                polygon.push_back(world.position(particles[index]));
+            hit = inside(polygon, point);
+        }
+        if (hit) found.push_back(*body);
+    }
+    return found;
+}
+
 std::vector<BodyId> bodiesIn(const World& world, const Point& a, const Point& b) {
     const Point low = a.cwiseMin(b);
     const Point high = a.cwiseMax(b);

@@ -42,6 +42,10 @@ std::optional<JointPick> jointAt(const sulfur::World& world, const sulfur::Point
 /// newer one where several do. The inside of a fixed body does not count: it may be the cave in
 /// which everything happens. Null when there is none.
 sulfur::BodyId bodyAt(const sulfur::World& world, const sulfur::Point& point, double reach);
+/// Dynamic bodies whose surface is within `reach` of `point`, or inside of which it lies; the
+/// newest first.
+std::vector<sulfur::BodyId> movingBodiesAt(const sulfur::World& world, const sulfur::Point& point,
+                                           double reach);
 /// Bodies that lie wholly in a rectangle given by two corners.
 std::vector<sulfur::BodyId> bodiesIn(const sulfur::World& world, const sulfur::Point& a,
                                      const sulfur::Point& b);

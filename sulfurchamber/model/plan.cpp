@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "fitting.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -165,6 +167,7 @@ void Plan::remove(const std::vector<std::string>& ids) {
     const std::set<std::string> gone(ids.begin(), ids.end());
     std::vector<std::string> names;
     for (const std::string& id : gone) names.push_back(body(id).blueprint);
+    auto thrusters = thrustersOf(scene_);
     std::erase_if(scene_.bodies, [&](const Placement& body) { return gone.contains(body.id); });
     std::erase_if(scene_.connections, [&](const auto& connection) {
         return gone.contains(connection.a.body) || gone.contains(connection.b.body);
@@ -176,6 +179,8 @@ void Plan::remove(const std::vector<std::string>& ids) {
                   [&](const auto& veto) { return gone.contains(veto.a) || gone.contains(veto.b); });
     sulfur::scene::removeMechanisms(scene_.mechanisms,
                                     [&](const std::string& id) { return gone.contains(id); });
+    std::erase_if(thrusters, [&](const auto& thruster) { return gone.contains(thruster.body); });
+    setThrusters(scene_, thrusters);
     forgetUnused(names);
 }
 
@@ -241,8 +246,12 @@ void Plan::rename(const std::string& id, const std::string& to) {
                                  std::to_string(sulfur::scene::Limits::nameBytes) + " bytes");
     if (contains(to))
         throw std::runtime_error("\"" + to + "\" is the name of another body; choose a free one");
+    auto thrusters = thrustersOf(scene_);
+    const bool thrusts = std::any_of(thrusters.begin(), thrusters.end(),
+                                     [&](const auto& thruster) { return thruster.body == id; });
     for (const auto& member : scene_.extra)
-        if (member.json.find('"' + id + '"') != std::string::npos)
+        if (!(thrusts && member.key == "devices") &&
+            member.json.find('"' + id + '"') != std::string::npos)
             throw std::runtime_error("the " + member.key + " of the scene names \"" + id +
                                      "\"; change it there first");
     body(id).id = to;
@@ -263,6 +272,8 @@ void Plan::rename(const std::string& id, const std::string& to) {
     }
     for (auto& mechanism : scene_.mechanisms)
         for (std::string* name : bodiesOf(mechanism)) change(*name);
+    for (auto& thruster : thrusters) change(thruster.body);
+    if (thrusts) setThrusters(scene_, thrusters);
     index();
 }
 

@@ -69,7 +69,7 @@ std::optional<double> ofJoints(const Blueprint& blueprint, const Get& get, const
 bool any(const sulfur::JointSpec&) {
     return true;
 }
-bool isElastic(const sulfur::JointSpec& joint) {
+bool isElasticJoint(const sulfur::JointSpec& joint) {
     return std::isfinite(joint.stiffness);
 }
 
@@ -150,7 +150,7 @@ void setStiffness(Prefab& prefab, double value) {
 std::optional<double> damping(const Prefab& prefab) {
     if (prefab.blueprint.kind == sulfur::BodyKind::fixed) return std::nullopt;
     return ofJoints(
-        prefab.blueprint, [](const auto& joint) { return joint.damping; }, isElastic);
+        prefab.blueprint, [](const auto& joint) { return joint.damping; }, isElasticJoint);
 }
 
 void setDamping(Prefab& prefab, double value) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitting_marks.hpp"
 #include "geometry.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
@@ -25,6 +26,14 @@ public:
         from_ = to_ = pointer.position;
         if (pressHandle(pointer)) return;
         const BodyId body = bodyAt(world(), pointer.position, pointer.reach);
+        // Marks lie on bodies. While time runs these are what one wants to pull.
+        if (!body || !document().playing()) {
+            if (const auto ref = fittingAt(document(), pointer.position, pointer.reach)) {
+                bench().chooseFitting(ref);
+                if (!document().playing()) doing_ = Doing::fitting;
+                return;
+            }
+        }
         if (!body) {
             additive_ = pointer.shift || pointer.control;
             doing_ = Doing::band;
@@ -56,6 +65,7 @@ public:
         if (doing_ == Doing::idle) return;
         move(pointer);
         if (doing_ == Doing::band) selectBand();
+        if (doing_ == Doing::fitting) moveChosen(pointer);
         if (doing_ == Doing::scale && factor_ != 1) {
             doing_ = Doing::idle;
             document().edit("Scale", [&] { scaleSelection(bench(), about_, factor_); });
@@ -80,6 +90,8 @@ public:
 
     Preview preview() const override {
         if (doing_ == Doing::band) return {Preview::Kind::band, from_, to_, 0};
+        if (doing_ == Doing::fitting && (to_ - from_).norm() > 0)
+            return {Preview::Kind::arrow, from_, to_, 0};
         if (doing_ == Doing::pull && grip_->holds(world()))
             return {Preview::Kind::spring, grip_->anchor(world()), grip_->target(), 0};
         if (doing_ == Doing::scale && bounds_)
@@ -94,6 +106,8 @@ public:
                 return "Pulling with a spring: let go to release";
             case Doing::move:
                 return "Moving the selection: Escape puts it back";
+            case Doing::fitting:
+                return "Release where it is to be; Escape leaves it where it is";
             case Doing::band:
                 return "Release to select what lies wholly in the frame";
             case Doing::turn:
@@ -112,7 +126,7 @@ public:
     }
 
 private:
-    enum class Doing { idle, band, move, pull, turn, scale };
+    enum class Doing { idle, band, move, pull, turn, scale, fitting };
 
     // The handles of what is selected, while time stands still.
     bool pressHandle(const Pointer& pointer) {
@@ -130,6 +144,15 @@ private:
         else if (std::any_of(handles.corners.begin(), handles.corners.end(), hit))
             doing_ = Doing::scale;
         return doing_ != Doing::idle;
+    }
+
+    // Less than the reach is a click.
+    void moveChosen(const Pointer& pointer) {
+        const auto ref = bench().fitting();
+        const Point by = to_ - from_;
+        doing_ = Doing::idle;
+        if (!ref || by.norm() <= pointer.reach) return;
+        document().edit("Move", [&] { moveFitting(document(), *ref, from_, by); });
     }
 
     void turnTo(const Point& place) {

@@ -29,12 +29,33 @@ double milliseconds() {
     return std::chrono::duration<double, std::milli>(now).count();
 }
 
+void act(World& world, const Push& push) {
+    world.wake(world.info(push.particle).body);
+    world.applyForce(push.particle, push.force);
+}
+void act(World& world, const Arrival& arrival) {
+    const auto body = world.add(*arrival.blueprint, arrival.pose);
+    world.setUserData(body.id(), arrival.userData);
+}
+void act(World& world, const Thrust& thrust) {
+    apply(world, thrust);
+}
+void act(World& world, const DriveChange& change) {
+    if (world.contains(change.mechanism)) world.setDrive(change.mechanism, change.drive);
+}
+
 std::uint64_t ticksOf(const World& world, double seconds) {
     return static_cast<std::uint64_t>(
         std::max(1.0, std::round(seconds / static_cast<double>(world.tickDuration()))));
 }
 
 }  // namespace
+
+void apply(World& world, const Thrust& thrust) {
+    if (!world.contains(thrust.body)) return;
+    world.applyForce(thrust.body, world.vectorToWorld(thrust.body, thrust.force),
+                     world.toWorld(thrust.body, thrust.at.cast<double>()));
+}
 
 struct Timeline::Key {
     std::uint64_t tick = 0;
@@ -52,7 +73,7 @@ struct Timeline::Seen {
 struct Timeline::Branch {
     struct Input {
         std::uint64_t tick = 0;
-        std::variant<Push, Arrival> what;
+        std::variant<Push, Arrival, Thrust, DriveChange> what;
     };
     std::uint32_t parent = 0;  // 0: none
     std::uint64_t begin = 0;   // its first key's tick, at which it parted from its parent
@@ -114,6 +135,14 @@ void Timeline::note(const Push& push) {
 
 void Timeline::note(const Arrival& arrival) {
     at(line_).inputs.push_back({now_->tick, arrival});
+}
+
+void Timeline::note(const Thrust& thrust) {
+    at(line_).inputs.push_back({now_->tick, thrust});
+}
+
+void Timeline::note(const DriveChange& change) {
+    at(line_).inputs.push_back({now_->tick, change});
 }
 
 void Timeline::ticked(const World& world) {
@@ -330,14 +359,7 @@ void Timeline::simulate(World& world, const Branch& branch, std::uint64_t to, do
         [](const Branch::Input& one, std::uint64_t tick) { return one.tick < tick; });
     while (world.ticks() < to) {
         for (; input != branch.inputs.end() && input->tick == world.ticks(); ++input) {
-            if (const auto* push = std::get_if<Push>(&input->what)) {
-                world.wake(world.info(push->particle).body);
-                world.applyForce(push->particle, push->force);
-            } else {
-                const auto& arrival = std::get<Arrival>(input->what);
-                const auto body = world.add(*arrival.blueprint, arrival.pose);
-                world.setUserData(body.id(), arrival.userData);
-            }
+            std::visit([&](const auto& what) { act(world, what); }, input->what);
         }
         world.step();
         if (milliseconds() > until) return;

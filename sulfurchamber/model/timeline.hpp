@@ -24,6 +24,21 @@ struct Push {
     sulfur::Vec2 force{0, 0};
 };
 
+/// A force during one tick that is fixed to the frame of a body. It wakes the body.
+struct Thrust {
+    sulfur::BodyId body;
+    sulfur::Vec2 at{0, 0};     ///< metres, in the frame
+    sulfur::Vec2 force{0, 0};  ///< newtons, in the frame
+};
+/// For the next tick. Nothing happens to a body that is gone.
+void apply(sulfur::World& world, const Thrust& thrust);
+
+/// What drives a mechanism from a tick on.
+struct DriveChange {
+    sulfur::MechanismId mechanism;
+    sulfur::Drive drive;
+};
+
 /// A body that comes into the world as a part of a tick.
 struct Arrival {
     std::shared_ptr<const sulfur::Blueprint> blueprint;
@@ -73,6 +88,8 @@ public:
     /// These act in the next tick. After prepare().
     void note(const Push& push);
     void note(const Arrival& arrival);
+    void note(const Thrust& thrust);
+    void note(const DriveChange& change);
     /// After each tick.
     void ticked(const sulfur::World& world);
     /// An edit has changed the world. The moment shows it changed, and what came later is another

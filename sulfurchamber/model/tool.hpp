@@ -45,6 +45,10 @@ std::unique_ptr<Tool> makeParticleTool(Workbench& bench, ToolKind kind);
 std::unique_ptr<Tool> makeCreateTool(Workbench& bench, ToolKind kind);
 /// A ruler that also tells the angle. It changes nothing.
 std::unique_ptr<Tool> makeMeasureTool(Workbench& bench);
+/// What is fitted between bodies.
+std::unique_ptr<Tool> makeMechanismTool(Workbench& bench, ToolKind kind);
+/// Thrusters, zones, conveyors and liquid.
+std::unique_ptr<Tool> makeZoneTool(Workbench& bench, ToolKind kind);
 /// Pin, cut and erase.
 std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind);
 

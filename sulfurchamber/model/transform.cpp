@@ -196,7 +196,7 @@ std::vector<SceneMechanism> mapped(const Workbench& bench, const Map& map) {
     using namespace sulfur::scene;
     const Document& document = bench.document();
     std::map<std::string, double> angles;  // of what is selected, rad
-    for (const BodyId body : bench.selection())
+    for (const BodyId body : document.withPegs(bench.selection()))
         angles.emplace(document.idOf(body), document.world().pose(body).angle);
     std::map<std::string, double> values;  // by what those between what is selected are multiplied
     auto mechanisms = document.scene().mechanisms;
@@ -225,10 +225,21 @@ std::vector<SceneMechanism> mapped(const Workbench& bench, const Map& map) {
     return mechanisms;
 }
 
+// Those of what is selected, in the frames of their bodies.
+template <class Map>
+void mapThrusters(Workbench& bench, const Map& map) {
+    auto thrusters = bench.document().thrusters();
+    for (Thruster& thruster : thrusters)
+        if (const BodyId body = bench.document().bodyOf(thruster.body);
+            body && bench.selected(body))
+            map(thruster);
+    setThrusters(bench.document().planForEditing(), thrusters);
+}
+
 void placeAll(Workbench& bench, Pose (*where)(const Pose&, const Point&, double),
               const Point& about, double value) {
     Document& document = bench.document();
-    const auto bodies = bench.selection();
+    const auto bodies = document.withPegs(bench.selection());
     for (const BodyId body : bodies)
         document.place(body, where(document.world().pose(body), about, value));
 }
@@ -296,8 +307,13 @@ void scaleSelection(Workbench& bench, const Point& about, double factor) {
     for (const BodyId body : bench.selection())
         if (const std::string id = document.idOf(body); !id.empty())
             document.placementForEditing(id).state.reset();
-    document.change(bench.selection(), [&](Prefab& prefab) { scalePlan(prefab, factor); });
+    const auto pegs = document.withPegs(bench.selection());
+    document.change(pegs, [&](Prefab& prefab) { scalePlan(prefab, factor); });
     scaleTies(bench, factor);
+    mapThrusters(bench, [&](Thruster& thruster) {
+        thruster.at *= static_cast<Real>(factor);
+        thruster.force *= static_cast<Real>(factor * factor);
+    });
     auto mechanisms = mapped(bench, Scaling{about, factor});
     placeAll(
         bench,
@@ -313,7 +329,11 @@ void mirrorSelection(Workbench& bench, const Point& about) {
     for (const BodyId body : bench.selection())
         if (const std::string id = document.idOf(body); !id.empty())
             document.placementForEditing(id).state.reset();
-    document.change(bench.selection(), mirrorPlan);
+    document.change(document.withPegs(bench.selection()), mirrorPlan);
+    mapThrusters(bench, [](Thruster& thruster) {
+        thruster.at.x() = -thruster.at.x();
+        thruster.force.x() = -thruster.force.x();
+    });
     auto mechanisms = mapped(bench, Mirroring{about});
     placeAll(
         bench,

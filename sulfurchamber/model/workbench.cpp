@@ -23,24 +23,24 @@ constexpr double widest = 36;    // metres over which boxes drop at most
 constexpr double boxSize = 0.5;
 
 std::unique_ptr<Tool> makeTool(Workbench& bench, ToolKind kind) {
-    switch (kind) {
-        case ToolKind::select:
+    switch (groupOf(kind)) {
+        case ToolGroup::select:
             return makeSelectTool(bench);
-        case ToolKind::polygon:
-        case ToolKind::draw:
-            return makeOutlineTool(bench, kind);
-        case ToolKind::particle:
-        case ToolKind::joint:
+        case ToolGroup::particles:
             return makeParticleTool(bench, kind);
-        case ToolKind::pin:
-        case ToolKind::cut:
-        case ToolKind::erase:
+        case ToolGroup::mechanisms:
+            return makeMechanismTool(bench, kind);
+        case ToolGroup::zones:
+            return makeZoneTool(bench, kind);
+        case ToolGroup::change:
             return makeChangeTool(bench, kind);
-        case ToolKind::measure:
+        case ToolGroup::measure:
             return makeMeasureTool(bench);
         default:
-            return makeCreateTool(bench, kind);
+            break;
     }
+    if (kind == ToolKind::polygon || kind == ToolKind::draw) return makeOutlineTool(bench, kind);
+    return makeCreateTool(bench, kind);
 }
 
 // How high the column around x is filled, or `otherwise` where it is empty.
@@ -75,25 +75,14 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
     sulfur::scene::removeMechanisms(scene.mechanisms,
                                     [&](const std::string& id) { return !ids.contains(id); });
     scene.fields.clear();
+    auto thrusters = thrustersOf(scene);
+    std::erase_if(thrusters, [&](const auto& thruster) { return !ids.contains(thruster.body); });
     scene.extra.clear();
+    setThrusters(scene, thrusters);
     return scene;
 }
 
 }  // namespace
-
-std::string_view toolName(ToolKind tool) {
-    static constexpr std::array<std::string_view, allTools.size()> names{
-        "select", "box",   "ball",   "jelly", "wheel",  "polygon", "draw",
-        "rope",   "chain", "bridge", "cloth", "wall",   "ground",  "particle",
-        "joint",  "pin",   "cut",    "erase", "measure"};
-    return names[static_cast<std::size_t>(tool)];
-}
-
-std::optional<ToolKind> toolFromName(std::string_view name) {
-    for (const ToolKind tool : allTools)
-        if (toolName(tool) == name) return tool;
-    return std::nullopt;
-}
 
 Workbench::Workbench(std::filesystem::path historyFolder)
     : document_(std::move(historyFolder)), tool_(makeTool(*this, ToolKind::select)) {
@@ -107,18 +96,33 @@ void Workbench::setTool(ToolKind tool) {
     toolKind_ = tool;
 }
 
+// What a tool has made is selected: its properties are at hand.
+void Workbench::making(const std::function<void()>& act) {
+    const std::size_t before = document_.scene().bodies.size();
+    const auto chosen = fitting();
+    act();
+    const auto& bodies = document_.scene().bodies;
+    if (bodies.size() <= before || fitting() != chosen) return;
+    std::vector<BodyId> made;
+    for (std::size_t i = before; i < bodies.size(); ++i)
+        if (const BodyId body = document_.bodyOf(bodies[i].id);
+            body && !document_.isPeg(bodies[i].id))
+            made.push_back(body);
+    select(std::move(made));
+}
+
 void Workbench::press(const Pointer& pointer) {
-    tool_->press(pointer);
+    making([&] { tool_->press(pointer); });
 }
 void Workbench::move(const Pointer& pointer) {
     tool_->move(pointer);
 }
 void Workbench::release(const Pointer& pointer) {
-    tool_->release(pointer);
+    making([&] { tool_->release(pointer); });
     forgetRemoved();
 }
 void Workbench::finish() {
-    tool_->finish();
+    making([&] { tool_->finish(); });
 }
 void Workbench::cancel() {
     tool_->cancel();
@@ -149,6 +153,7 @@ void Workbench::tick() {
     document_.startTime();
     tool_->tick();
     if (rain_ > 0) addRainBox();
+    controls_.tick(document_);
     document_.tick();
     measurements_.sample(document_.world());
     if (trailing_) trails_.sample(document_.world());
@@ -220,6 +225,7 @@ void Workbench::select(std::vector<BodyId> bodies) {
     const auto pins = document_.pins();  // these go with what they hold
     std::erase_if(bodies, [&](BodyId body) { return pins.contains(body); });
     selection_ = std::move(bodies);
+    chosen_.reset();
     forgetRemoved();
     watchSelection();
 }
@@ -231,6 +237,31 @@ void Workbench::toggle(BodyId body) {
     else
         bodies.push_back(body);
     select(std::move(bodies));
+}
+
+// Mechanisms are known by their ids, others by their place.
+std::optional<FittingRef> Workbench::fitting() const {
+    if (!chosen_) return std::nullopt;
+    const auto describe = [&](const FittingRef& ref) {
+        const Fitting is = document_.fitting(ref);
+        const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);
+        return mechanism == nullptr ? std::string() : mechanism->id;
+    };
+    const auto all = document_.fittings();
+    for (const FittingRef& ref : all)
+        if (ref == chosen_->ref && describe(ref) == chosen_->id) return ref;
+    if (chosen_->id.empty()) return std::nullopt;
+    for (const FittingRef& ref : all)
+        if (describe(ref) == chosen_->id) return ref;
+    return std::nullopt;
+}
+
+void Workbench::chooseFitting(const std::optional<FittingRef>& ref) {
+    select({});
+    if (!ref) return;
+    const Fitting is = document_.fitting(*ref);
+    const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);
+    chosen_ = Chosen{*ref, mechanism == nullptr ? "" : mechanism->id};
 }
 
 // --- measuring -------------------------------------------------------------------------------
@@ -282,6 +313,12 @@ void Workbench::selectAll() {
 }
 
 void Workbench::deleteSelection() {
+    if (const auto ref = fitting()) {
+        tool_->cancel();
+        chosen_.reset();
+        document_.edit("Delete", [&] { document_.unfit(*ref); });
+        return;
+    }
     if (selection_.empty()) return;
     tool_->cancel();
     const auto gone = std::exchange(selection_, {});
@@ -292,8 +329,10 @@ std::string Workbench::copy() const {
     if (selection_.empty()) return {};
     auto [scene, bodies] = document_.captureForClipboard();
     std::set<std::string> ids;
+    const auto chosen = document_.withPegs(selection_);
     for (std::size_t i = 0; i < bodies.size() && i < scene.bodies.size(); ++i)
-        if (selected(bodies[i])) ids.insert(scene.bodies[i].id);
+        if (std::find(chosen.begin(), chosen.end(), bodies[i]) != chosen.end())
+            ids.insert(scene.bodies[i].id);
     return sulfur::scene::format(only(std::move(scene), ids));
 }
 
@@ -359,7 +398,9 @@ void Workbench::followHandles(const std::function<BodyId(BodyId)>& now) {
             kept.push_back(is);
         else if (document_.world().contains(body) && document_.idOf(body).empty())
             kept.push_back(body);
+    auto chosen = std::move(chosen_);
     select(std::move(kept));
+    chosen_ = std::move(chosen);
 }
 
 // --- what has left ---------------------------------------------------------------------------

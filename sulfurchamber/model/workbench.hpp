@@ -6,10 +6,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "controls.hpp"
 #include "document.hpp"
 #include "grip.hpp"
 #include "measurement.hpp"
@@ -20,28 +22,61 @@ enum class ToolKind : std::uint8_t {
     select,
     box,
     ball,
-    jelly,
     wheel,
     polygon,
+    wall,
+    ground,
+    jelly,
     draw,
+    cloth,
     rope,
     chain,
     bridge,
-    cloth,
-    wall,
-    ground,
     particle,
     joint,
+    hinge,
+    motor,
+    weld,
+    spring,
+    cable,
+    winch,
+    slider,
+    axle,
+    pulley,
+    gear,
+    thruster,
+    wind,
+    gravity,
+    conveyor,
+    liquid,
     pin,
     cut,
     erase,
     measure
 };
-inline constexpr std::array<ToolKind, 19> allTools{
-    ToolKind::select,  ToolKind::box,  ToolKind::ball,   ToolKind::jelly,    ToolKind::wheel,
-    ToolKind::polygon, ToolKind::draw, ToolKind::rope,   ToolKind::chain,    ToolKind::bridge,
-    ToolKind::cloth,   ToolKind::wall, ToolKind::ground, ToolKind::particle, ToolKind::joint,
-    ToolKind::pin,     ToolKind::cut,  ToolKind::erase,  ToolKind::measure};
+/// The same as a list.
+std::span<const ToolKind> allTools();
+
+/// Which tools stand together in a palette.
+enum class ToolGroup : std::uint8_t {
+    select,
+    create,
+    soft,
+    particles,
+    mechanisms,
+    zones,
+    change,
+    measure
+};
+struct ToolGroupInfo {
+    ToolGroup group;
+    std::string_view name;   ///< for scripts: "mechanisms"
+    std::string_view title;  ///< for people
+    std::string_view icon;
+};
+/// In the order of the palette.
+std::span<const ToolGroupInfo> toolGroups();
+ToolGroup groupOf(ToolKind tool);
 
 /// "select", "box", ...: for scripts and settings.
 std::string_view toolName(ToolKind tool);
@@ -67,7 +102,9 @@ struct Preview {
         stroke,
         spring,
         outline,
-        ruler
+        ruler,
+        path,
+        arrow
     };
     Kind kind = Kind::none;
     sulfur::Point from{0, 0};
@@ -116,6 +153,10 @@ public:
     /// Lets this many boxes fall from above the scene, one edit.
     void dropBoxes(int count);
 
+    /// Keys that are held, for what they drive.
+    Controls& controls() { return controls_; }
+    const Controls& controls() const { return controls_; }
+
     // -- selection --
 
     const std::vector<sulfur::BodyId>& selection() const { return selection_; }
@@ -123,6 +164,9 @@ public:
     void select(std::vector<sulfur::BodyId> bodies);
     void toggle(sulfur::BodyId body);
     void selectAll();
+    /// The fitting that is selected, if one is: then no body is.
+    std::optional<FittingRef> fitting() const;
+    void chooseFitting(const std::optional<FittingRef>& ref);
     void deleteSelection();
     /// The selected bodies as the text of a scene; empty when nothing is selected.
     std::string copy() const;
@@ -171,6 +215,7 @@ public:
 
 private:
     enum class Drop : std::uint8_t { rain, passing, planned };
+    void making(const std::function<void()>& act);
     void addRainBox();
     void dropBox(Drop kind, double width);
     void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
@@ -180,7 +225,14 @@ private:
     Document document_;
     std::unique_ptr<Tool> tool_;
     ToolKind toolKind_ = ToolKind::select;
+    Controls controls_;
     std::vector<sulfur::BodyId> selection_;  // sorted
+    // What is selected, and how it is recognised after others have come or gone.
+    struct Chosen {
+        FittingRef ref;
+        std::string id;
+    };
+    std::optional<Chosen> chosen_;
     std::vector<const Quantity*> measured_;
     std::vector<Measurements::Subject> subjects_;
     Measurements measurements_;

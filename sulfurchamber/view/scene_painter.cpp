@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <sulfur/draw.hpp>
 
 #include "../model/geometry.hpp"
 #include "../model/properties.hpp"
 #include "../model/transform.hpp"
+#include "fitting_painter.hpp"
 #include "palette.hpp"
 
 namespace sulfurchamber {
@@ -58,12 +60,16 @@ bool holdsOthers(const World& world, const std::vector<std::vector<std::uint32_t
     return false;
 }
 
-// A mechanism as its places and lines between them.
+// A mechanism that the plan does not have, as its places and lines between them.
 class MechanismPen final : public sulfur::DebugDraw {
 public:
-    MechanismPen(atlax::Canvas& canvas, float pixel) : canvas_(canvas), pixel_(pixel) {}
+    MechanismPen(atlax::Canvas& canvas, const Document& document, float pixel)
+        : canvas_(canvas), pixel_(pixel) {
+        for (const auto& made : document.made()) planned_.insert({made.id, made.spring});
+    }
 
     void mechanism(const Mechanism& mechanism) override {
+        if (planned_.contains(mechanism.id)) return;
         const bool isLoose = mechanism.info.kind == sulfur::MechanismKind::gear;
         const Color color = isLoose ? palette::ice.withAlpha(0.5f) : palette::ice;
         for (std::size_t i = 1; i < mechanism.places.size(); ++i)
@@ -85,6 +91,7 @@ public:
 private:
     atlax::Canvas& canvas_;
     float pixel_;
+    std::set<sulfur::MechanismId> planned_;
 };
 
 }  // namespace
@@ -160,6 +167,8 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     if (revision_ != document.revision()) looks_.clear();
     revision_ = document.revision();
 
+    FittingPainter fittings(canvas, bench, pixel_);
+    fittings.paintZones();
     std::vector<Posed> bodies;
     for (const BodyId body : world_->bodies()) bodies.push_back(pose(document, body));
     for (const bool fixed : {true, false})
@@ -168,6 +177,8 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
                 paintBody(body, bench.selected(body.id));
     paintConnections();
     paintMechanisms();
+    fittings.paintMarks();
+    if (font_ != nullptr) fittings.paintKeys(*font_);
     if (options.strain) paintStrain();
     paintPins();
     if (options.contacts) paintContacts();
@@ -222,6 +233,7 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
     }
     if (options_->joints && !body.look->outlines.empty()) paintJoints(body);
     paintDiscs(body);
+    paintBelt(body);
 }
 
 void ScenePainter::paintJoints(const Posed& body) {
@@ -270,7 +282,7 @@ void ScenePainter::paintConnections() {
 }
 
 void ScenePainter::paintMechanisms() {
-    MechanismPen pen(*canvas_, pixel_);
+    MechanismPen pen(*canvas_, *document_, pixel_);
     world_->draw(pen, {.bodies = false,
                        .particles = false,
                        .discs = false,
@@ -281,6 +293,31 @@ void ScenePainter::paintMechanisms() {
                        .fields = false,
                        .grabs = false,
                        .alpha = alpha_});
+}
+
+// A belt: chevrons that run along the sides of a body whose surface runs.
+void ScenePainter::paintBelt(const Posed& body) {
+    const auto speed = static_cast<float>(world_->material(body.id).surfaceSpeed);
+    if (speed == 0) return;
+    const float gap = std::max(0.25f, 14 * pixel_);
+    const float size = 4 * pixel_;
+    const auto time = static_cast<float>(std::fmod(world_->time(), 1000.0));
+    const float start = std::fmod(time * speed, gap);
+    for (const JointId joint : world_->joints(body.id)) {
+        const auto info = world_->info(joint);
+        if (!(info.radius > 0)) continue;
+        const Vec2 a = place(info.a), b = place(info.b);
+        const float length = atlax::length(b - a);
+        if (length < gap / 2) continue;
+        const Vec2 along = (b - a) / length;
+        const Vec2 side = atlax::perpendicular(along) * size;
+        const Vec2 ahead = along * (speed > 0 ? size : -size);
+        for (float at = start < 0 ? start + gap : start; at < length; at += gap) {
+            const Vec2 tip = a + along * at + ahead;
+            canvas_->line(tip, tip - ahead + side, 1.6f * pixel_, palette::amber);
+            canvas_->line(tip, tip - ahead - side, 1.6f * pixel_, palette::amber);
+        }
+    }
 }
 
 void ScenePainter::paintPins() {
@@ -404,6 +441,17 @@ void ScenePainter::paintPreview(const Preview& preview) {
                               palette::amber);
             canvas_->dashedLine(to, from, width, 6 * pixel_, 4 * pixel_,
                                 palette::amber.withAlpha(0.6f));
+            canvas_->circle(from, 4 * pixel_, palette::amber);
+            break;
+        case Preview::Kind::path:
+            for (std::size_t i = 0; i < preview.points.size(); ++i) {
+                const Vec2 at(preview.points[i]);
+                if (i > 0) canvas_->line(Vec2(preview.points[i - 1]), at, width, palette::amber);
+                canvas_->circle(at, 4 * pixel_, palette::amber);
+            }
+            break;
+        case Preview::Kind::arrow:
+            arrow(from, to, palette::amber);
             canvas_->circle(from, 4 * pixel_, palette::amber);
             break;
         case Preview::Kind::ruler: {

@@ -30,6 +30,8 @@ public:
     /// The canvas must be in world space; `alpha` as Application::draw has it.
     void paint(atlax::Canvas& canvas, const Workbench& bench, const ViewOptions& options,
                double alpha);
+    /// For keys beside what they drive; without one there are none.
+    void setFont(const atlax::Font* font) { font_ = font; }
 
 private:
     // How a body looks, found out once.
@@ -58,6 +60,7 @@ private:
     void paintDiscs(const Posed& body);
     void paintConnections();
     void paintMechanisms();
+    void paintBelt(const Posed& body);
     void paintPins();
     void paintStrain();
     void paintVelocities();
@@ -75,6 +78,7 @@ private:
     const Document* document_ = nullptr;
     const sulfur::World* world_ = nullptr;
     const ViewOptions* options_ = nullptr;
+    const atlax::Font* font_ = nullptr;
     double alpha_ = 0;
     float pixel_ = 0.01f;  // one logical pixel in metres
 };

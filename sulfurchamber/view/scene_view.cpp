@@ -31,6 +31,7 @@ constexpr double seekMilliseconds = 12;  // of a frame that the way to a moment 
 void SceneView::start(atlax::Platform& platform) {
     platform_ = &platform;
     font_ = atlax::Font::standard();
+    painter_.setFont(&*font_);
     applyTime();
 }
 
@@ -40,6 +41,7 @@ void SceneView::applyTime() {
     atlax::FixedTimestep& clock = platform_->clock();
     const int rate = bench_.document().world().settings().tickRate;
     if (clock.rateHz() != rate) clock.setRateHz(rate);
+    if (!bench_.document().playing()) bench_.controls().release();
     clock.setPaused(!bench_.document().playing());
     clock.setSpeedPermille(speedPermille_);
 }
@@ -113,6 +115,7 @@ void SceneView::event(const atlax::Event& event) {
     if (const auto* turned = std::get_if<atlax::WheelEvent>(&event)) wheel(*turned);
     if (const auto* focus = std::get_if<atlax::FocusChanged>(&event); focus && !focus->focused) {
         guarded([&] { bench_.cancel(); });
+        bench_.controls().release();
         panFrom_.reset();
     }
     if (const auto* dropped = std::get_if<atlax::FileDropped>(&event); dropped && onFile)

@@ -31,12 +31,12 @@ BodyId newest(const Workbench& bench) {
 }
 
 TEST(Tools, NamesLeadBackToTools) {
-    for (const ToolKind tool : allTools) EXPECT_EQ(toolFromName(toolName(tool)), tool);
+    for (const ToolKind tool : allTools()) EXPECT_EQ(toolFromName(toolName(tool)), tool);
     EXPECT_FALSE(toolFromName("hammer"));
 }
 
 TEST(Tools, EveryToolHasAHintAndSurvivesStrayEvents) {
-    for (const ToolKind tool : allTools) {
+    for (const ToolKind tool : allTools()) {
         Workbench bench;
         bench.setTool(tool);
         EXPECT_FALSE(bench.hint().empty());

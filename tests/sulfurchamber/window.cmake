@@ -90,8 +90,9 @@ foreach(size 640x480 900x600 1280x800)
   list(GET sides 0 width)
   list(GET sides 1 height)
   set(script "open ${SCENES}/jelly-tower.json\n")
-  foreach(tool select box ball jelly wheel polygon draw rope chain bridge cloth wall ground particle joint pin
-      cut erase measure)
+  foreach(tool select box ball wheel polygon wall ground jelly draw cloth rope chain bridge particle joint
+      hinge motor weld spring cable winch slider axle pulley gear thruster wind gravity conveyor liquid pin cut
+      erase measure)
     string(APPEND script "tool ${tool}\nwhole\n")
   endforeach()
   string(APPEND script "do page-object\nwhole\ndo select-all\nwhole\ndo page-history\nwhole\n")
