@@ -84,6 +84,8 @@ inline void interleave4(Vec& a, Vec& b, Vec& c, Vec& d) {
     d = __builtin_shufflevector(q, s, 2, 3, 10, 11, 6, 7, 14, 15);
 }
 
+constexpr std::uint32_t allLanes = 255;
+
 using Quad [[gnu::vector_size(4 * sizeof(SweepReal))]] = SweepReal;
 inline Vec joined(Quad low, Quad high) {
     return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
@@ -106,13 +108,31 @@ template <class From>
     s = joined(from(3), from(7));
     interleave4(p, q, r, s);
 }
+/// Four numbers of each of the bodies whose bits are set: seldom not all.
+[[gnu::noinline]] inline void scatterSome(SweepReal* const* to, std::uint32_t lanes,
+                                          const Vec* four) {
+    for (int i = 0; i < 4; ++i) {
+        const Vec& v = four[i];
+        if (lanes >> i & 1)
+            *reinterpret_cast<Quad*>(to[i]) = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+        if (lanes >> (i + 4) & 1)
+            *reinterpret_cast<Quad*>(to[i + 4]) = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    }
+}
 template <class To>
-[[gnu::always_inline]] inline void scatterFour(To to, Vec p, Vec q, Vec r, Vec s) {
+[[gnu::always_inline]] inline void scatterFour(To to, std::uint32_t lanes, Vec p, Vec q, Vec r,
+                                               Vec s) {
     interleave4(p, q, r, s);
-    split(to(0), to(4), p);
-    split(to(1), to(5), q);
-    split(to(2), to(6), r);
-    split(to(3), to(7), s);
+    if (lanes == allLanes) {
+        split(to(0), to(4), p);
+        split(to(1), to(5), q);
+        split(to(2), to(6), r);
+        split(to(3), to(7), s);
+    } else {
+        SweepReal* const places[8] = {to(0), to(1), to(2), to(3), to(4), to(5), to(6), to(7)};
+        const Vec four[4] = {p, q, r, s};
+        scatterSome(places, lanes, four);
+    }
 }
 
 /// How eight bodies move by rows, and their inverse masses.
@@ -133,12 +153,18 @@ inline Placed gatherPlaced(const SolverBody* bodies, const std::uint32_t* at) {
     gatherFour([&](int i) { return &bodies[at[i]].x; }, p.x, p.y, p.turn, p.inertia);
     return p;
 }
-/// What cannot be pushed may be in several lanes: all write what they read.
-inline void scatter(SolverBody* bodies, const std::uint32_t* at, const Moving& m) {
-    scatterFour([&](int i) { return &bodies[at[i]].vx; }, m.x, m.y, m.spin, m.mass);
+/// The lanes whose bodies can be pushed. Only these are written: the others may be in several
+/// lanes, also of blocks that another thread has.
+inline std::uint32_t pushedLanes(Vec mass, Vec inertia) {
+    return bits(mass + inertia > Vec{});
 }
-inline void scatter(SolverBody* bodies, const std::uint32_t* at, const Placed& p) {
-    scatterFour([&](int i) { return &bodies[at[i]].x; }, p.x, p.y, p.turn, p.inertia);
+[[gnu::always_inline]] inline void scatter(SolverBody* bodies, const std::uint32_t* at,
+                                           std::uint32_t lanes, const Moving& m) {
+    scatterFour([&](int i) { return &bodies[at[i]].vx; }, lanes, m.x, m.y, m.spin, m.mass);
+}
+[[gnu::always_inline]] inline void scatter(SolverBody* bodies, const std::uint32_t* at,
+                                           std::uint32_t lanes, const Placed& p) {
+    scatterFour([&](int i) { return &bodies[at[i]].x; }, lanes, p.x, p.y, p.turn, p.inertia);
 }
 /// How they move without rows, and how they go with those of the step before.
 inline Moving gatherFree(const Prediction* predictions, const std::uint32_t* at) {
@@ -302,22 +328,19 @@ inline bool isStirred(const std::uint32_t* at, const SweepSettings& settings) {
         if (settings.stirred[at[l]] + 1 >= settings.number) return true;
     return false;
 }
-/// Notes which bodies rows have stirred, by lanes; what nothing pushes stays as it was.
-inline void stir(const std::uint32_t* at, Vec mass, Vec inertia, Mask changed,
-                 const SweepSettings& settings) {
-    const std::uint32_t lanes = bits(changed & (mass + inertia > Vec{}));
+/// Notes which bodies rows have stirred, by lanes.
+inline void stir(const std::uint32_t* at, std::uint32_t lanes, const SweepSettings& settings) {
     std::uint8_t* const stirred = settings.stirred;  // bytes alias the settings
     const std::uint8_t number = settings.number;
+    std::uint8_t nobodys = 0;
     // Without branches, because nobody can foretell which lanes do.
-    for (std::size_t l = 0; l < rowLanes; ++l) {
-        std::uint8_t& last = stirred[at[l]];
-        last = static_cast<std::uint8_t>(last ^ ((last ^ number) & (0 - (lanes >> l & 1))));
-    }
+    for (std::size_t l = 0; l < rowLanes; ++l)
+        *((lanes >> l & 1) != 0 ? &stirred[at[l]] : &nobodys) = number;
 }
 
 /// Moves the bodies of a block out of each other, by a share of what is beyond the slop.
-inline void moveApart(SolverBody* bodies, const ManifoldBlock& block, Vec massA, Vec massB,
-                      SweepReal share, Placed& a, Placed& b) {
+inline void moveApart(const ManifoldBlock& block, Vec massA, Vec massB, SweepReal share, Placed& a,
+                      Placed& b) {
     for (const ManifoldPoint& p : block.points) {
         const Vec gap = load(p.gap) + along(between(a, b), p);
         Impulse sum;
@@ -329,8 +352,6 @@ inline void moveApart(SolverBody* bodies, const ManifoldBlock& block, Vec massA,
         b.y += sum.y * massB;
         b.turn += sum.twistB * b.inertia;
     }
-    scatter(bodies, block.a, a);
-    scatter(bodies, block.b, b);
 }
 
 template <bool anew, bool begins>
@@ -350,22 +371,27 @@ template <bool anew, bool begins>
     Normals n{along(v, p) + load(p.room), along(v, q) + load(q.room), pressing1, pressing2};
     Impulse sum;
     sum.add(solveFriction(v, block, n), block);
-    const Mask changed = solveNormals(block, n) > settings.settled;
-    const bool any = bits(changed) != 0;
+    const std::uint32_t changed = bits(solveNormals(block, n) > settings.settled);
     store(p.pressing, n.pressing1);
     store(q.pressing, n.pressing2);
     sum.add(n.pressing1 - pressing1, p);
     sum.add(n.pressing2 - pressing2, q);
     const Vec inertiaA = load(block.inertiaA), inertiaB = load(block.inertiaB);
     push(sum, inertiaA, inertiaB, a, b);
-    scatter(bodies, block.a, a);
-    scatter(bodies, block.b, b);
-    if constexpr (begins) moveApart(bodies, block, a.mass, b.mass, settings.share, placeA, placeB);
-    if (any) {
-        stir(block.a, a.mass, inertiaA, changed, settings);
-        stir(block.b, b.mass, inertiaB, changed, settings);
+    const std::uint32_t pushedA = pushedLanes(a.mass, inertiaA);
+    const std::uint32_t pushedB = pushedLanes(b.mass, inertiaB);
+    scatter(bodies, block.a, pushedA, a);
+    scatter(bodies, block.b, pushedB, b);
+    if constexpr (begins) {
+        moveApart(block, a.mass, b.mass, settings.share, placeA, placeB);
+        scatter(bodies, block.a, pushedA, placeA);
+        scatter(bodies, block.b, pushedB, placeB);
     }
-    return any;
+    if (changed != 0) {
+        stir(block.a, changed & pushedA, settings);
+        stir(block.b, changed & pushedB, settings);
+    }
+    return changed != 0;
 }
 inline bool isPassedOver(const ManifoldBlock& block, const SweepSettings& settings) {
     return !isStirred(block.a, settings) && !isStirred(block.b, settings);
@@ -637,8 +663,8 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     store(block.inertiaA, a.inertia);
     store(block.inertiaB, b.inertia);
     push(sum, a.inertia, b.inertia, movingA, movingB);
-    scatter(bodies, block.a, movingA);
-    scatter(bodies, block.b, movingB);
+    scatter(bodies, block.a, pushedLanes(movingA.mass, a.inertia), movingA);
+    scatter(bodies, block.b, pushedLanes(movingB.mass, b.inertia), movingB);
     return bits(larger(moved, ends - unnoticed * thickness) > load(shape.margin));
 }
 
@@ -647,9 +673,10 @@ void giveManifold(SolverBody* bodies, const ManifoldBlock& block) {
     Impulse sum;
     sum.add(load(block.rubbing), block);
     for (const ManifoldPoint& p : block.points) sum.add(load(p.pressing), p);
-    push(sum, load(block.inertiaA), load(block.inertiaB), a, b);
-    scatter(bodies, block.a, a);
-    scatter(bodies, block.b, b);
+    const Vec inertiaA = load(block.inertiaA), inertiaB = load(block.inertiaB);
+    push(sum, inertiaA, inertiaB, a, b);
+    scatter(bodies, block.a, pushedLanes(a.mass, inertiaA), a);
+    scatter(bodies, block.b, pushedLanes(b.mass, inertiaB), b);
 }
 
 std::uint32_t meetingManifold(const SolverBody* bodies, const Prediction* predictions,
@@ -728,6 +755,12 @@ struct Bodies {
 
 inline Bodies gather(const SolverBody* bodies, const std::uint32_t* at) {
     return {gatherMoving(bodies, at), gatherPlaced(bodies, at)};
+}
+inline std::uint32_t pushedLanes(const Bodies& b) {
+    return pushedLanes(b.mass(), b.inertia());
+}
+inline void scatter(SolverBody* bodies, const std::uint32_t* at, const Bodies& b) {
+    scatter(bodies, at, pushedLanes(b), b.moving);
 }
 inline Bodies gather(const Prediction* predictions, const std::uint32_t* at) {
     return {gatherFree(predictions, at), gatherGoing(predictions, at)};
@@ -823,25 +856,25 @@ template <bool anew, bool begins>
     const Vec pressing = larger(pressed - load(t.normalMass) * closing, zero);
     store(t.pressing, pressing);
     push(normal, pressing - pressed, p, a, b);
-    const Mask changed = magnitude(pressing - pressed) * load(t.mobility) > settings.settled;
-    const bool any = bits(changed) != 0;
-    if (any) {
-        stir(t.p, p.mass(), p.inertia(), changed, settings);
-        stir(t.a, a.mass(), a.inertia(), changed, settings);
-        stir(t.b, b.mass(), b.inertia(), changed, settings);
+    const std::uint32_t changed =
+        bits(magnitude(pressing - pressed) * load(t.mobility) > settings.settled);
+    if (changed != 0) {
+        stir(t.p, changed & pushedLanes(p), settings);
+        stir(t.a, changed & pushedLanes(a), settings);
+        stir(t.b, changed & pushedLanes(b), settings);
     }
     if constexpr (begins) {
         const Vec gap = load(t.gap) + placeAlong(normal, p, a, b);
         pushPlace(normal, load(t.normalMass) * larger((-gap - load(t.slop)) * settings.share, zero),
                   p, a, b);
-        scatter(bodies, t.p, p.placed);
-        scatter(bodies, t.a, a.placed);
-        scatter(bodies, t.b, b.placed);
+        scatter(bodies, t.p, pushedLanes(p), p.placed);
+        scatter(bodies, t.a, pushedLanes(a), a.placed);
+        scatter(bodies, t.b, pushedLanes(b), b.placed);
     }
-    scatter(bodies, t.p, p.moving);
-    scatter(bodies, t.a, a.moving);
-    scatter(bodies, t.b, b.moving);
-    return any;
+    scatter(bodies, t.p, p);
+    scatter(bodies, t.a, a);
+    scatter(bodies, t.b, b);
+    return changed != 0;
 }
 inline bool isPassedOver(const TouchBlock& t, const SweepSettings& settings) {
     return !isStirred(t.p, settings) && !isStirred(t.a, settings) && !isStirred(t.b, settings);
@@ -1011,9 +1044,9 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     store(t.mobility, normalK);
     store(t.tangentMass, tangentK > zero ? one / tangentK : zero);
     store(t.gap, distance - thickness - placeAlong(normal, p, a, b) - ahead);
-    scatter(bodies, t.p, p.moving);
-    scatter(bodies, t.a, a.moving);
-    scatter(bodies, t.b, b.moving);
+    scatter(bodies, t.p, p);
+    scatter(bodies, t.a, a);
+    scatter(bodies, t.b, b);
     return bits((place < load(shape.low)) | (place > load(shape.high)));
 }
 
@@ -1021,9 +1054,9 @@ void giveTouch(SolverBody* bodies, const TouchBlock& t) {
     Bodies p = gather(bodies, t.p), a = gather(bodies, t.a), b = gather(bodies, t.b);
     push(normalOf(t), load(t.pressing), p, a, b);
     push(tangentOf(t), load(t.rubbing), p, a, b);
-    scatter(bodies, t.p, p.moving);
-    scatter(bodies, t.a, a.moving);
-    scatter(bodies, t.b, b.moving);
+    scatter(bodies, t.p, p);
+    scatter(bodies, t.a, a);
+    scatter(bodies, t.b, b);
 }
 
 std::uint32_t meetingTouch(const SolverBody* bodies, const Prediction* predictions,
