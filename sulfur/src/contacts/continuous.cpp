@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "contacts/ask.hpp"
 #include "contacts/pair_table.hpp"
@@ -29,6 +30,8 @@ namespace {
 /// as much.
 constexpr Real fast = Real(tuned::fast);
 constexpr int mostKeepingRounds = tuned::keepingRounds;
+// How much a thread looks through in a microsecond, about; see piecesOf().
+constexpr std::size_t blocksInMicrosecond = 15, watchesInMicrosecond = 100;
 
 class Keeper {
 public:
@@ -105,17 +108,30 @@ private:
         return most;
     }
 
+    using List = std::vector<std::uint32_t>;
+
     /// Lists the pairs that may pass: those with rows of convex chunks block by block.
     void collect() {
         const RowKernels& kernels = rowKernels();
+        List& found = core_.again;
+        found.clear();
         for (const auto c : core_.rows.inUse()) {
             const ManifoldList& list = core_.rows.manifolds[c];
-            for (std::size_t k = 0; k < list.blocks.size(); ++k)
-                for (auto lanes = passing(kernels, list, k); lanes != 0; lanes &= lanes - 1)
-                    add(list.shapes[k].pair[std::countr_zero(lanes)]);
+            core_.findInPieces(
+                state_.tasks, list.blocks.size(), blocksInMicrosecond, rowLanes, found,
+                [&](std::size_t first, std::size_t last, List& mine) {
+                    for (std::size_t k = first; k < last; ++k)
+                        for (auto lanes = passing(kernels, list, k); lanes != 0; lanes &= lanes - 1)
+                            mine.push_back(list.shapes[k].pair[std::countr_zero(lanes)]);
+                });
         }
-        for (const PairWatch& w : core_.watches)
-            if (w.isManifold == 0 || reachesLimit(w)) collect(w);
+        core_.findInPieces(
+            state_.tasks, core_.watches.size(), watchesInMicrosecond, 1, found,
+            [&](std::size_t first, std::size_t last, List& mine) {
+                for (const PairWatch& w : std::span(core_.watches).subspan(first, last - first))
+                    if ((w.isManifold == 0 || reachesLimit(w)) && passes(w)) mine.push_back(w.pair);
+            });
+        for (const auto pair : found) add(pair);
         std::sort(pairs_.begin(), pairs_.end());
     }
     /// By lanes; those without a row have the world on both sides.
@@ -131,9 +147,9 @@ private:
         const Real ways = core_.lengths[w.a] + core_.lengths[w.b];
         return !(odometers + 2 * static_cast<double>(ways) < w.limit);
     }
-    void collect(const PairWatch& w) {
+    bool passes(const PairWatch& w) const {
         const Real least = leastOf(w);
-        if (core_.lengths[w.a] + core_.lengths[w.b] > least && mayPass(w, least)) add(w.pair);
+        return core_.lengths[w.a] + core_.lengths[w.b] > least && mayPass(w, least);
     }
     static Real leastOf(const PairWatch& w) { return fast * static_cast<Real>(w.fineness); }
     void add(std::uint32_t pair) {
@@ -156,8 +172,9 @@ private:
         });
         forEachChunk([&](const Chunk& chunk) {
             for (auto at = chunk.firstPair; at != none; at = core_.pairs[at / 2].next[at % 2])
-                if (const auto watch = core_.pairs[at / 2].watch; watch != none)
-                    collect(core_.watches[watch]);
+                if (const auto watch = core_.pairs[at / 2].watch;
+                    watch != none && passes(core_.watches[watch]))
+                    add(core_.watches[watch].pair);
         });
         std::sort(pairs_.begin(), pairs_.end());
         pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());

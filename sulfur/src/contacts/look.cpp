@@ -9,6 +9,7 @@
 #include "contacts/looks.hpp"
 #include "contacts/pair_table.hpp"
 #include "contacts/stages.hpp"
+#include "core/pieces.hpp"
 #include "core/settings.hpp"
 #include "model/state.hpp"
 #include "narrow_phase/convex.hpp"
@@ -76,6 +77,8 @@ std::uint32_t sleeperOf(const State& state, std::uint32_t chunk) {
 }
 
 constexpr Real unforeseen = Real(tuned::unforeseen);
+/// How many watches a thread asks in a microsecond, about; see piecesOf().
+constexpr std::size_t watchesInMicrosecond = 150;
 
 /// What somebody comes near to wakes before it is touched: it never stands in for a wall. What
 /// wakes takes part from the next step on. Who is moved by nobody but the caller may rest near it.
@@ -106,7 +109,10 @@ void wakeIfNear(State& state, std::uint32_t index, std::uint32_t sleeper) {
 
 }  // namespace
 
-void lookAtPair(State& state, std::uint32_t pair) {
+namespace {
+
+/// Its rows and its limit become what they are now.
+void lookAtPair(State& state, std::uint32_t pair, const ForeseenManifold& foreseen) {
     const Pair& p = state.core.pairs[pair];
     if (const auto rowless = state.core.encounters[p.encounter].rowless; rowless != 0) {
         dropRows(state, pair);
@@ -117,26 +123,56 @@ void lookAtPair(State& state, std::uint32_t pair) {
             return wakeIfNear(state, pair, sleeper);
     ++state.statistics.looks;
     if (state.core.pairs[pair].isManifold)
-        lookAtManifold(state, pair);
+        lookAtManifold(state, pair, foreseen);
     else
         lookAtTouches(state, pair);
 }
 
+ForeseenManifold foresee(const State& state, std::uint32_t index) {
+    const ContactCore& core = state.core;
+    const Pair& pair = core.pairs[index];
+    if (!pair.isManifold || core.encounters[pair.encounter].rowless != 0 ||
+        sleeperOf(state, pair.a) != none || sleeperOf(state, pair.b) != none)
+        return {};
+    const auto motionOfChunk = [&](std::uint32_t chunk) {
+        return motionNow(core.movers, core.shapes.chunks[chunk].frame);
+    };
+    return {true, motionOfChunk(pair.a), motionOfChunk(pair.b), manifoldOf(core, pair)};
+}
+
+/// Looks at pairs one after the other, because rows come and go. What takes long, the geometry of
+/// convex chunks, lent threads find for all of them before.
+void lookAtAll(State& state, const std::uint32_t* pairs, std::size_t count) {
+    constexpr std::size_t looksInMicrosecond = 1;
+    std::pmr::vector<ForeseenManifold> foreseen(&state.arena);
+    if (piecesOf(state.tasks, count, looksInMicrosecond) > 1) {
+        foreseen.resize(count);
+        inPieces(state.tasks, count, looksInMicrosecond, [&](std::size_t first, std::size_t last) {
+            for (auto i = first; i < last; ++i) foreseen[i] = foresee(state, pairs[i]);
+        });
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        lookAtPair(state, pairs[i], foreseen.empty() ? ForeseenManifold{} : foreseen[i]);
+}
+
+}  // namespace
+
 void lookAtListed(State& state) {
     ContactCore& core = state.core;
-    const auto& listed = core.again;
+    auto& listed = core.again;
     const std::size_t most =
         tuned::lookedPairs * std::size_t{state.work.awakeParticles + tuned::fewMovers};
     const auto price = std::accumulate(
         listed.begin(), listed.end(), std::size_t{0},
         [&](std::size_t sum, std::uint32_t pair) { return sum + priceOf(core, core.pairs[pair]); });
-    const std::size_t first = price > most ? stepNumber(state) * most % listed.size() : 0;
-    std::size_t spent = 0;
-    for (std::size_t i = 0; i < listed.size() && spent < most; ++i) {
-        const auto pair = listed[(first + i) % listed.size()];
-        spent += priceOf(core, core.pairs[pair]);
-        lookAtPair(state, pair);
+    if (price > most) {
+        const auto first = static_cast<std::ptrdiff_t>(stepNumber(state) * most % listed.size());
+        std::rotate(listed.begin(), listed.begin() + first, listed.end());
     }
+    std::size_t count = 0;
+    for (std::size_t spent = 0; count < listed.size() && spent < most; ++count)
+        spent += priceOf(core, core.pairs[listed[count]]);
+    lookAtAll(state, listed.data(), count);
 }
 
 void lookAtPairs(State& state) {
@@ -144,9 +180,15 @@ void lookAtPairs(State& state) {
     // A look may move watches about: those that are due are listed first.
     core.newRows = 0;
     core.again.clear();
-    const double* const ahead = core.ahead.data();
-    for (PairWatch& w : core.watches)
-        if (!(ahead[w.a] + ahead[w.b] < w.limit) && isDue(core, w)) core.again.push_back(w.pair);
+    core.findInPieces(
+        state.tasks, core.watches.size(), watchesInMicrosecond, 1, core.again,
+        [&core](std::size_t first, std::size_t last, std::vector<std::uint32_t>& due) {
+            const double* const ahead = core.ahead.data();
+            PairWatch* const end = core.watches.data() + last;
+            for (PairWatch* w = core.watches.data() + first; w != end; ++w)
+                if (!(ahead[w->a] + ahead[w->b] < w->limit) && isDue(core, *w))
+                    due.push_back(w->pair);
+        });
     lookAtListed(state);
     core.heirs.clear();
 }

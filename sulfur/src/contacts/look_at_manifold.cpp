@@ -30,9 +30,9 @@ public:
           a_(core_.shapes.chunks[pair_.a]),
           b_(core_.shapes.chunks[pair_.b]) {}
 
-    void run() {
+    void run(const ForeseenManifold& foreseen) {
         const Real thickness = a_.radius + b_.radius;
-        const Manifold m = findManifold(core_.movers, core_.shapes, a_, b_, closing());
+        const Manifold m = isStill(foreseen) ? foreseen.manifold : manifoldOf(core_, pair_);
         if (m.count == 0) {
             dropRows(state_, index_);
             return watchApart(state_, index_, std::max(m.gap - thickness / 4, thickness / 4));
@@ -52,13 +52,12 @@ public:
     }
 
 private:
-    /// m, how far the surfaces may come towards each other in this step.
-    Real closing() const {
-        const Movers& movers = core_.movers;
-        const Motion3 a = motionNow(movers, a_.frame), b = motionNow(movers, b_.frame);
-        return std::abs(a.x - b.x) + std::abs(a.y - b.y) +
-               movers.reach[a_.frame] * std::abs(a.turn) +
-               movers.reach[b_.frame] * std::abs(b.turn);
+    bool isStill(const ForeseenManifold& foreseen) const {
+        const auto same = [](const Motion3& a, const Motion3& b) {
+            return a.x == b.x && a.y == b.y && a.turn == b.turn;
+        };
+        return foreseen.isKnown && same(foreseen.a, motionNow(core_.movers, a_.frame)) &&
+               same(foreseen.b, motionNow(core_.movers, b_.frame));
     }
 
     void setPoints(const Manifold& m, bool isNew) {
@@ -168,8 +167,18 @@ private:
 
 }  // namespace
 
-void lookAtManifold(State& state, std::uint32_t pair) {
-    ManifoldLook(state, pair).run();
+Manifold manifoldOf(const ContactCore& core, const Pair& pair) {
+    const Movers& movers = core.movers;
+    const Chunk &a = core.shapes.chunks[pair.a], &b = core.shapes.chunks[pair.b];
+    const Motion3 wayA = motionNow(movers, a.frame), wayB = motionNow(movers, b.frame);
+    const Real closing = std::abs(wayA.x - wayB.x) + std::abs(wayA.y - wayB.y) +
+                         movers.reach[a.frame] * std::abs(wayA.turn) +
+                         movers.reach[b.frame] * std::abs(wayB.turn);
+    return findManifold(movers, core.shapes, a, b, closing);
+}
+
+void lookAtManifold(State& state, std::uint32_t pair, const ForeseenManifold& foreseen) {
+    ManifoldLook(state, pair).run(foreseen);
 }
 
 }  // namespace sulfur::detail

@@ -6,6 +6,7 @@
 #include <sulfur/math.hpp>
 
 #include "model/contact_core.hpp"
+#include "narrow_phase/convex.hpp"
 
 namespace sulfur::detail {
 
@@ -35,8 +36,16 @@ void leaveToHeirs(ContactCore& core, const std::array<std::uint32_t, 3>& particl
 /// Looks at the pairs that are listed in ContactCore::again. Where there are too many for a step,
 /// at some, from another one on in each step: the others keep their rows and are due again.
 void lookAtListed(State& state);
+/// What a look at two convex chunks finds, if they still go like this when it is their turn: a row
+/// that is made or changed may push them.
+struct ForeseenManifold {
+    bool isKnown = false;
+    Motion3 a, b;  // how their frames go
+    Manifold manifold;
+};
+Manifold manifoldOf(const ContactCore& core, const Pair& pair);
 /// Both chunks are convex: one row of up to two points.
-void lookAtManifold(State& state, std::uint32_t pair);
+void lookAtManifold(State& state, std::uint32_t pair, const ForeseenManifold& foreseen);
 /// Something of either may move by itself: a row for each corner that is near a side.
 void lookAtTouches(State& state, std::uint32_t pair);
 /// Takes a touch away that is in no list of a pair.

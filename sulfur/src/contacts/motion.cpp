@@ -1,5 +1,6 @@
 // Solver bodies: from the predicted motion of particles and rigid components, and back.
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "bodies/driven.hpp"
 #include "contacts/looks.hpp"
 #include "contacts/stages.hpp"
+#include "core/pieces.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/slow_speeds.hpp"
@@ -24,6 +26,11 @@ constexpr Real refreshWithin = Real(tuned::refreshWithin);
 constexpr Real pushRate = Real(tuned::recoveryRate);
 constexpr Real pushSpeed = Real(tuned::recoverySpeed);
 constexpr Real mostShare = Real(tuned::recoveryShare);
+
+// How much a thread does in a microsecond, about; see piecesOf().
+constexpr std::size_t moversInMicrosecond = 30, sweptInMicrosecond = 8;
+/// Blocks whose marks are in one word, and how many words are refreshed in a microsecond.
+constexpr std::size_t marks = 64, wordsInMicrosecond = 1;
 
 /// The angle whose sine is s, for small ones: its series.
 double smallAngle(double s) {
@@ -104,24 +111,16 @@ void noteStrips(const ContactCore& core, std::vector<double>& odometers, Length&
     }
 }
 
-/// Blocks with a row of somebody who has moved are to be refreshed.
-void markMoved(ContactCore& core) {
-    const std::uint8_t* moved = core.moved.data();
-    const auto markIn = [&](auto& list, auto&& hasMoved) {
-        for (std::size_t k = 0; k < list.blocks.size(); ++k) {
-            std::size_t l = 0;
-            while (l < rowLanes && !hasMoved(list.blocks[k], l)) ++l;
-            if (l < rowLanes) list.dirty[k / 64] |= std::uint64_t{1} << k % 64;
-        }
-    };
-    for (const auto c : core.rows.inUse()) {
-        markIn(core.rows.manifolds[c], [&](const ManifoldBlock& r, std::size_t l) {
-            return (moved[r.a[l]] | moved[r.b[l]]) != 0;
-        });
-        markIn(core.rows.touches[c], [&](const TouchBlock& r, std::size_t l) {
-            return (moved[r.p[l]] | moved[r.a[l]] | moved[r.b[l]]) != 0;
-        });
-    }
+/// Whether somebody of a block has moved so far that its rows are refreshed.
+bool hasMoved(const std::uint8_t* moved, const ManifoldBlock& r) {
+    for (std::size_t l = 0; l < rowLanes; ++l)
+        if ((moved[r.a[l]] | moved[r.b[l]]) != 0) return true;
+    return false;
+}
+bool hasMoved(const std::uint8_t* moved, const TouchBlock& r) {
+    for (std::size_t l = 0; l < rowLanes; ++l)
+        if ((moved[r.p[l]] | moved[r.a[l]] | moved[r.b[l]]) != 0) return true;
+    return false;
 }
 
 /// Impulses are kept for steps of one length.
@@ -149,21 +148,16 @@ void scaleImpulses(ContactCore& core, double step) {
     }
 }
 
-}  // namespace
-
-void takeMotion(State& state) {
+/// Of the awake movers from `first` to `last`. Returns how far the farthest goes without rows, m.
+Real takeMotionOf(State& state, std::size_t first, std::size_t last) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
-    scaleImpulses(core, static_cast<double>(state.h));
-    core.ahead = movers.odometer;
-    core.moved.assign(movers.size(), 0);
-    core.placed.resize(movers.size());
     // (Local, because a byte that is written may alias any member.)
     std::uint8_t* const moved = core.moved.data();
     double* const aheads = core.ahead.data();
     Motion3* const placed = core.placed.data();
     Real farthest = 0;
-    for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
+    for (std::size_t k = first; k < last; ++k) {
         const auto m = core.awakeMovers[k];
         const Seen seen = lookAtMover(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]);
         SolverBody& body = movers.bodies[m];
@@ -181,7 +175,21 @@ void takeMotion(State& state) {
         movers.refreshAt[m] = ahead + static_cast<double>(refreshWithin * movers.fineness[m]);
         moved[m] = 1;
     }
-    core.farthest = farthest;
+    return farthest;
+}
+
+}  // namespace
+
+void takeMotion(State& state) {
+    ContactCore& core = state.core;
+    Movers& movers = core.movers;
+    scaleImpulses(core, static_cast<double>(state.h));
+    core.ahead = movers.odometer;
+    core.moved.assign(movers.size(), 0);
+    core.placed.resize(movers.size());
+    core.farthest = mostInPieces(
+        state.tasks, core.awakeMovers.size(), moversInMicrosecond,
+        [&](std::size_t first, std::size_t last) { return takeMotionOf(state, first, last); });
     noteStrips(core, core.ahead, [&](std::uint32_t m) {
         const Prediction& p = movers.predictions[m];
         return lengthOf(movers, m, p.goesX, p.goesY, p.turn);
@@ -206,27 +214,39 @@ std::uint32_t pairOf(const ContactCore& core, const TouchShape& shape, std::uint
     return core.touches[shape.touch[lane]].pair;
 }
 
-/// Refreshes the marked blocks of a list of one colour, and notes the pairs that must be looked at
-/// again. `give`: what blocks do that need no refresh, or nullptr.
+/// Refreshes the blocks of a list of one colour that are marked, or of which somebody has moved,
+/// and notes the pairs that must be looked at again. `give`: what blocks do that need no refresh,
+/// or nullptr, when only marked ones are refreshed.
 template <class List, class Refresh, class Give>
-void refreshList(ContactCore& core, List& list, std::size_t colour, Refresh refresh, Give give) {
+void refreshList(State& state, List& list, std::uint32_t colour, Refresh refresh, Give give) {
+    ContactCore& core = state.core;
     SolverBody* bodies = core.movers.bodies.data();
     const PoseView poses{core.movers.references.data(), core.movers.predictions.data()};
-    for (std::size_t k = 0; k < list.blocks.size(); ++k) {
-        std::uint64_t& dirty = list.dirty[k / 64];
-        const std::uint64_t bit = std::uint64_t{1} << k % 64;
-        if ((dirty & bit) == 0) {
+    const std::uint8_t* const moved = core.moved.data();
+    const auto refreshBlock = [&](std::size_t k, std::vector<std::uint32_t>& again) {
+        std::uint64_t& dirty = list.dirty[k / marks];
+        const std::uint64_t bit = std::uint64_t{1} << k % marks;
+        const bool marked = (dirty & bit) != 0;
+        if (!marked && !(give && hasMoved(moved, list.blocks[k]))) {
             if (give) give(bodies, list.blocks[k]);
-            continue;
+            return;
         }
-        dirty ^= bit;
+        dirty &= ~bit;
         auto lanes = refresh(bodies, poses, list.blocks[k], list.shapes[k]);
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
             if (lane < RowGraph::rowsIn(list, colour, k))
-                core.again.push_back(pairOf(core, list.shapes[k], lane));
+                again.push_back(pairOf(core, list.shapes[k], lane));
         }
-    }
+    };
+    // Rows of the last colour may have bodies in common.
+    Tasks* const tasks = colour == RowGraph::overflow ? nullptr : state.tasks;
+    const std::size_t blocks = list.blocks.size(), words = (blocks + marks - 1) / marks;
+    core.findInPieces(tasks, words, wordsInMicrosecond, marks * rowLanes, core.again,
+                      [&](std::size_t first, std::size_t last, std::vector<std::uint32_t>& again) {
+                          for (auto k = first * marks; k < std::min(last * marks, blocks); ++k)
+                              refreshBlock(k, again);
+                      });
 }
 
 }  // namespace
@@ -234,14 +254,13 @@ void refreshList(ContactCore& core, List& list, std::size_t colour, Refresh refr
 void refreshRows(State& state) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
-    markMoved(core);
     beginSums(core);
     for (const bool anew : {true, false}) {
         core.again.clear();
         for (const auto c : core.rows.inUse()) {
-            refreshList(core, core.rows.manifolds[c], c, kernels.refreshManifolds[anew],
+            refreshList(state, core.rows.manifolds[c], c, kernels.refreshManifolds[anew],
                         anew ? kernels.giveManifolds : nullptr);
-            refreshList(core, core.rows.touches[c], c, kernels.refreshTouches[anew],
+            refreshList(state, core.rows.touches[c], c, kernels.refreshTouches[anew],
                         anew ? kernels.giveTouches : nullptr);
         }
         if (core.again.empty() || !anew) break;
@@ -251,11 +270,28 @@ void refreshRows(State& state) {
     }
 }
 
+namespace {
+
+/// Sweeps the blocks of a list of one colour. No two of them push the same body; what cannot be
+/// pushed all of them write as they have read it.
+template <class Block>
+bool sweepList(Tasks* tasks, ContactCore& core, std::vector<Block>& blocks,
+               bool (*sweep)(SolverBody*, const Prediction*, Block*, std::size_t,
+                             const SweepSettings&),
+               const SweepSettings& settings) {
+    SolverBody* const bodies = core.movers.bodies.data();
+    const Prediction* const predictions = core.movers.predictions.data();
+    return anyInPieces(
+        tasks, blocks.size(), sweptInMicrosecond, [&](std::size_t first, std::size_t last) {
+            return sweep(bodies, predictions, blocks.data() + first, last - first, settings);
+        });
+}
+
+}  // namespace
+
 bool sweepRows(State& state, int number, SweepKind kind) {
     ContactCore& core = state.core;
     const RowKernels& kernels = rowKernels();
-    SolverBody* bodies = core.movers.bodies.data();
-    const Prediction* predictions = core.movers.predictions.data();
     if (number == 1) core.stirred.assign(core.movers.size(), 0);
     core.sweep = static_cast<std::uint8_t>(number);
     const SlowSpeeds slow = slowSpeedsOf(state.settings);
@@ -271,12 +307,11 @@ bool sweepRows(State& state, int number, SweepKind kind) {
     for (auto left = core.rows.inUse().bits(); left != 0;) {
         const auto c = static_cast<std::uint32_t>(std::bit_width(left)) - 1;
         left ^= std::uint64_t{1} << c;
-        ManifoldList& manifolds = core.rows.manifolds[c];
-        TouchList& touches = core.rows.touches[c];
-        any |= kernels.sweepManifolds(bodies, predictions, manifolds.blocks.data(),
-                                      manifolds.blocks.size(), settings);
-        any |= kernels.sweepTouches(bodies, predictions, touches.blocks.data(),
-                                    touches.blocks.size(), settings);
+        // Rows of the last colour may have bodies in common.
+        Tasks* const tasks = c == RowGraph::overflow ? nullptr : state.tasks;
+        any |=
+            sweepList(tasks, core, core.rows.manifolds[c].blocks, kernels.sweepManifolds, settings);
+        any |= sweepList(tasks, core, core.rows.touches[c].blocks, kernels.sweepTouches, settings);
     }
     return any;
 }
@@ -382,22 +417,20 @@ void pushOut(State& state, std::size_t k, const Motion3& motion, Real restingPus
     } else if (core.movers.bodies[m].inverseMass > 0) {
         state.particles.position[i] += pushed.cast<double>();
     }
-    // What is pushed apart does not rest.
+    // What is pushed apart does not rest. (Several of one body may say so at once.)
     const Real rests = restingPush * state.h;
     if (state.settings.sleeping && pushed.squaredNorm() > rests * rests)
-        state.bodies[state.bodySlots.denseOf(core.movers.body[m])].restingTime = -state.h;
+        std::atomic_ref(state.bodies[state.bodySlots.denseOf(core.movers.body[m])].restingTime)
+            .store(-state.h, std::memory_order_relaxed);
 }
 
-}  // namespace
-
-void endMotion(State& state) {
+/// Of the awake movers from `first` to `last`.
+void endMotionOf(State& state, std::size_t first, std::size_t last) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
     const bool asked = !onlyContactsAsk(state);
     const Real restingPush = slowSpeedsOf(state.settings).restingPush;
-    core.ways.assign(movers.size(), {});
-    core.lengths.assign(movers.size(), 0);
-    for (std::size_t k = 0; k < core.awakeMovers.size(); ++k) {
+    for (std::size_t k = first; k < last; ++k) {
         const auto m = core.awakeMovers[k];
         const bool isCluster = core.awakeIsCluster[k] != 0;
         give(state, isCluster, core.awakeDense[k], m, asked);
@@ -415,6 +448,17 @@ void endMotion(State& state) {
         const Motion3 pushed{body.x - placed.x, body.y - placed.y, body.turn - placed.turn};
         if (!isNothing(pushed)) pushOut(state, k, pushed, restingPush);
     }
+}
+
+}  // namespace
+
+void endMotion(State& state) {
+    ContactCore& core = state.core;
+    Movers& movers = core.movers;
+    core.ways.assign(movers.size(), {});
+    core.lengths.assign(movers.size(), 0);
+    inPieces(state.tasks, core.awakeMovers.size(), moversInMicrosecond,
+             [&](std::size_t first, std::size_t last) { endMotionOf(state, first, last); });
     noteStrips(core, movers.odometer, [&](std::uint32_t m) { return core.lengths[m]; });
 }
 

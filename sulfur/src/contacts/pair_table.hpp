@@ -37,8 +37,6 @@ bool isDue(ContactCore& core, PairWatch& watch);
 /// How long it takes to look at a pair, or at its way, in looks at two convex chunks: longer the
 /// more corners there are that may be before sides.
 std::uint32_t priceOf(const ContactCore& core, const Pair& pair);
-/// Looks at a pair: its rows and its limit become what they are now.
-void lookAtPair(State& state, std::uint32_t pair);
 /// Takes the rows of a pair away; see endPair().
 void dropRows(State& state, std::uint32_t pair);
 /// Takes them away while what they hold sleeps: they begin with the same impulses when it wakes.

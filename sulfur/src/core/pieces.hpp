@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <sulfur/tasks.hpp>
 #include <type_traits>
+#include <vector>
 
 namespace sulfur::detail {
 
@@ -70,5 +72,48 @@ bool anyInPieces(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, Fun
     });
     return any.load(std::memory_order_relaxed);
 }
+
+/// The largest of what f(first, last), at least 0, gives for the pieces.
+template <class Function>
+auto mostInPieces(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, Function&& f) {
+    using Number = decltype(f(std::size_t{0}, count));
+    const std::size_t pieces = piecesOf(tasks, count, inMicrosecond);
+    if (pieces == 1) return f(std::size_t{0}, count);
+    std::atomic<Number> most{0};
+    runPieces(tasks, pieces, [&](std::size_t i) {
+        const Number mine = f(pieceStart(i, pieces, count), pieceStart(i + 1, pieces, count));
+        Number now = most.load(std::memory_order_relaxed);
+        while (now < mine && !most.compare_exchange_weak(now, mine, std::memory_order_relaxed)) {
+        }
+    });
+    return most.load(std::memory_order_relaxed);
+}
+
+/// Numbers that pieces of work find, in the order in which one piece would have found them.
+class FoundInPieces {
+public:
+    /// Appends to `found` what f(first, last, list) appends to its list for the pieces of
+    /// [0, count), at most `each` numbers for an item.
+    template <class Function>
+    void operator()(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, std::size_t each,
+                    std::vector<std::uint32_t>& found, Function&& f) {
+        const std::size_t pieces = piecesOf(tasks, count, inMicrosecond);
+        if (pieces == 1) return f(std::size_t{0}, count, found);
+        if (lists_.size() < pieces) lists_.resize(pieces);
+        // Pieces take no memory: nobody would see that there is none.
+        for (std::size_t i = 0; i < pieces; ++i) {
+            lists_[i].clear();
+            lists_[i].reserve(each * (count / pieces + 1));
+        }
+        runPieces(tasks, pieces, [&](std::size_t i) {
+            f(pieceStart(i, pieces, count), pieceStart(i + 1, pieces, count), lists_[i]);
+        });
+        for (std::size_t i = 0; i < pieces; ++i)
+            found.insert(found.end(), lists_[i].begin(), lists_[i].end());
+    }
+
+private:
+    std::vector<std::vector<std::uint32_t>> lists_;
+};
 
 }  // namespace sulfur::detail

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/pieces.hpp"
 #include "model/box_grid.hpp"
 #include "model/look_results.hpp"
 #include "model/movers.hpp"
@@ -182,6 +183,7 @@ struct ContactCore {
     std::vector<std::uint32_t> tied;    // movers that other constraints hold in this step, too
     std::vector<Motion3> placed;  // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
+    FoundInPieces findInPieces;
     std::vector<Heir> heirs;
     std::vector<Lead> leads;
     LooseLook looseLook;

@@ -147,6 +147,46 @@ TEST(Tasks, DoNotMatterForSoftBodiesAndStacks) {
     EXPECT_EQ(playHeap(&pool), alone);
 }
 
+/// Boxes, balls and jellies that fall among each other, turn, bounce and are struck by a rod:
+/// looks, refreshes, sweeps and the search for what is fast are divided, in colours of all lengths.
+TEST(Tasks, DoNotMatterWhereManyFallAndAreStruck) {
+    std::uint32_t looks = 0, fast = 0;
+    const auto playRain = [&](Tasks* tasks) {
+        World world;
+        world.add(shapes::ground({.points = {{-30, 12}, {-30, 0}, {30, 0}, {30, 12}}}));
+        Blueprint box = shapes::box();
+        box.material.restitution = Real(0.3);
+        for (int i = 0; i < 500; ++i) {
+            const Point at(-28 + 1.5 * (i % 38), 1 + 1.5 * (i / 38));
+            const Body body = world.add(i % 9 == 0 ? shapes::ball({.radius = Real(0.4)}) : box,
+                                        {.position = at, .angle = 0.37 * i});
+            world.setVelocity(body, Vec2(Real(5 - i % 11), -10));
+        }
+        for (int i = 0; i < 10; ++i)
+            world.add(shapes::jelly({.size = {1, 1}, .columns = 3, .rows = 3}),
+                      {.position = {-20 + 4.0 * i, 23}});
+        Blueprint rod = shapes::box({.size = {20, Real(0.3)}});
+        rod.kind = BodyKind::kinematic;
+        world.setVelocity(world.add(rod, {.position = {0, 30}}), Vec2(0, -40), 5);
+        world.setTasks(tasks);
+        for (int i = 0; i < 150; ++i) {
+            world.step();
+            looks = std::max(looks, world.statistics().looks);
+            fast = std::max(fast, world.statistics().fastPairs);
+        }
+        return world.hash();
+    };
+    const auto alone = playRain(nullptr);
+    EXPECT_GT(looks, 200u);
+    EXPECT_GT(fast, 2u);
+    for (const std::size_t threads : {2u, 3u, 7u}) {
+        Backwards tasks(threads);
+        EXPECT_EQ(playRain(&tasks), alone) << threads;
+    }
+    ThreadPool pool(3);
+    EXPECT_EQ(playRain(&pool), alone);
+}
+
 TEST(Tasks, CanBeTakenAway) {
     World world;
     buildMuch(world);
