@@ -15,7 +15,13 @@ int toTicks(double seconds) {
     return static_cast<int>(std::lround(seconds * Session::tickRate));
 }
 
+thread_local const std::atomic<bool>* stopFlag = nullptr;
+
 }  // namespace
+
+void stopPlayersBy(const std::atomic<bool>* flag) {
+    stopFlag = flag;
+}
 
 Skill Skill::level(int level) {
     constexpr double factors[] = {2, 1.5, 1, 0.6, 0.3};
@@ -46,6 +52,7 @@ Slip Nerves::next() {
 
 /// False when the attempt or the life is over.
 bool Player::tick(const TickInput& input) {
+    if (stopFlag != nullptr && *stopFlag) throw Stopped{};
     session_.tick(input);
     ++ticks_;
     if (recording_ != nullptr) recording_->append(input);

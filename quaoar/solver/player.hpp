@@ -1,6 +1,7 @@
 // Carries intentions out in a session, as well as a hand can.
 #pragma once
 
+#include <atomic>
 #include <quaoar/recording.hpp>
 #include <quaoar/session.hpp>
 #include <random>
@@ -42,6 +43,14 @@ private:
     Skill skill_;
     std::mt19937_64 random_;
 };
+
+/// Thrown out of a Player, and with it out of all that searches and practises, once the flag of
+/// stopPlayersBy() is set.
+struct Stopped {};
+
+/// Players of the calling thread stop when the flag is set, which must outlive them; null: never.
+/// For programs that search beside something else, in one thread.
+void stopPlayersBy(const std::atomic<bool>* flag);
 
 /// How an intention ended.
 enum class Ending : std::uint8_t {

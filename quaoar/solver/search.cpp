@@ -43,12 +43,22 @@ Search::Cell Search::cellOf(const Situation& situation) {
     const auto step = [](double value, double size) {
         return static_cast<std::int32_t>(std::floor(value / size));
     };
-    return {step(situation.place.x(), 0.5),
-            step(situation.place.y(), 0.5),
+    return {step(situation.place.x(), cellSide),
+            step(situation.place.y(), cellSide),
             step(situation.velocity.x() + 1.5, 3),
             step(situation.velocity.y() + 1.5, 3),
             situation.tied,
             situation.signals};
+}
+
+std::vector<sulfur::Point> Search::frontier() const {
+    std::vector<sulfur::Point> places;
+    for (const auto& [cell, state] : cells_) {
+        const sulfur::Point place((cell.x + 0.5) * cellSide, (cell.y + 0.5) * cellSide);
+        // Cells of one place that differ in velocity follow each other.
+        if (places.empty() || places.back() != place) places.push_back(place);
+    }
+    return places;
 }
 
 /// A small tournament: few metres to go and few tries win.

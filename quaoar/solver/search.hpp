@@ -81,7 +81,11 @@ class Search : public Explorer {
 public:
     Search(Session& session, const DistanceField& field, const SearchOptions& options);
 
+    /// The middles of the cells of the archive, metres: for pictures of the search.
+    std::vector<sulfur::Point> frontier() const;
+
 private:
+    static constexpr double cellSide = 0.5;  ///< metres
     /// 0.5 m of position, 3 m/s of velocity, tied or not.
     struct Cell {
         std::int32_t x = 0, y = 0, vx = 0, vy = 0;

@@ -16,7 +16,7 @@ namespace quaoar {
 using atlax::Color;
 using atlax::Vec2;
 
-GameView::GameView(Art& art, const Session& session)
+GameView::GameView(Art& art, const Session& session, const GameView* like)
     : art_(art),
       session_(session),
       backdrop_(std::make_unique<Backdrop>(session.level())),
@@ -29,8 +29,13 @@ GameView::GameView(Art& art, const Session& session)
     const Vec2 low = Vec2(level.boundsMin) - beyond, high = Vec2(level.boundsMax) + beyond;
     const atlax::Rect shown{low, high - low};
     for (const FixedShape& shape : fixedShapes(session)) {
-        ice_.push_back(std::make_unique<IceView>(art_, shape.loop, shape.radius,
-                                                 level.surface(shape.name), level.theme, shown));
+        const IceMould mould{shape.loop, shape.radius, level.surface(shape.name), level.theme,
+                             shown};
+        std::shared_ptr<const IceView> ice;
+        if (like != nullptr)
+            for (const auto& known : like->ice_)
+                if (known->mould() == mould) ice = known;
+        ice_.push_back(ice ? ice : std::make_shared<const IceView>(art_, mould));
         drawnElsewhere_.push_back(shape.id);
     }
     const auto& monsters = monsters_->bodies();
@@ -42,6 +47,7 @@ GameView::~GameView() = default;
 
 void GameView::cut() {
     lookAt_.reset();
+    eye_.reset();
     follow_.cut();
     const Vec2 hero(session_.heroPosition());
     scarf_.now.fill(hero);
@@ -67,7 +73,12 @@ void GameView::lookAt(Vec2 centre) {
     lookAt_ = centre;
 }
 
+void GameView::lookThrough(const atlax::Camera& camera) {
+    eye_ = camera;
+}
+
 atlax::Camera GameView::camera(atlax::PixelSize size) const {
+    if (eye_) return *eye_;
     if (!lookAt_) return follow_.camera(size);
     const Level& level = session_.level();
     const auto metres = static_cast<float>(level.viewHeight);

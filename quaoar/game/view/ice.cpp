@@ -14,13 +14,16 @@ namespace quaoar {
 using atlax::Color;
 using atlax::Vec2;
 
-IceView::IceView(Art& art, const std::vector<Vec2>& loop, float radius, const Surface& surface,
-                 const Theme& theme, atlax::Rect shown)
-    : loop_(grown(loop, radius)),
+IceView::IceView(Art& art, const IceMould& mould)
+    : mould_(mould),
+      loop_(grown(mould.loop, mould.radius)),
       normals_(cornerNormals(loop_)),
-      look_(lookOf(theme.world)),
-      world_(theme.world),
-      surface_(surface) {
+      look_(lookOf(mould.theme.world)),
+      world_(mould.theme.world),
+      surface_(mould.surface) {
+    const Surface& surface = mould.surface;
+    const Theme& theme = mould.theme;
+    const atlax::Rect shown = mould.shown;
     chooseColours(surface, theme);
     Vec2 low = loop_.front(), high = low;
     for (const Vec2 p : loop_) {

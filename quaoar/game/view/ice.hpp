@@ -11,13 +11,22 @@
 
 namespace quaoar {
 
+/// All that decides how a block looks.
+struct IceMould {
+    std::vector<atlax::Vec2> loop;  ///< metres, the outline's middle line, counter-clockwise
+    float radius = 0;               ///< metres, half of its thickness
+    Surface surface;
+    Theme theme;
+    atlax::Rect shown;  ///< the part of the world that the camera may show
+
+    friend bool operator==(const IceMould&, const IceMould&) = default;
+};
+
 /// The drawing of one fixed body, made once: everything is in world coordinates.
 class IceView {
 public:
-    /// `loop`: the middle line of the outline, counter-clockwise, metres; `radius`: half its
-    /// thickness. `shown`: the part of the world that the camera may show.
-    IceView(Art& art, const std::vector<atlax::Vec2>& loop, float radius, const Surface& surface,
-            const Theme& theme, atlax::Rect shown);
+    IceView(Art& art, const IceMould& mould);
+    const IceMould& mould() const { return mould_; }
 
     /// `view`: what the camera shows, metres; nothing else is drawn.
     void draw(atlax::Canvas& canvas, Art& art, atlax::Rect view) const;
@@ -56,6 +65,7 @@ private:
     void addPlates(std::uint32_t seed);
     void addPieces(std::uint32_t seed);
 
+    IceMould mould_;
     std::vector<atlax::Vec2> loop_;     ///< the outer border
     std::vector<atlax::Vec2> normals_;  ///< at its corners
     atlax::Rect box_;                   ///< around the border, where the level can show it

@@ -26,6 +26,8 @@ struct Surface {
     /// fixed body then falls.
     std::optional<double> crumbles;
     Look look = Look::ice;
+
+    friend bool operator==(const Surface&, const Surface&) = default;
 };
 
 /// A sentence that floats in the world.
@@ -62,6 +64,8 @@ struct Theme {
     std::uint32_t ice = 0x1F3A5F;
     std::uint32_t rim = 0xE8F4FF;
     std::uint32_t seed = 1;  ///< of stars, mountains and cracks
+
+    friend bool operator==(const Theme&, const Theme&) = default;
 };
 
 /// The colours of a world.

@@ -33,8 +33,9 @@ struct ViewOptions {
 /// The picture of one session: camera, backdrop, ice, bodies, hero, rope, sparks.
 class GameView {
 public:
-    /// Both must outlive the view.
-    GameView(Art& art, const Session& session);
+    /// Both must outlive the view. Grounds that another view of the same art has already drawn in
+    /// the same way are taken from it: these take longest.
+    GameView(Art& art, const Session& session, const GameView* like = nullptr);
     ~GameView();
 
     /// Call once after every tick of the session: moves camera, scarf and sparks.
@@ -45,6 +46,8 @@ public:
     void resume(const GameView& before);
     /// Looks somewhere else than at the hero until cut() is called; metres.
     void lookAt(atlax::Vec2 centre);
+    /// The same through this camera, also beyond the level's bounds: for editors.
+    void lookThrough(const atlax::Camera& camera);
 
     void draw(atlax::Canvas& canvas, double alpha, const ViewOptions& options);
 
@@ -116,7 +119,7 @@ private:
     Art& art_;
     const Session& session_;
     std::unique_ptr<Backdrop> backdrop_;
-    std::vector<std::unique_ptr<IceView>> ice_;
+    std::vector<std::shared_ptr<const IceView>> ice_;
     atlax::RenderTarget coarse_;
     std::unique_ptr<BodyPainter> painter_;
     std::unique_ptr<MechanicsView> mechanics_;
@@ -127,6 +130,7 @@ private:
     atlax::Vec2 antenna_, antennaVelocity_;
     FollowCamera follow_;
     std::optional<atlax::Vec2> lookAt_;
+    std::optional<atlax::Camera> eye_;  ///< instead of all others
     std::vector<Strand> strands_;
     std::vector<atlax::Vec2> lastRope_;  ///< of the last tick, from the head to the hand
     Mood mood_;
