@@ -17,6 +17,7 @@ void MainFrame::makeActions() {
     addSimulationActions();
     addRewindActions();
     addMeasureActions();
+    addLevelActions();
     addHelpActions();
 }
 
@@ -40,6 +41,7 @@ void MainFrame::addFileActions() {
 void MainFrame::addEditActions() {
     const auto m = MenuId::edit;
     const auto any = [this] { return !bench_.selection().empty(); };
+    const auto anything = [this] { return bench_.anythingSelected(); };
     add({"undo", m, "&Undo\tCtrl+Z", 0, "Back to the moment before the last change", "undo",
          [this] {
              bench_.cancel();
@@ -73,9 +75,9 @@ void MainFrame::addEditActions() {
                  bench_.paste(text, {0.5, 0.5});
          }});
     add({"duplicate", m, "&Duplicate\tCtrl+D", 0, "Add a copy of the selection beside it", "",
-         [this] { bench_.duplicate(); }, any});
+         [this] { bench_.duplicate(); }, anything});
     add({"delete", m, "De&lete", WXK_DELETE, "Remove the selection", "",
-         [this] { bench_.deleteSelection(); }, any});
+         [this] { bench_.deleteSelection(); }, anything});
     add({"select-all", m, "Select &all\tCtrl+A", 0, "Select all bodies", "",
          [this] { bench_.selectAll(); }})
         .separatorBefore = true;
@@ -125,7 +127,8 @@ void MainFrame::addTransformActions() {
                                    {"nudge-down", "Nudge down", WXK_DOWN, 0, -1}};
     for (const Way& way : ways)
         add({way.name, m, way.label, way.key, "Move the selection by a line of the fine grid", "",
-             [this, way] { bench_.nudge(sulfur::Point(way.x, way.y) * view_.fineStep()); }, any});
+             [this, way] { bench_.nudge(sulfur::Point(way.x, way.y) * view_.fineStep()); },
+             [this] { return bench_.anythingSelected(); }});
 }
 
 void MainFrame::addToolActions() {

@@ -12,7 +12,7 @@ namespace {
 using Icon = std::pair<std::string_view, std::string_view>;
 
 // Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
-constexpr std::array<Icon, 51> icons{
+constexpr std::array<Icon, 67> icons{
     {
         {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
         {"open",
@@ -106,6 +106,38 @@ constexpr std::array<Icon, 51> icons{
          R"(<rect x="2" y="10" width="20" height="8" rx="4"/><circle cx="6" cy="14" r="1.500" fill="INK"/><circle cx="18" cy="14" r="1.500" fill="INK"/><path d="M7 5h9M13 2l3 3-3 3" stroke="#FFB347"/>)"},
         {"liquid",
          R"(<path d="M12 3c4 5 6 8 6 11a6 6 0 0 1-12 0c0-3 2-6 6-11z" fill="ACCENT" fill-opacity="0.45" stroke="ACCENT"/>)"},
+        {"level-ground",
+         R"(<path d="M2 20V11l5-2 5 3 5-4 5 3v9z" fill="ACCENT" fill-opacity="0.3"/>)"},
+        {"level-spawn",
+         R"(<circle cx="12" cy="13" r="6" fill="#7CE0A3" fill-opacity="0.4" stroke="#7CE0A3"/><path d="M12 7V2M9 4l3-2 3 2"/>)"},
+        {"level-exit",
+         R"(<circle cx="12" cy="12" r="8" stroke="#FFB347"/><circle cx="12" cy="12" r="3" fill="#FFB347" stroke="none"/>)"},
+        {"level-bounds",
+         R"(<path d="M3 8V4h5M16 4h5v4M21 16v4h-5M8 20H3v-4"/><circle cx="12" cy="12" r="3" stroke="ACCENT"/>)"},
+        {"level-hint",
+         R"(<path d="M3 5h18v11h-9l-4 4v-4H3z"/><path d="M7 9h10M7 12h6" stroke="ACCENT"/>)"},
+        {"level-checkpoint",
+         R"(<path d="M6 3v18"/><path d="M6 4h12l-4 4 4 4H6z" fill="#7CE0A3" fill-opacity="0.4" stroke="#7CE0A3"/>)"},
+        {"level-pickup",
+         R"(<path d="M12 3l6 9-6 9-6-9z" fill="#FFB347" fill-opacity="0.4" stroke="#FFB347"/><path d="M6 12h12" stroke-opacity="0.6"/>)"},
+        {"level-gravity",
+         R"(<rect x="3" y="3" width="18" height="18" rx="2" stroke-dasharray="3 2"/><path d="M12 18V7M8 11l4-4 4 4" stroke="ACCENT"/>)"},
+        {"level-wind",
+         R"(<path d="M3 9h11a3 3 0 1 0-3-3M3 13h15a3 3 0 1 1-3 3M3 17h7" stroke="ACCENT"/>)"},
+        {"level-liquid",
+         R"(<path d="M3 9c3-3 6 3 9 0s6 3 9 0v11H3z" fill="ACCENT" fill-opacity="0.35"/>)"},
+        {"level-deadly",
+         R"(<rect x="3" y="3" width="18" height="18" rx="2" stroke="#E0457B" stroke-dasharray="3 2"/><path d="M8 8l8 8M16 8l-8 8" stroke="#E0457B"/>)"},
+        {"level-switch",
+         R"(<path d="M3 19h18M6 19l2-5h8l2 5" fill="ACCENT" fill-opacity="0.3"/><path d="M12 4v6M9 7l3 3 3-3" stroke="ACCENT"/>)"},
+        {"level-mover",
+         R"(<rect x="3" y="14" width="8" height="6" fill="ACCENT" fill-opacity="0.3"/><path d="M12 12l8-8M14 4h6v6" stroke="ACCENT"/>)"},
+        {"level-monster",
+         R"(<path d="M3 19c0-9 4-13 9-13s9 4 9 13z" fill="#E0457B" fill-opacity="0.35" stroke="#E0457B"/><circle cx="9" cy="13" r="1.4" fill="INK"/><circle cx="15" cy="13" r="1.4" fill="INK"/>)"},
+        {"level-rock",
+         R"(<path d="M8 14l4-5 5 2 1 6-5 4-5-2z" fill="INK" fill-opacity="0.2"/><path d="M7 3v4M12 2v4M17 3v4" stroke="ACCENT"/>)"},
+        {"level-hazard",
+         R"(<path d="M2 20L6 8l3 12 3-12 3 12 3-12 4 12z" fill="#E0457B" fill-opacity="0.35" stroke="#E0457B"/>)"},
         {"revert", R"(<path d="M6 4v6h6"/><path d="M6.5 10A7 7 0 1 1 6 15"/>)"},
     }};
 

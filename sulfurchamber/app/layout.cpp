@@ -10,6 +10,7 @@
 #include <map>
 
 #include "icons.hpp"
+#include "level_panel.hpp"
 #include "main_frame.hpp"
 
 namespace sulfurchamber {
@@ -58,8 +59,8 @@ wxString MainFrame::tooltip(const Action& action) const {
 }
 
 void MainFrame::makeMenus() {
-    static const std::array<wxString, 7> titles{"&File",       "&Edit",    "&Tools", "&View",
-                                                "&Simulation", "&Measure", "&Help"};
+    static const std::array<wxString, 8> titles{"&File",       "&Edit",    "&Tools", "&View",
+                                                "&Simulation", "&Measure", "&Level", "&Help"};
     auto* bar = new wxMenuBar;
     for (std::size_t i = 0; i < titles.size(); ++i) {
         auto* menu = new wxMenu;
@@ -175,7 +176,7 @@ void MainFrame::showGroup(ToolGroup group) {
 // The tool may have been chosen by a key. Selecting leaves the group that one builds with.
 void MainFrame::followTool() {
     const ToolGroup group = groupOf(bench_.tool());
-    lastTools_[group] = bench_.tool();
+    if (bench_.tool() != ToolKind::place) lastTools_[group] = bench_.tool();
     for (const auto& [which, id] : groupIds_) {
         const bool on = which == group;
         if (palette_->GetToolToggled(id) != on) palette_->ToggleTool(id, on);
@@ -193,6 +194,10 @@ void MainFrame::makePanels() {
     canvas_ = new atlax::wx::View(centre_, view_, window);
     side_ = new SidePanel(centre_, bench_, view_,
                           [this](const std::string& problem) { tell(problem); });
+    levelPanel_ = new LevelPanel(
+        side_, bench_, *stage_, [this](const std::string& action) { perform(action); },
+        [this](const std::string& problem) { tell(problem); });
+    side_->AddPage(levelPanel_, "Level");
     timeBar_ = new TimeBar(centre_, bench_, view_, [this](wxWindow& at) { chooseSpeed(at); });
     hint_ = new wxStaticText(centre_, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                              wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);

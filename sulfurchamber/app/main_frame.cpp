@@ -2,6 +2,7 @@
 
 #include <wx/aboutdlg.h>
 #include <wx/app.h>
+#include <wx/arrstr.h>
 #include <wx/image.h>
 #include <wx/menu.h>
 #include <wx/msgdlg.h>
@@ -17,6 +18,7 @@
 #include "../model/geometry.hpp"
 #include "chamber_app.hpp"
 #include "icons.hpp"
+#include "level_panel.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -35,6 +37,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
     actions_.reserve(256);
+    stage_ = std::make_unique<LevelStage>(bench_, view_);
     makeActions();
     makeMenus();
     makeBars();
@@ -63,6 +66,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
 }
 
 MainFrame::~MainFrame() {
+    canvas_->stop();  // what it draws ends before it
     manager_.UnInit();
 }
 
@@ -132,6 +136,14 @@ void MainFrame::bindControls() {
 void MainFrame::onKey(wxKeyEvent& event) {
     const wxWindow* focus = wxWindow::FindFocus();
     const bool typing = dynamic_cast<const wxTextEntry*>(focus) != nullptr;
+    // While a level is played its keys are the game's, but for the one that ends it.
+    if (stage_->playing() && !typing && !event.ControlDown() && !event.AltDown()) {
+        if (event.GetKeyCode() == WXK_ESCAPE)
+            stage_->endPlay();
+        else
+            event.Skip();
+        return;
+    }
     const bool own = focus != nullptr && wxGetTopLevelParent(const_cast<wxWindow*>(focus)) == this;
     if (typing || !own || event.ControlDown() || event.AltDown()) {
         event.Skip();
@@ -173,9 +185,9 @@ namespace {
 void addCutTexts(const wxWindow& window, std::vector<std::string>& cut) {
     if (!window.IsShown()) return;
     if (const auto* text = dynamic_cast<const wxStaticText*>(&window)) {
-        const wxString words = text->GetLabelText();
-        if (text->GetTextExtent(words).GetWidth() > text->GetSize().GetWidth())
-            cut.push_back(words.utf8_string());
+        for (const wxString& line : wxSplit(text->GetLabelText(), '\n', '\0'))
+            if (text->GetTextExtent(line).GetWidth() > text->GetSize().GetWidth())
+                cut.push_back(line.utf8_string());
     }
     for (const wxWindow* child : window.GetChildren()) addCutTexts(*child, cut);
 }
@@ -208,6 +220,7 @@ void MainFrame::runAction(const Action& action) {
 // --- what is shown ---------------------------------------------------------------------------
 
 void MainFrame::onFrame() {
+    stage_->follow();
     if (view_.seeking()) {
         timeBar_->refresh();
         plot_->refresh();
@@ -237,6 +250,7 @@ void MainFrame::refresh() {
     timeBar_->refresh();
     plot_->refresh();
     followTool();
+    if (side_->GetCurrentPage() == levelPanel_) levelPanel_->refresh();
     refreshActions();
     refreshHistoryLabels();
     refreshStatus();
@@ -367,6 +381,14 @@ void MainFrame::tell(const std::string& problem) {
         atlax::log(atlax::LogLevel::Warning, problem);
     else
         infoBar_->ShowMessage(wxString::FromUTF8(problem), wxICON_WARNING);
+    toldAt_ = bench_.document().revision();
+}
+
+void MainFrame::notify(const std::string& news) {
+    if (options_.unattended())
+        atlax::log(atlax::LogLevel::Info, news);
+    else
+        infoBar_->ShowMessage(wxString::FromUTF8(news), wxICON_INFORMATION);
     toldAt_ = bench_.document().revision();
 }
 

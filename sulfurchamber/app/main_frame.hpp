@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "../level/level_stage.hpp"
 #include "../model/recovery.hpp"
 #include "../view/scene_view.hpp"
 #include "options.hpp"
@@ -28,7 +29,9 @@
 
 namespace sulfurchamber {
 
-enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, measure, help };
+class LevelPanel;
+
+enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, measure, level, help };
 
 /// Something that one can do from a menu, with a key, on a bar, or from a script.
 struct Action {
@@ -57,6 +60,7 @@ public:
     atlax::wx::View& canvas() { return *canvas_; }
     const TimeBar& timeBar() const { return *timeBar_; }
     PlotPanel& plot() { return *plot_; }
+    LevelStage& stage() { return *stage_; }
     /// The measurements as a picture (.png) or a table; the reason of a failure is shown.
     bool savePlot(const std::filesystem::path& file);
 
@@ -96,6 +100,14 @@ private:
     void addHelpActions();
     Action& add(Action action);
 
+    // level_actions.cpp
+    void addLevelActions();
+    void addPlacingActions();
+    void addPlayingActions();
+    void addProvingActions();
+    void newLevelFile();
+    void publishLevel();
+
     // layout.cpp
     void makeMenus();
     void makeBars();
@@ -114,6 +126,7 @@ private:
     bool save();
     bool saveDialog();
     void saveMomentDialog();
+    void saveProof();
     bool mayDiscard();
     void keepUnsaved();
     void offerRecovery();
@@ -147,6 +160,7 @@ private:
     void onStatusClick(wxMouseEvent& event);
     void tellWhenNearlyFull(std::size_t particles);
     void tell(const std::string& problem);
+    void notify(const std::string& news);
     void tellInDialog(const std::string& problem, const wxString& title);
     void about();
 
@@ -159,6 +173,8 @@ private:
     wxPanel* centre_ = nullptr;
     wxInfoBar* infoBar_ = nullptr;
     SidePanel* side_ = nullptr;
+    std::unique_ptr<LevelStage> stage_;
+    LevelPanel* levelPanel_ = nullptr;
     TimeBar* timeBar_ = nullptr;
     PlotPanel* plot_ = nullptr;
     wxStaticText* hint_ = nullptr;

@@ -23,6 +23,7 @@ void MainFrame::adoptDocument() {
     bench_.cancel();
     bench_.select({});  // another world: its handles mean other bodies
     bench_.clearMeasurements();
+    stage_->opened();
     view_.zoomToFit();
     toldNearlyFull_ = false;
     nextRefreshNs_ = 0;
@@ -49,9 +50,19 @@ bool MainFrame::saveFile(const std::filesystem::path& file) {
         tellInDialog(error.what(), "The scene cannot be saved");
         return false;
     }
+    saveProof();
     noteRecent(file);
     nextRefreshNs_ = 0;
     return true;
+}
+
+// The proof of a level lies beside it.
+void MainFrame::saveProof() {
+    try {
+        stage_->desk().saved();
+    } catch (const std::exception& error) {
+        tell(error.what());
+    }
 }
 
 bool MainFrame::saveMoment(const std::filesystem::path& file) {

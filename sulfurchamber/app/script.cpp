@@ -27,11 +27,23 @@ double processorSeconds() {
 
 // 0 when there is no such key.
 int keyCode(const std::string& name) {
-    static const std::map<std::string, int> keys{
-        {"Space", WXK_SPACE},   {"Period", '.'},           {"Comma", ','},   {"Escape", WXK_ESCAPE},
-        {"Delete", WXK_DELETE}, {"Home", WXK_HOME},        {"End", WXK_END}, {"Left", WXK_LEFT},
-        {"Right", WXK_RIGHT},   {"Enter", WXK_RETURN},     {"Up", WXK_UP},   {"Down", WXK_DOWN},
-        {"PageUp", WXK_PAGEUP}, {"PageDown", WXK_PAGEDOWN}};
+    static const std::map<std::string, int> keys{{"Space", WXK_SPACE},
+                                                 {"Period", '.'},
+                                                 {"Comma", ','},
+                                                 {"Escape", WXK_ESCAPE},
+                                                 {"Delete", WXK_DELETE},
+                                                 {"Home", WXK_HOME},
+                                                 {"End", WXK_END},
+                                                 {"Left", WXK_LEFT},
+                                                 {"Right", WXK_RIGHT},
+                                                 {"Enter", WXK_RETURN},
+                                                 {"Up", WXK_UP},
+                                                 {"Down", WXK_DOWN},
+                                                 {"F5", WXK_F5},
+                                                 {"F6", WXK_F6},
+                                                 {"F8", WXK_F8},
+                                                 {"PageUp", WXK_PAGEUP},
+                                                 {"PageDown", WXK_PAGEDOWN}};
     if (name.size() == 1) return name[0];
     const auto key = keys.find(name);
     return key == keys.end() ? 0 : key->second;
@@ -79,6 +91,13 @@ std::string scriptHelp() {
            "                          fittings strays steps property.KEY branches speed fps\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
+           "                          level.things level.problems level.checked level.proof\n"
+           "                          level.survival playtest playtest.first playtest.time\n"
+           "                          playtest.x\n"
+           "  await QUANTITY OP N SECONDS   goes on once it holds, fails after so long\n"
+           "  thing KIND INDEX        selects a thing of the level: spawn exit hints zones ...\n"
+           "  field PATH VALUE        sets a field of the selected thing, such as radius 0.7\n"
+           "  hold-key NAME SECONDS   keeps a key down\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
@@ -179,7 +198,8 @@ void Script::start(const Words& words) {
         dragPlot(number(words[1]), number(words[2]));
     } else if (words[0] == "plot-wheel" && words.size() == 3) {
         frame_.plot().turnWheel(number(words[1]), static_cast<int>(number(words[2])));
-    } else if (!startPointer(words) && !startWorld(words) && !startFile(words)) {
+    } else if (!startPointer(words) && !startWorld(words) && !startFile(words) &&
+               !startLevel(words)) {
         fail("\"" + words[0] + "\" with " + std::to_string(words.size() - 1) +
              " words is no command; see --script-help");
     }
@@ -497,6 +517,7 @@ double Script::quantity(const std::string& name) const {
         return static_cast<double>(count);
     }
     if (name == "contacts") return static_cast<double>(world.contacts().size());
+    if (const auto found = levelQuantity(name)) return *found;
     if (name == "time") return world.time();
     if (name == "selected") return static_cast<double>(bench.selection().size());
     if (name == "modified") return document.modified() ? 1 : 0;
@@ -544,18 +565,22 @@ double Script::quantity(const std::string& name) const {
     fail("there is no quantity " + name);
 }
 
-void Script::expect(const Words& words) {
+bool Script::holds(const Words& words) const {
     const double is = quantity(words[1]);
     const double wanted = number(words[3]);
     const std::string& op = words[2];
-    const bool holds = op == "="    ? is == wanted
-                       : op == "!=" ? is != wanted
-                       : op == "<"  ? is < wanted
-                       : op == ">"  ? is > wanted
-                                    : (fail("\"" + op + "\" is not one of = != < >"), false);
-    if (holds) return;
+    if (op == "=") return is == wanted;
+    if (op == "!=") return is != wanted;
+    if (op == "<") return is < wanted;
+    if (op == ">") return is > wanted;
+    fail("\"" + op + "\" is not one of = != < >");
+}
+
+void Script::expect(const Words& words) {
+    if (holds(words)) return;
     std::ostringstream text;
-    text << words[1] << " is " << is << ", expected " << op << " " << wanted;
+    text << words[1] << " is " << quantity(words[1]) << ", expected " << words[2] << " "
+         << words[3];
     fail(text.str());
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ private:
     void setOfSelection(const std::string& key, double value);
     bool startWorld(const Words& words);
     bool startFile(const Words& words);
+    // level_script.cpp
+    bool startLevel(const Words& words);
+    std::optional<double> levelQuantity(const std::string& name) const;
+    bool holds(const Words& words) const;
     void expect(const Words& words);
     double quantity(const std::string& name) const;
     /// Goes on with `then` once `done` says so.

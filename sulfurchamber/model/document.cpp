@@ -2,10 +2,13 @@
 #include "document.hpp"
 
 #include <algorithm>
+#include <atlax/error.hpp>
+#include <atlax/files.hpp>
 #include <cmath>
 #include <cstring>
 
 #include "document_steps.hpp"
+#include "keep_layout.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -16,6 +19,7 @@ using sulfur::scene::Placement;
 using sulfur::scene::Scene;
 
 constexpr const char* planName = "the scene";
+constexpr std::size_t mostKept = std::size_t{1} << 20;  // bytes of a file whose layout is kept
 
 Scene emptyScene() {
     Scene scene;
@@ -55,6 +59,20 @@ void Document::clear() {
 void Document::open(const std::filesystem::path& file) {
     adopt(sulfur::scene::read(file));
     file_ = file;
+    noteFile(file);
+}
+
+// Levels are small, and their proofs hold for their bytes.
+void Document::noteFile(const std::filesystem::path& file) {
+    fileText_.clear();
+    fileFormat_.clear();
+    if (levelText().empty()) return;
+    try {
+        fileText_ = atlax::readFile(file, mostKept);
+        fileFormat_ = sulfur::scene::format(planScene());
+    } catch (const atlax::Error&) {
+        fileText_.clear();  // too large: it is written anew
+    }
 }
 
 void Document::recover(const std::filesystem::path& kept, const std::filesystem::path& of) {
@@ -75,6 +93,8 @@ void Document::adopt(Scene scene) {
     plan_ = std::move(plan);
     text_ = std::move(text);
     file_.clear();
+    fileText_.clear();
+    fileFormat_.clear();
     constants_ = Constants{};
     constants_.gravity = -static_cast<double>(plan_.scene().settings.gravity.y());
     constants_.airFriction = static_cast<double>(plan_.scene().settings.airFriction);
@@ -98,7 +118,8 @@ Scene Document::planScene() const {
 }
 
 std::string Document::text() const {
-    return sulfur::scene::format(planScene());
+    std::string text = sulfur::scene::format(planScene());
+    return fileText_.empty() ? text : keepLayout(fileText_, fileFormat_, text);
 }
 
 Document::Captured Document::captureMoment() const {
@@ -172,8 +193,12 @@ Document::Captured Document::captureForClipboard() const {
 
 void Document::save(const std::filesystem::path& file) {
     commit();
-    sulfur::scene::write(planScene(), file);
+    if (fileText_.empty())
+        sulfur::scene::write(planScene(), file);
+    else
+        sulfur::scene::writeFile(text(), file);
     file_ = file;
+    noteFile(file);
     savedState_ = state_;
 }
 

@@ -60,7 +60,8 @@ public:
     /// Takes what was kept of a file that was not saved (empty: of none): it is unsaved still.
     /// Throws as open() does.
     void recover(const std::filesystem::path& kept, const std::filesystem::path& of);
-    /// The text of the file: the plan, with the factors of the constants in its numbers.
+    /// The text of the file: the plan, with the factors of the constants in its numbers. What was
+    /// not changed of a level keeps the bytes that its file has.
     std::string text() const;
     /// The plan as it is saved, or the state of this moment.
     sulfur::scene::Scene planScene() const;
@@ -89,6 +90,8 @@ public:
 
     const sulfur::scene::Scene& scene() const { return plan_.scene(); }
     const Plan& plan() const { return plan_; }
+    /// The member "level" of the plan as it is written; empty where the scene is no level.
+    const std::string& levelText() const;
     /// For forces, which are no edits.
     sulfur::World& world() { return *world_; }
     const sulfur::World& world() const { return *world_; }
@@ -233,12 +236,16 @@ public:
     /// For members of the plan that are not of bodies and blueprints: texts, the level, fields.
     sulfur::scene::Scene& planForEditing() { return plan_.scene(); }
     sulfur::scene::Placement& placementForEditing(std::string_view id) { return plan_.body(id); }
+    /// Sets the member "level" of the plan; the empty text takes it away. Throws
+    /// sulfur::scene::ReadError unless it is one JSON value.
+    void setLevelText(std::string json);
 
 private:
     struct Side;
     struct Step;
 
     Captured captureMoment() const;
+    void noteFile(const std::filesystem::path& file);
     void stamp();
     Side side();
     void restore(const Side& side);
@@ -271,6 +278,8 @@ private:
     std::string text_;  ///< of the plan, without the factors, as it was at the last commit
     std::unique_ptr<sulfur::World> world_;
     std::filesystem::path file_;
+    std::string fileText_;    ///< of a level: its bytes when it was opened or saved
+    std::string fileFormat_;  ///< the same in the layout of sulfur::scene
 
     // Bodies of the world bear the key of their plan's id as user data: it comes along with
     // snapshots. What rains bears the place of its blueprint in `passing_`.

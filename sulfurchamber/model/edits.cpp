@@ -6,6 +6,7 @@
 
 #include "document_steps.hpp"
 #include "follow.hpp"
+#include "level_things.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -206,6 +207,7 @@ void Document::insertMechanisms(const sulfur::scene::Scene& scene, const Point& 
 
 void Document::remove(std::span<const BodyId> bodies) {
     const std::vector<BodyId> gone = withPegs(bodies);
+    if (isLevel(*this)) forgetBodies(*this, idsOf(gone));
     plan_.remove(idsOf(gone));
     for (const BodyId body : gone)
         if (world_->contains(body)) world_->remove(body);
@@ -369,6 +371,7 @@ void Document::changePiece(BodyId body, const std::function<void(Prefab&)>& chan
 void Document::rename(BodyId body, const std::string& to) {
     const std::string id = idOf(body);
     if (id.empty()) throw std::runtime_error("a piece has no name");
+    renameInLevel(*this, id, to);
     plan_.rename(id, to);
     world_->setUserData(body, keyOf(to));
     touched();
@@ -385,6 +388,23 @@ void Document::setPinned(ParticleId particle, bool pinned) {
     });
     const BodyId body = world_->info(particle).body;
     if (moved_) bringPlanHere({&body, 1});
+}
+
+// --- the level -------------------------------------------------------------------------------
+
+const std::string& Document::levelText() const {
+    static const std::string none;
+    const auto* member = sulfur::scene::findExtra(plan_.scene().extra, "level");
+    return member == nullptr ? none : member->json;
+}
+
+void Document::setLevelText(std::string json) {
+    auto& extra = plan_.scene().extra;
+    if (json.empty())
+        sulfur::scene::eraseExtra(extra, "level");
+    else
+        sulfur::scene::setExtra(extra, "level", std::move(json));
+    ++revision_;
 }
 
 // --- constants -------------------------------------------------------------------------------

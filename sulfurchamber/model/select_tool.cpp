@@ -5,6 +5,7 @@
 
 #include "fitting_marks.hpp"
 #include "geometry.hpp"
+#include "level_hand.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
 
@@ -19,11 +20,12 @@ constexpr double turnStep = 15 / degrees;  // with the grid
 
 class SelectTool final : public Tool {
 public:
-    using Tool::Tool;
+    explicit SelectTool(Workbench& bench) : Tool(bench), level_(bench) {}
 
     void press(const Pointer& pointer) override {
         cancel();
         from_ = to_ = pointer.position;
+        if (level_.press(pointer)) return;
         if (pressHandle(pointer)) return;
         const BodyId body = bodyAt(world(), pointer.position, pointer.reach);
         // Marks lie on bodies. While time runs these are what one wants to pull.
@@ -54,6 +56,7 @@ public:
     }
 
     void move(const Pointer& pointer) override {
+        level_.move(pointer);
         if (doing_ == Doing::pull) grip_->moveTo(pointer.position);
         if (doing_ == Doing::move) moveSelection(pointer.position - to_);
         if (doing_ == Doing::turn) turnTo(pointer.position);
@@ -62,6 +65,7 @@ public:
     }
 
     void release(const Pointer& pointer) override {
+        level_.release();
         if (doing_ == Doing::idle) return;
         move(pointer);
         if (doing_ == Doing::band) selectBand();
@@ -78,6 +82,7 @@ public:
     }
 
     void cancel() override {
+        level_.cancel();
         if (moved_) document().rollback();
         toIdle();
     }
@@ -101,6 +106,7 @@ public:
     }
 
     std::string hint() const override {
+        if (level_.holds()) return level_.hint();
         switch (doing_) {
             case Doing::pull:
                 return "Pulling with a spring: let go to release";
@@ -197,6 +203,7 @@ private:
         grip_.reset();
     }
 
+    LevelHand level_;
     Doing doing_ = Doing::idle;
     bool additive_ = false;
     bool moved_ = false;

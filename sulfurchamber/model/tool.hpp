@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "level_pieces.hpp"
 #include "workbench.hpp"
 
 namespace sulfurchamber {
@@ -49,6 +50,8 @@ std::unique_ptr<Tool> makeMeasureTool(Workbench& bench);
 std::unique_ptr<Tool> makeMechanismTool(Workbench& bench, ToolKind kind);
 /// Thrusters, zones, conveyors and liquid.
 std::unique_ptr<Tool> makeZoneTool(Workbench& bench, ToolKind kind);
+/// Pieces of a level.
+std::unique_ptr<Tool> makePlaceTool(Workbench& bench, LevelPiece piece);
 /// Pin, cut and erase.
 std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind);
 

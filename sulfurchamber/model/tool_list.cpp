@@ -62,9 +62,13 @@ constexpr std::array groupInfos{
     ToolGroupInfo{G::measure, "measure", "Measure", "measure"},
 };
 
+// A menu of its own offers the pieces of levels.
+constexpr ToolEntry placing{ToolKind::place, "place", G::select};
+
 const ToolEntry& entryOf(ToolKind tool) {
-    return *std::find_if(toolEntries.begin(), toolEntries.end(),
-                         [&](const auto& entry) { return entry.kind == tool; });
+    const auto found = std::find_if(toolEntries.begin(), toolEntries.end(),
+                                    [&](const auto& entry) { return entry.kind == tool; });
+    return found == toolEntries.end() ? placing : *found;
 }
 
 }  // namespace

@@ -102,13 +102,24 @@ void Workbench::making(const std::function<void()>& act) {
     const auto chosen = fitting();
     act();
     const auto& bodies = document_.scene().bodies;
-    if (bodies.size() <= before || fitting() != chosen) return;
+    if (bodies.size() <= before || fitting() != chosen || !things_.empty()) return;
     std::vector<BodyId> made;
     for (std::size_t i = before; i < bodies.size(); ++i)
         if (const BodyId body = document_.bodyOf(bodies[i].id);
             body && !document_.isPeg(bodies[i].id))
             made.push_back(body);
     select(std::move(made));
+}
+
+void Workbench::setPlacing(LevelPiece piece) {
+    tool_->cancel();
+    tool_ = makePlaceTool(*this, piece);
+    toolKind_ = ToolKind::place;
+    placing_ = piece;
+}
+
+std::optional<LevelPiece> Workbench::placing() const {
+    return toolKind_ == ToolKind::place ? std::optional(placing_) : std::nullopt;
 }
 
 void Workbench::press(const Pointer& pointer) {
@@ -145,6 +156,7 @@ void Workbench::documentChanged() {
 
 void Workbench::forgetRemoved() {
     std::erase_if(selection_, [&](BodyId body) { return !document_.world().contains(body); });
+    std::erase_if(things_, [&](const LevelThing& thing) { return !contains(document_, thing); });
 }
 
 // --- time ------------------------------------------------------------------------------------
@@ -226,6 +238,7 @@ void Workbench::select(std::vector<BodyId> bodies) {
     std::erase_if(bodies, [&](BodyId body) { return pins.contains(body); });
     selection_ = std::move(bodies);
     chosen_.reset();
+    things_.clear();
     forgetRemoved();
     watchSelection();
 }
@@ -312,6 +325,31 @@ void Workbench::selectAll() {
     select({bodies.begin(), bodies.end()});
 }
 
+void Workbench::selectThings(std::vector<LevelThing> things) {
+    std::sort(things.begin(), things.end());
+    select({});
+    things_ = std::move(things);
+    forgetRemoved();
+}
+
+void Workbench::deleteThings() {
+    if (std::none_of(things_.begin(), things_.end(), isRemovable))
+        throw std::runtime_error("a level always has its spawn, its exit and its bounds");
+    tool_->cancel();
+    const auto gone = std::exchange(things_, {});
+    document_.edit("Delete", [&] { removeThings(document_, gone); });
+}
+
+void Workbench::duplicateThings() {
+    std::vector<LevelThing> made;
+    tool_->cancel();
+    document_.edit("Duplicate", [&] {
+        for (const LevelThing& thing : things_)
+            if (auto copy = copyThing(document_, thing, {0.5, 0.5})) made.push_back(*copy);
+    });
+    if (!made.empty()) selectThings(std::move(made));
+}
+
 void Workbench::deleteSelection() {
     if (const auto ref = fitting()) {
         tool_->cancel();
@@ -319,6 +357,7 @@ void Workbench::deleteSelection() {
         document_.edit("Delete", [&] { document_.unfit(*ref); });
         return;
     }
+    if (!things_.empty()) deleteThings();
     if (selection_.empty()) return;
     tool_->cancel();
     const auto gone = std::exchange(selection_, {});
@@ -361,13 +400,17 @@ void Workbench::pasteAt(const std::string& text, const Point& place) {
 }
 
 void Workbench::duplicate() {
+    if (!things_.empty()) duplicateThings();
     if (const std::string text = copy(); !text.empty()) paste(text, {0.5, 0.5});
 }
 
 void Workbench::nudge(const Point& by) {
-    if (selection_.empty()) return;
+    if (!anythingSelected()) return;
     tool_->cancel();
-    document_.edit("Nudge", [&] { document_.translate(selection_, by); });
+    document_.edit("Nudge", [&] {
+        document_.translate(selection_, by);
+        for (const LevelThing& thing : things_) moveThing(document_, thing, by);
+    });
 }
 
 void Workbench::turn(double radians) {
@@ -398,9 +441,12 @@ void Workbench::followHandles(const std::function<BodyId(BodyId)>& now) {
             kept.push_back(is);
         else if (document_.world().contains(body) && document_.idOf(body).empty())
             kept.push_back(body);
+    // These have no handles: they stay.
     auto chosen = std::move(chosen_);
+    auto things = std::move(things_);
     select(std::move(kept));
     chosen_ = std::move(chosen);
+    things_ = std::move(things);
 }
 
 // --- what has left ---------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "controls.hpp"
 #include "document.hpp"
 #include "grip.hpp"
+#include "level_pieces.hpp"
 #include "measurement.hpp"
 
 namespace sulfurchamber {
@@ -52,9 +53,10 @@ enum class ToolKind : std::uint8_t {
     pin,
     cut,
     erase,
-    measure
+    measure,
+    place  ///< a piece of a level; see Workbench::setPlacing
 };
-/// The same as a list.
+/// All but `place`, which a menu of its own offers.
 std::span<const ToolKind> allTools();
 
 /// Which tools stand together in a palette.
@@ -129,6 +131,10 @@ public:
     ToolKind tool() const { return toolKind_; }
     /// Changes the tool; what the old one was doing is dropped.
     void setTool(ToolKind tool);
+    /// Chooses the tool that places pieces of a level, and one of them.
+    void setPlacing(LevelPiece piece);
+    /// The piece that is being placed; nothing with another tool.
+    std::optional<LevelPiece> placing() const;
     /// Distance to which creating tools round their points, metres; 0: not at all.
     void setSnap(double metres) { snap_ = metres; }
     double snap() const { return snap_; }
@@ -167,7 +173,15 @@ public:
     /// The fitting that is selected, if one is: then no body is.
     std::optional<FittingRef> fitting() const;
     void chooseFitting(const std::optional<FittingRef>& ref);
+    /// Also of things of the level. Throws std::runtime_error where only such are selected that a
+    /// level must have.
     void deleteSelection();
+    /// Things of the level that are selected; then no bodies are, and the other way round.
+    const std::vector<LevelThing>& things() const { return things_; }
+    void selectThings(std::vector<LevelThing> things);
+    bool anythingSelected() const {
+        return !selection_.empty() || !things_.empty() || fitting().has_value();
+    }
     /// The selected bodies as the text of a scene; empty when nothing is selected.
     std::string copy() const;
     /// Adds the bodies of such a text and selects them, moved by `by` metres. Throws
@@ -221,12 +235,16 @@ private:
     void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
     void forgetRemoved();
     void watchSelection();
+    void deleteThings();
+    void duplicateThings();
 
     Document document_;
     std::unique_ptr<Tool> tool_;
     ToolKind toolKind_ = ToolKind::select;
     Controls controls_;
+    LevelPiece placing_ = LevelPiece::ground;
     std::vector<sulfur::BodyId> selection_;  // sorted
+    std::vector<LevelThing> things_;         // sorted
     // What is selected, and how it is recognised after others have come or gone.
     struct Chosen {
         FittingRef ref;

@@ -175,7 +175,7 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
         for (const Posed& body : bodies)
             if ((body.kind == sulfur::BodyKind::fixed) == fixed)
                 paintBody(body, bench.selected(body.id));
-    paintConnections();
+    if (options.bodies) paintConnections();
     paintMechanisms();
     fittings.paintMarks();
     if (font_ != nullptr) fittings.paintKeys(*font_);
@@ -222,7 +222,10 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
             if (const float radius = toFloat(world_->info(particles[i]).radius); radius > 0)
                 canvas_->circle(body.points[i], radius + grow, color);
     };
-    if (selected) capsules(3 * pixel_, palette::ice.withAlpha(0.9f));
+    // What others have drawn is where it was before the drag.
+    const bool drawn = !options_->bodies && !(selected && document_->editing());
+    if (selected) capsules(3 * pixel_, palette::ice.withAlpha(drawn ? 0.5f : 0.9f));
+    if (drawn) return;
     capsules(0, body.rim);
     std::vector<Vec2> polygon;
     for (const auto& loop : body.look->outlines) {

@@ -21,6 +21,7 @@ struct ViewOptions {
     bool velocities = false;
     bool strain = false;  ///< joints coloured by how far they are stretched
     bool contacts = false;
+    bool bodies = true;     ///< else somebody else has drawn them, and only marks are
     bool skeleton = false;  ///< over all, what the physics library sees (paintDebug)
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <utility>
 
 #include "../model/geometry.hpp"
 #include "debug_painter.hpp"
@@ -39,11 +40,52 @@ void SceneView::start(atlax::Platform& platform) {
 void SceneView::applyTime() {
     if (platform_ == nullptr) return;
     atlax::FixedTimestep& clock = platform_->clock();
-    const int rate = bench_.document().world().settings().tickRate;
+    const bool guest = guest_ != nullptr;
+    const int rate = guest ? guestRate_ : bench_.document().world().settings().tickRate;
     if (clock.rateHz() != rate) clock.setRateHz(rate);
     if (!bench_.document().playing()) bench_.controls().release();
-    clock.setPaused(!bench_.document().playing());
-    clock.setSpeedPermille(speedPermille_);
+    clock.setPaused(!guest && !bench_.document().playing());
+    clock.setSpeedPermille(guest ? 1000 : speedPermille_);
+}
+
+// --- guests ----------------------------------------------------------------------------------
+
+void SceneView::invite(std::function<atlax::Application*(atlax::Canvas&)> make, int tickRate) {
+    dismiss();
+    bench_.cancel();
+    bench_.document().pause();
+    make_ = std::move(make);
+    guestRate_ = tickRate;
+}
+
+void SceneView::letGuestIn(atlax::Canvas& canvas) {
+    if (!make_) return;
+    const auto make = std::exchange(make_, nullptr);
+    guarded([&] {
+        atlax::Application* guest = make(canvas);
+        guest->start(*platform_);
+        guest_ = guest;
+    });
+    applyTime();
+}
+
+void SceneView::dismiss() {
+    make_ = nullptr;
+    if (guest_ != nullptr) guest_->stop();
+    guest_ = nullptr;
+    applyTime();
+}
+
+bool SceneView::restoreGraphics() {
+    dismiss();
+    if (onGraphicsLost) onGraphicsLost();
+    return true;
+}
+
+void SceneView::stop() {
+    dismiss();
+    if (onGraphicsLost) onGraphicsLost();
+    platform_ = nullptr;
 }
 
 void SceneView::setSpeedPermille(int permille) {
@@ -110,6 +152,12 @@ void SceneView::guarded(const std::function<void()>& body) {
 // --- events ----------------------------------------------------------------------------------
 
 void SceneView::event(const atlax::Event& event) {
+    if (guest_ != nullptr) {
+        if (const auto* moved = std::get_if<atlax::MouseMoved>(&event)) mouse_ = moved->position;
+        if (std::holds_alternative<atlax::MouseButtonEvent>(event)) ++buttonEvents_;
+        guest_->event(event);
+        return;
+    }
     if (const auto* moved = std::get_if<atlax::MouseMoved>(&event)) mouseMoved(moved->position);
     if (const auto* button = std::get_if<atlax::MouseButtonEvent>(&event)) mouseButton(*button);
     if (const auto* turned = std::get_if<atlax::WheelEvent>(&event)) wheel(*turned);
@@ -202,7 +250,13 @@ void SceneView::fit(atlax::PixelSize size) {
     const float rulers = options_.rulers ? rulersTake * scale : 0;
     const float width = std::max(64.0f, static_cast<float>(size.width) - rulers);
     const float height = std::max(64.0f, static_cast<float>(size.height) - rulers / 2);
-    const auto interesting = interestingBounds(bench_.document().world());
+    const Document& document = bench_.document();
+    auto interesting = interestingBounds(document.world());
+    // Of a level, what the player can see.
+    if (isLevel(document)) {
+        const LevelShape bounds = shapeOf(document, {LevelKind::bounds, 0, {}});
+        if (bounds.form == LevelShape::Form::rectangle) interesting = bounds.box;
+    }
     if (!interesting) {
         showFloor(width, height, rulers);
         return;
@@ -231,6 +285,10 @@ void SceneView::showFloor(float width, float height, float rulers) {
 
 // The clock may have more ticks due in this frame when the document has just been paused.
 void SceneView::tick() {
+    if (guest_ != nullptr) {
+        guarded([&] { guest_->tick(); });
+        return;
+    }
     Document& document = bench_.document();
     const double now =
         document.world().time() + static_cast<double>(document.world().tickDuration()) / 2;
@@ -247,25 +305,36 @@ void SceneView::tick() {
 }
 
 void SceneView::draw(atlax::Canvas& canvas, double alpha) {
-    followSlider();
     ++frames_;
+    letGuestIn(canvas);
+    if (guest_ != nullptr)
+        guest_->draw(canvas, alpha);
+    else
+        drawScene(canvas, alpha);
+    if (onFrame) onFrame();
+    applyTime();
+}
+
+void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
+    followSlider();
     if (fitPending_) fit(canvas.size());
     fitPending_ = false;
     const atlax::Vec2 size = canvas.size().toVec();
-    canvas.gradientRect({{0, 0}, size}, palette::above, palette::deep);
+    const bool staged = scenery && scenery(canvas, camera_);
+    if (!staged) canvas.gradientRect({{0, 0}, size}, palette::above, palette::deep);
     canvas.setCamera(camera_);
     if (options_.grid) paintGrid(canvas, camera_);
+    options_.bodies = !staged;
     // Paused, the state itself is shown: a single tick is seen at once.
     painter_.paint(canvas, bench_, options_, bench_.document().playing() ? alpha : 1.0);
     if (options_.skeleton) {
         canvas.setCamera(camera_);
         paintDebug(canvas, bench_.document().world(), bench_.document().playing() ? alpha : 1.0);
     }
+    if (overlay) overlay(canvas, camera_, *font_);
     if (options_.rulers) paintRulers(canvas, camera_, *font_);
     paintRulerText(canvas);
     paintClock(canvas);
-    if (onFrame) onFrame();
-    applyTime();
 }
 
 // Length and angle beside the middle of the ruler.

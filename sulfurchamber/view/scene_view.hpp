@@ -22,9 +22,9 @@ public:
     void event(const atlax::Event& event) override;
     void tick() override;
     void draw(atlax::Canvas& canvas, double alpha) override;
-    /// Nothing here is kept on the graphics card.
-    bool restoreGraphics() override { return true; }
-    void stop() override { platform_ = nullptr; }
+    /// Nothing here is kept on the graphics card; onGraphicsLost tells others.
+    bool restoreGraphics() override;
+    void stop() override;
 
     // -- looking --
     ViewOptions& options() { return options_; }
@@ -67,6 +67,20 @@ public:
     double physicsLoad() const;
     double framesPerSecond() const;
 
+    /// Shows a place in the middle, as large as things are now.
+    void lookAt(const sulfur::Point& place) { camera_.centre = atlax::Vec2(place); }
+
+    // -- others --
+    /// Draws the scene in place of plain bodies; says whether it has.
+    std::function<bool(atlax::Canvas&, const atlax::Camera&)> scenery;
+    /// Draws over the scene, below the rulers.
+    std::function<void(atlax::Canvas&, const atlax::Camera&, const atlax::Font&)> overlay;
+    /// Gives the drawing area to another application with the next frame, in which `make` is
+    /// called: it gets events and ticks, at this rate, and draws. It must live until dismiss().
+    void invite(std::function<atlax::Application*(atlax::Canvas&)> make, int tickRate);
+    void dismiss();
+    bool hasGuest() const { return guest_ != nullptr || make_ != nullptr; }
+
     // -- telling --
     /// A file was dropped on the drawing area.
     std::function<void(const std::filesystem::path&)> onFile;
@@ -74,9 +88,13 @@ public:
     std::function<void(const std::string&)> onProblem;
     /// After each frame.
     std::function<void()> onFrame;
+    /// The canvas is another one: a guest was dismissed.
+    std::function<void()> onGraphicsLost;
 
 private:
     void applyTime();
+    void letGuestIn(atlax::Canvas& canvas);
+    void drawScene(atlax::Canvas& canvas, double alpha);
     void fit(atlax::PixelSize size);
     void showFloor(float width, float height, float rulers);
     void mouseButton(const atlax::MouseButtonEvent& event);
@@ -91,6 +109,9 @@ private:
 
     Workbench& bench_;
     atlax::Platform* platform_ = nullptr;
+    atlax::Application* guest_ = nullptr;
+    std::function<atlax::Application*(atlax::Canvas&)> make_;
+    int guestRate_ = 500;
     std::optional<atlax::Font> font_;
     ScenePainter painter_;
     ViewOptions options_;

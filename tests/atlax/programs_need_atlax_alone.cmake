@@ -21,7 +21,8 @@ macro(forbid folder)
   endforeach()
 endmacro()
 
-foreach(folder quaoar atlax/example atlax/tools atlax/core/include sulfurchamber/model sulfurchamber/view)
+foreach(folder quaoar atlax/example atlax/tools atlax/core/include sulfurchamber/level sulfurchamber/model
+    sulfurchamber/view)
   forbid(${folder} SDL wx/ GL/ epoxy/ EGL/ AL/)
 endforeach()
 forbid(sulfurchamber/app SDL GL/ epoxy/ AL/ wx/glcanvas wx/timer wx/clipbrd wx/filedlg wx/config
