@@ -39,8 +39,11 @@ public:
         move(pointer);
         cutting_ = false;
         const auto joints = jointsCrossing(world(), from_, to_);
-        if (joints.empty()) return;
+        const auto lines = fittingsCrossing(document(), from_, to_);
+        if (joints.empty() && lines.empty()) return;
         document().edit("Cut", [&] {
+            // The last first: those before it keep their places.
+            for (auto one = lines.rbegin(); one != lines.rend(); ++one) document().unfit(*one);
             for (const sulfur::JointId joint : joints)
                 if (world().contains(joint)) document().remove(joint);
         });
@@ -50,7 +53,9 @@ public:
         if (!cutting_) return {};
         return {Preview::Kind::stroke, from_, to_, 0};
     }
-    std::string hint() const override { return "Drag across joints to cut them"; }
+    std::string hint() const override {
+        return "Drag across joints, cables and springs to cut them";
+    }
 
 private:
     bool cutting_ = false;

@@ -180,6 +180,22 @@ std::optional<FittingRef> fittingAt(const Document& document, const Point& point
     return found;
 }
 
+std::vector<FittingRef> fittingsCrossing(const Document& document, const Point& a, const Point& b) {
+    std::vector<FittingRef> found;
+    for (const FittingMark& mark : fittingMarks(document)) {
+        const bool isLine =
+            mark.shape == Shape::spring || mark.shape == Shape::cable || mark.shape == Shape::winch;
+        if (!isLine) continue;
+        const Point p = mark.points[0], q = mark.points[1];
+        const auto side = [](const Point& from, const Point& to, const Point& of) {
+            return sulfur::cross(Point(to - from), Point(of - from)) > 0;
+        };
+        if (side(a, b, p) != side(a, b, q) && side(p, q, a) != side(p, q, b))
+            found.push_back(mark.ref);
+    }
+    return found;
+}
+
 void moveFitting(Document& document, const FittingRef& ref, const Point& from, const Point& by) {
     if (ref.kind == FittingRef::Kind::zone) {
         document.refit(

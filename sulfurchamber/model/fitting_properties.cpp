@@ -154,6 +154,13 @@ Number getCollide(const Fitting& fitting) {
 void setCollide(Fitting& fitting, double value) {
     present(collideOf(fitting)) = value > 0.5;
 }
+Number getTurns(const Fitting& fitting) {
+    const auto* slider = specOf<sulfur::scene::Slider>(fitting);
+    return slider == nullptr ? std::nullopt : Number(slider->options.turns ? 1 : 0);
+}
+void setTurns(Fitting& fitting, double value) {
+    present(specOf<sulfur::scene::Slider>(fitting)).options.turns = value > 0.5;
+}
 // A ratio of 0 is none.
 void setRatio(Fitting& fitting, double value) {
     present(ratioOf(fitting)) =
@@ -297,6 +304,8 @@ constexpr std::array allProperties{
     FittingProperty{"slide-on", "Slides on", "m", "How far it goes on at most", -100, 100, lin,
                     "free", false, true, getDrive<sliding, &Drive::upper>,
                     setDriveNumber<sliding, &Drive::upper>},
+    FittingProperty{"turns", "Turns", "", "1: what slides turns freely; 0: it keeps its angle", 0,
+                    1, lin, "", true, false, getTurns, setTurns},
     FittingProperty{"longest", "Longest", "m", "The distance that it allows", 0.01, 1000, log,
                     "any", false, true, getDrive<stretching, &Drive::upper>,
                     setDriveNumber<stretching, &Drive::upper>},

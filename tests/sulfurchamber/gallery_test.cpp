@@ -18,7 +18,11 @@ TEST_P(Gallery, ReadsAndPlaysTwoSeconds) {
                   (std::string(GetParam()) + ".json"));
     EXPECT_FALSE(document.scene().title.empty());
     EXPECT_FALSE(document.scene().description.empty());
-    EXPECT_TRUE(sulfur::scene::unknownKeys(document.scene()).empty());
+    // The sandbox's own: colours of bodies, and keys that drive things.
+    for (const std::string& note : sulfur::scene::unknownKeys(document.scene()))
+        EXPECT_TRUE(note.find("\"color\"") != std::string::npos ||
+                    note.find("\"keys\"") != std::string::npos)
+            << note;
     const auto before = document.world().hash();
     const int ticks = 2 * document.world().settings().tickRate;
     for (int i = 0; i < ticks; ++i) document.tick();
@@ -31,8 +35,10 @@ TEST_P(Gallery, ReadsAndPlaysTwoSeconds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Gallery,
-                         testing::Values("boxes", "bridge", "crumbling-wall", "jelly-tower",
-                                         "mass-ratio", "newtons-cradle", "pendulum", "rope"),
+                         testing::Values("boxes", "bridge", "car", "catapult", "crane",
+                                         "crumbling-wall", "flag", "jelly-tower", "mass-ratio",
+                                         "newtons-cradle", "pendulum", "pendulum-clock", "rope",
+                                         "rope-bridge", "trebuchet", "walker", "wrecking-ball"),
                          [](const auto& scene) {
                              std::string name = scene.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -61,7 +67,7 @@ TEST(GalleryFolder, HasOnlyTheseScenes) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SULFURCHAMBER_SCENES))
         if (entry.path().extension() == ".json") ++files;
-    EXPECT_EQ(files, 8u) << "a new example belongs into the list above";
+    EXPECT_EQ(files, 17u) << "a new example belongs into the list above";
 }
 
 }  // namespace
