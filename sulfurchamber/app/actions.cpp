@@ -77,7 +77,10 @@ void MainFrame::addEditActions() {
     add({"duplicate", m, "&Duplicate\tCtrl+D", 0, "Add a copy of the selection beside it", "",
          [this] { bench_.duplicate(); }, anything});
     add({"delete", m, "De&lete", WXK_DELETE, "Remove the selection", "",
-         [this] { bench_.deleteSelection(); }, anything});
+         [this] { bench_.deleteSelection(); },
+         [this, anything] {
+             return anything() || !bench_.selectedMeters().empty() || bench_.fitting().has_value();
+         }});
     add({"select-all", m, "Select &all\tCtrl+A", 0, "Select all bodies", "",
          [this] { bench_.selectAll(); }})
         .separatorBefore = true;
@@ -174,7 +177,12 @@ void MainFrame::addToolActions() {
         {ToolKind::pin, "&Pin", 'P', "Hold a particle where it is, or let it go"},
         {ToolKind::cut, "&Cut", 'X', "Cut through joints"},
         {ToolKind::erase, "&Erase", 'E', "Remove bodies and what is fitted to them"},
-        {ToolKind::measure, "&Measure", '3', "Measure lengths and angles"},
+        {ToolKind::measure, "R&uler", '3', "Rulers, which hold on to particles and bodies"},
+        {ToolKind::protractor, "Protra&ctor\tCtrl+Shift+P", 0, "Angles between three places"},
+        {ToolKind::tracer, "&Tracer\tCtrl+Shift+D", 0, "Lets a point of a body leave a trail"},
+        {ToolKind::gauge, "&Force gauge\tCtrl+Shift+F", 0,
+         "Force in a joint or mechanism, or of all contacts of a body"},
+        {ToolKind::gun, "Speed gu&n\tCtrl+Shift+U", 0, "Speed of what passes a beam"},
     };
     for (const Entry& entry : entries) {
         const std::string name(toolName(entry.kind));
@@ -239,18 +247,27 @@ void MainFrame::addViewActions() {
          [this] { return bench_.trails(); }});
     toggle("strain", "Joints coloured by st&rain", 'T',
            "Amber and red: stretched by up to 8 %; cyan: pressed", "strain", o.strain);
+    toggle("gravity", "&Weights", 0, "Arrows of the force of gravity on each body", "", o.gravity)
+        .under = "Forces";
+    toggle("joint-forces", "&Joints", 0, "Arrows of what joints and mechanisms pull and push", "",
+           o.jointForces)
+        .under = "Forces";
+    toggle("contact-forces", "&Contacts", 0, "Arrows of what contacts push and rub", "",
+           o.contactForces)
+        .under = "Forces";
     toggle("contacts", "&Contacts", 'C', "Where bodies touch, and in which direction", "",
            o.contacts);
     toggle("joints", "Inner &joints", 'I', "Joints inside of bodies", "", o.joints);
     toggle("skeleton", "S&keleton", 'K',
            "What the physics sees: particles, joints under load, surfaces, contacts, fields", "",
            o.skeleton);
-    for (const char* page : {"scene", "object", "history"})
+    for (const char* page : {"scene", "object", "history", "measure"})
         add({"page-" + std::string(page), m,
              wxString("Page of the ") + page +
                  (page[0] == 's'   ? "\tCtrl+1"
                   : page[0] == 'o' ? "\tCtrl+2"
-                                   : "\tCtrl+3"),
+                  : page[0] == 'h' ? "\tCtrl+3"
+                                   : "\tCtrl+4"),
              0, "Bring this page of the side panel to the front", "",
              [this, page] {
                  showSide(true);

@@ -12,7 +12,7 @@ namespace {
 using Icon = std::pair<std::string_view, std::string_view>;
 
 // Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
-constexpr std::array<Icon, 67> icons{
+constexpr std::array<Icon, 71> icons{
     {
         {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
         {"open",
@@ -138,6 +138,14 @@ constexpr std::array<Icon, 67> icons{
          R"(<path d="M8 14l4-5 5 2 1 6-5 4-5-2z" fill="INK" fill-opacity="0.2"/><path d="M7 3v4M12 2v4M17 3v4" stroke="ACCENT"/>)"},
         {"level-hazard",
          R"(<path d="M2 20L6 8l3 12 3-12 3 12 3-12 4 12z" fill="#E0457B" fill-opacity="0.35" stroke="#E0457B"/>)"},
+        {"protractor",
+         R"(<path d="M3 19h18a9 9 0 0 0-18 0z" fill="ACCENT" fill-opacity="0.25"/><path d="M12 19L17.5 7.5M12 13v-3M7 15l-2-1.2"/>)"},
+        {"tracer",
+         R"(<path d="M3 18c4-12 8-14 11-6" stroke="#FFB347" stroke-dasharray="2.4 2.4"/><circle cx="17" cy="15" r="4" fill="ACCENT" fill-opacity="0.4"/><circle cx="17" cy="15" r="1.2" fill="INK" stroke="none"/>)"},
+        {"gauge",
+         R"(<circle cx="12" cy="12" r="8.5" fill="ACCENT" fill-opacity="0.2"/><path d="M12 12l5-5" stroke="#FF5E57" stroke-width="2.2"/><path d="M5.8 15.5l1.6-.9M6.5 8l1.4 1M12 5.2v1.8M18.2 15.5l-1.6-.9"/>)"},
+        {"gun",
+         R"(<path d="M3 9h9l3 2v2l-3 2H3z" fill="ACCENT" fill-opacity="0.3"/><path d="M5 15l-1 5h4l1-5"/><path d="M17 12h5" stroke="#FF5E57" stroke-dasharray="2 1.6"/>)"},
         {"revert", R"(<path d="M6 4v6h6"/><path d="M6.5 10A7 7 0 1 1 6 15"/>)"},
     }};
 

@@ -8,6 +8,7 @@
 #include <wx/infobar.h>
 #include <wx/panel.h>
 #include <wx/stattext.h>
+#include <wx/weakref.h>
 
 #include <atlax/wx/view.hpp>
 #include <filesystem>
@@ -25,6 +26,7 @@
 #include "plot_panel.hpp"
 #include "preferences.hpp"
 #include "side_panel.hpp"
+#include "table4_window.hpp"
 #include "time_bar.hpp"
 
 namespace sulfurchamber {
@@ -61,6 +63,9 @@ public:
     const TimeBar& timeBar() const { return *timeBar_; }
     PlotPanel& plot() { return *plot_; }
     LevelStage& stage() { return *stage_; }
+    SidePanel& side() { return *side_; }
+    /// The experiment that is open, or null.
+    Table4Window* table4() { return table4_.get(); }
     /// The measurements as a picture (.png) or a table; the reason of a failure is shown.
     bool savePlot(const std::filesystem::path& file);
 
@@ -151,6 +156,7 @@ private:
     void chooseSpeed(wxWindow& at);
     void chooseUnder(const wxString& under, wxWindow& at);
     void showPlot(bool on);
+    void showTable4();
     void toggleQuantity(const Quantity& one);
     void refresh();
     void refreshActions();
@@ -177,6 +183,7 @@ private:
     LevelPanel* levelPanel_ = nullptr;
     TimeBar* timeBar_ = nullptr;
     PlotPanel* plot_ = nullptr;
+    wxWeakRef<Table4Window> table4_;
     wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;

@@ -32,6 +32,20 @@ void MainFrame::addMeasureActions() {
                  return std::find(measured.begin(), measured.end(), &one) != measured.end();
              }})
             .under = "Quantities";
+    add({"table4", m, wxString::FromUTF8("Table &4 of the paper\xE2\x80\xA6"), 0,
+         "Boxes that drop each second against the share of a core, beside the paper's figures", "",
+         [this] { showTable4(); }});
+    add({"plot-meters", m, "Readings of all m&eters\tShift+F8", 0,
+         "Selects the meters of the scene and plots what they show", "",
+         [this] {
+             std::vector<std::string> ids;
+             for (const Meter& meter : bench_.meters().all()) ids.push_back(meter.id);
+             bench_.selectMeters(std::move(ids));
+             plot_->Show(true);
+             bench_.measure(bench_.measured());
+             centre_->Layout();
+         },
+         [this] { return !bench_.meters().all().empty(); }});
     struct Way {
         const char* name;
         const char* label;
@@ -92,6 +106,22 @@ void MainFrame::addPlotActions() {
              plot_->showAll();
          },
          any});
+}
+
+void MainFrame::showTable4() {
+    if (table4_) {
+        table4_->Raise();
+        return;
+    }
+    const auto choose = [this](const std::string& name, const std::string& kind) {
+        return canvas_->platform().chooseFile(
+            {.title = "Save the table", .save = true, .name = name, .kinds = {{"Tables", {kind}}}});
+    };
+    auto* window = new Table4Window(this, choose, [this](const std::string& problem) {
+        tellInDialog(problem, "The table cannot be made");
+    });
+    table4_ = window;
+    window->Show();
 }
 
 void MainFrame::showPlot(bool on) {

@@ -57,6 +57,7 @@ std::string scriptHelp() {
            "                          cloth rope chain bridge particle joint hinge motor weld\n"
            "                          spring cable winch slider axle pulley gear thruster wind\n"
            "                          gravity conveyor liquid pin cut erase measure\n"
+           "                          protractor tracer gauge gun\n"
            "  click X Y               press and release the left button\n"
            "  drag X Y X2 Y2          press, move, release\n"
            "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"
@@ -69,6 +70,8 @@ std::string scriptHelp() {
            "  plot-drag A B           drag over the diagram, in shares of its time; A = B hovers\n"
            "  plot-wheel A NOTCHES    zoom the diagram\n"
            "  save-plot FILE          the diagram as .png, or the table as .csv\n"
+           "  table4 SECONDS          runs the columns of the paper's Table 4, so long each\n"
+           "  save-table4 FILE        that table as .csv or its diagram as .png\n"
            "  seek SECONDS            to a recorded moment of the shown line\n"
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
@@ -89,6 +92,8 @@ std::string scriptHelp() {
            "                          bodies particles joints contacts time selected modified\n"
            "                          playing problem newest.x newest.y gravity elasticity rain\n"
            "                          fittings strays steps property.KEY branches speed fps\n"
+           "                          meters meter.ID (what it shows) table4.cells\n"
+           "                          measured difference (of the textbook's first formula)\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "                          level.things level.problems level.checked level.proof\n"
@@ -196,6 +201,13 @@ void Script::start(const Words& words) {
         slide(number(words[1]), number(words[2]));
     } else if (words[0] == "plot-drag" && words.size() == 3) {
         dragPlot(number(words[1]), number(words[2]));
+    } else if (words[0] == "table4" && words.size() == 2) {
+        frame_.perform("table4");
+        frame_.table4()->begin(number(words[1]));
+        waitFor([this] {
+            waitedFrames_ = 0;
+            return frame_.table4() == nullptr || !frame_.table4()->table().running();
+        });
     } else if (words[0] == "plot-wheel" && words.size() == 3) {
         frame_.plot().turnWheel(number(words[1]), static_cast<int>(number(words[2])));
     } else if (!startPointer(words) && !startWorld(words) && !startFile(words) &&
@@ -492,6 +504,9 @@ bool Script::startFile(const Words& words) {
         if (!frame_.saveMoment(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "save-plot") {
         if (!frame_.savePlot(words[1])) fail(frame_.lastProblem());
+    } else if (words[0] == "save-table4") {
+        if (frame_.table4() == nullptr) fail("the experiment is not open");
+        frame_.table4()->save(words[1]);
     } else if (words[0] == "screenshot") {
         waitForFrames(8, [this, file = words[1]] { saveScreen(frame_.GetScreenRect(), file); });
     } else {
@@ -519,7 +534,27 @@ double Script::quantity(const std::string& name) const {
     if (name == "contacts") return static_cast<double>(world.contacts().size());
     if (const auto found = levelQuantity(name)) return *found;
     if (name == "time") return world.time();
-    if (name == "selected") return static_cast<double>(bench.selection().size());
+    if (name == "table4.cells")
+        return frame_.table4() == nullptr
+                   ? 0
+                   : static_cast<double>(frame_.table4()->table().cells().size());
+    if (name == "difference" || name == "measured") {
+        const auto findings = bench.textbook().findings();
+        if (findings.empty()) fail("the scene is none of the textbook");
+        const auto value = name == "measured" ? findings[0].measured : findings[0].difference();
+        return value.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
+    if (name == "meters") return static_cast<double>(bench.meters().all().size());
+    if (name.starts_with("meter.")) {
+        const Meter* meter = bench.meters().find(name.substr(6));
+        if (meter == nullptr) fail("there is no " + name);
+        const auto last = bench.meters().last(*meter);
+        return bench.meters()
+            .read(*meter, readingsOf(meter->kind)[0])
+            .value_or(last ? last->value : std::numeric_limits<double>::quiet_NaN());
+    }
+    if (name == "selected")
+        return static_cast<double>(bench.selection().size() + bench.selectedMeters().size());
     if (name == "modified") return document.modified() ? 1 : 0;
     if (name == "playing") return document.playing() ? 1 : 0;
     if (name == "problem") return frame_.lastProblem().empty() ? 0 : 1;

@@ -3,6 +3,7 @@
 #include <wx/sizer.h>
 
 #include "constants_panel.hpp"
+#include "measure_panel.hpp"
 #include "properties_panel.hpp"
 
 namespace sulfurchamber {
@@ -15,6 +16,8 @@ SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
     AddPage(constants_, "Scene");
     AddPage(properties_, "Object");
     makeHistory();
+    measures_ = new MeasurePanel(this, bench, view);
+    AddPage(measures_, "Measure");
 }
 
 // A click goes to the moment after a step.
@@ -54,6 +57,10 @@ void SidePanel::refresh() {
     if (GetCurrentPage() == constants_) constants_->refresh();
     if (GetCurrentPage() == properties_) properties_->refresh();
     if (GetCurrentPage() == history_) refreshHistory();
+    // Stages are timed only while somebody looks.
+    const bool looking = GetCurrentPage() == measures_ && IsShownOnScreen();
+    measures_->watch(looking);
+    if (looking) measures_->refresh();
 }
 
 bool SidePanel::showPage(const std::string& name) {

@@ -13,6 +13,7 @@
 namespace sulfurchamber {
 
 class ConstantsPanel;
+class MeasurePanel;
 class PropertiesPanel;
 
 class SidePanel final : public wxNotebook {
@@ -23,9 +24,10 @@ public:
 
     /// Shows what the document and the simulation say now. Cheap; may be called often.
     void refresh();
-    /// Brings a page to the front: "scene", "object" or "history". False when there is no such
-    /// page.
+    /// Brings a page to the front: "scene", "object", "history" or "measure". False when there is
+    /// no such page.
     bool showPage(const std::string& name);
+    MeasurePanel& measures() { return *measures_; }
 
 private:
     void makeHistory();
@@ -34,6 +36,7 @@ private:
     Workbench& bench_;
     ConstantsPanel* constants_ = nullptr;
     PropertiesPanel* properties_ = nullptr;
+    MeasurePanel* measures_ = nullptr;
     wxListBox* history_ = nullptr;
     std::vector<std::string> shownHistory_;
     std::size_t shownPlace_ = 0;

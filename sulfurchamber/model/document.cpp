@@ -9,6 +9,7 @@
 
 #include "document_steps.hpp"
 #include "keep_layout.hpp"
+#include "meter.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -86,7 +87,8 @@ void Document::adopt(Scene scene) {
     std::string text = sulfur::scene::format(plan.scene());
     thrustersOf(plan.scene());  // refuses those that are unusable
     {
-        World trial(plan.scene().settings);  // what cannot be stamped is refused here
+        metersOf(plan.scene());              // what cannot be used is refused here
+        World trial(plan.scene().settings);  // and what cannot be stamped
         sulfur::scene::instantiate(plan.scene(), trial);
     }
     if (!world_) world_ = std::make_unique<World>();

@@ -13,7 +13,7 @@ using sulfur::Real;
 using sulfur::Vec2;
 using sulfur::World;
 
-constexpr double frequency = 15;      // rad/s of the body on the spring, undamped
+constexpr double gripFrequency = 15;  // rad/s of the body on the spring, undamped
 constexpr double dampingRatio = 0.9;  // of critical: follows quickly, overshoots hardly
 constexpr double strongest = 300;     // m/s^2 that the spring gives at most
 
@@ -78,8 +78,9 @@ std::vector<Push> Grip::pushes(const World& world) const {
         if (info.pinned || !(share > 0)) continue;
         const double own = static_cast<double>(info.mass);
         // Explicit forces on this particle alone stay stable below 4 m/h^2 and 2 m/h.
-        const double stiffness = std::min(share * frequency * frequency, 0.8 * own / (h * h));
-        const double damping = std::min(2 * dampingRatio * share * frequency, 0.5 * own / h);
+        const double stiffness =
+            std::min(share * gripFrequency * gripFrequency, 0.8 * own / (h * h));
+        const double damping = std::min(2 * dampingRatio * share * gripFrequency, 0.5 * own / h);
         Point force = stiffness * stretch - damping * info.velocity.cast<double>();
         const double limit = strongest * share;
         if (const double size = force.norm(); size > limit) force *= limit / size;

@@ -258,16 +258,23 @@ std::string Series::title() const {
 void Measurements::watch(std::span<const Subject> subjects,
                          std::span<const Quantity* const> quantities) {
     std::vector<Series> next;
-    for (const Subject& subject : subjects)
-        for (const Quantity* what : quantities) {
-            if (next.size() == mostSeries) break;
-            if (!subject.body && !what->adds) continue;
-            Series one{subject.body, subject.userData, subject.name, what, {}};
-            for (Series& old : series_)
-                if (old.quantity == what && old.body == one.body && old.userData == one.userData)
-                    one.samples = std::move(old.samples);
-            next.push_back(std::move(one));
-        }
+    const auto add = [&](Series one, const std::vector<Sample>* known) {
+        if (next.size() == mostSeries) return;
+        if (known != nullptr) one.samples = *known;
+        for (Series& old : series_)
+            if (old.quantity == one.quantity && old.body == one.body &&
+                old.userData == one.userData && old.meter == one.meter && known == nullptr)
+                one.samples = std::move(old.samples);
+        next.push_back(std::move(one));
+    };
+    for (const Subject& subject : subjects) {
+        for (const Series& reading : subject.record)
+            add({{}, 0, subject.name, reading.quantity, {}, subject.meter}, &reading.samples);
+        if (!subject.meter.empty()) continue;
+        for (const Quantity* what : quantities)
+            if (subject.body || what->adds)
+                add({subject.body, subject.userData, subject.name, what, {}}, nullptr);
+    }
     series_ = std::move(next);
 }
 
@@ -275,28 +282,36 @@ void Measurements::clear() {
     for (Series& one : series_) one.samples.clear();
 }
 
-void Measurements::sample(const World& world) {
+void addSample(Series& series, double time, std::optional<double> value) {
+    auto& samples = series.samples;
+    const auto later =
+        std::lower_bound(samples.begin(), samples.end(), time,
+                         [](const Sample& sample, double t) { return sample.time < t; });
+    samples.erase(later, samples.end());
+    if (!value || !std::isfinite(*value)) return;
+    if (series.quantity->turns && !samples.empty())
+        *value += 360 * std::round((samples.back().value - *value) / 360);
+    samples.push_back({time, *value});
+    // A tenth at once: that costs little.
+    if (samples.size() > Measurements::mostSamples)
+        samples.erase(samples.begin(), samples.begin() + Measurements::mostSamples / 10);
+}
+
+void Measurements::sample(const World& world, const MeterReader& meters) {
     const double time = world.time();
     for (Series& one : series_) {
+        if (!one.meter.empty()) {
+            if (meters) addSample(one, time, meters(one.meter, *one.quantity));
+            continue;
+        }
         const bool scene = !one.body && one.userData == 0;
         if (!scene && (!world.contains(one.body) || world.userData(one.body) != one.userData)) {
             const BodyId now = bodyWith(world, one.userData);
             if (!now) continue;
             one.body = now;
         }
-        auto& samples = one.samples;
-        const auto later =
-            std::lower_bound(samples.begin(), samples.end(), time,
-                             [](const Sample& sample, double t) { return sample.time < t; });
-        samples.erase(later, samples.end());
-        auto value = scene ? sumOver(world, *one.quantity) : one.quantity->get(world, one.body);
-        if (!value || !std::isfinite(*value)) continue;
-        if (one.quantity->turns && !samples.empty())
-            *value += 360 * std::round((samples.back().value - *value) / 360);
-        samples.push_back({time, *value});
-        // A tenth at once: that costs little.
-        if (samples.size() > mostSamples)
-            samples.erase(samples.begin(), samples.begin() + mostSamples / 10);
+        addSample(one, time,
+                  scene ? sumOver(world, *one.quantity) : one.quantity->get(world, one.body));
     }
 }
 

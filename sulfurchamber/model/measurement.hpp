@@ -18,7 +18,8 @@ struct Quantity {
     std::string_view name;  ///< for people
     std::string_view unit;  ///< UTF-8, "" for none
     std::string_view help;  ///< one line
-    /// Nothing where it means nothing, such as the strain of a body without joints.
+    /// Nothing where it means nothing, such as the strain of a body without joints. Null for what a
+    /// meter tells.
     std::optional<double> (*get)(const sulfur::World&, sulfur::BodyId) = nullptr;
     bool adds = false;   ///< whether that of a scene is the sum of those of what moves
     bool turns = false;  ///< an angle, which goes on beyond half a turn
@@ -34,13 +35,14 @@ struct Sample {
     double value = 0;
 };
 
-/// A quantity of one body, or of the whole scene, over time.
+/// A quantity of one body, of a meter or of the whole scene, over time.
 struct Series {
-    sulfur::BodyId body;         ///< null: the scene
+    sulfur::BodyId body;         ///< null: the scene, or a meter
     std::uint64_t userData = 0;  ///< by which it is found again when it has another handle
     std::string subject;         ///< what people call it
     const Quantity* quantity = nullptr;
     std::vector<Sample> samples;
+    std::string meter = {};  ///< id of a meter; empty: of a body or of the scene
     /// "height of box".
     std::string title() const;
 };
@@ -55,22 +57,31 @@ public:
     static constexpr std::size_t mostSamples = 60'000;
 
     struct Subject {
-        sulfur::BodyId body;  ///< null: the scene
+        sulfur::BodyId body;  ///< null: the scene, or a meter
         std::uint64_t userData = 0;
         std::string name;
+        std::string meter = {};               ///< id of a meter
+        std::span<const Series> record = {};  ///< what that has shown: it is plotted from there on
     };
+    /// What the first reading, or another one, of a meter is now.
+    using MeterReader =
+        std::function<std::optional<double>(const std::string& meter, const Quantity& reading)>;
     /// Watches these quantities of these subjects from now on. What was watched already keeps its
-    /// samples. No more than mostSeries.
+    /// samples. No more than mostSeries. Of meters all readings are watched.
     void watch(std::span<const Subject> subjects, std::span<const Quantity* const> quantities);
     /// Forgets all samples; what is watched stays.
     void clear();
-    /// Takes a sample of each.
-    void sample(const sulfur::World& world);
+    /// Takes a sample of each; those of meters are told by `meters`.
+    void sample(const sulfur::World& world, const MeterReader& meters = {});
     const std::vector<Series>& series() const { return series_; }
 
 private:
     std::vector<Series> series_;
 };
+
+/// Adds a sample in place of all that are as late or later. What is nothing or not finite is left
+/// out; angles go on beyond half a turn.
+void addSample(Series& series, double time, std::optional<double> value);
 
 /// The part of samples within a time, both ends with it.
 std::span<const Sample> between(std::span<const Sample> samples, double from, double to);

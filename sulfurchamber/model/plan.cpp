@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "fitting.hpp"
+#include "meter.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -168,6 +169,7 @@ void Plan::remove(const std::vector<std::string>& ids) {
     std::vector<std::string> names;
     for (const std::string& id : gone) names.push_back(body(id).blueprint);
     auto thrusters = thrustersOf(scene_);
+    forgetMeters(scene_, [&](const std::string& id) { return gone.contains(id); });
     std::erase_if(scene_.bodies, [&](const Placement& body) { return gone.contains(body.id); });
     std::erase_if(scene_.connections, [&](const auto& connection) {
         return gone.contains(connection.a.body) || gone.contains(connection.b.body);
@@ -250,10 +252,11 @@ void Plan::rename(const std::string& id, const std::string& to) {
     const bool thrusts = std::any_of(thrusters.begin(), thrusters.end(),
                                      [&](const auto& thruster) { return thruster.body == id; });
     for (const auto& member : scene_.extra)
-        if (!(thrusts && member.key == "devices") &&
+        if (member.key != "meters" && !(thrusts && member.key == "devices") &&
             member.json.find('"' + id + '"') != std::string::npos)
             throw std::runtime_error("the " + member.key + " of the scene names \"" + id +
                                      "\"; change it there first");
+    renameInMeters(scene_, id, to);
     body(id).id = to;
     const auto change = [&](std::string& name) {
         if (name == id) name = to;

@@ -6,6 +6,7 @@
 #include "fitting_marks.hpp"
 #include "geometry.hpp"
 #include "level_hand.hpp"
+#include "meter_grip.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
 
@@ -27,6 +28,8 @@ public:
         from_ = to_ = pointer.position;
         if (level_.press(pointer)) return;
         if (pressHandle(pointer)) return;
+        // While time runs what moves is caught, not the meters on it.
+        if (!document().playing() && (meter_ = MeterGrip::take(bench(), pointer))) return;
         const BodyId body = bodyAt(world(), pointer.position, pointer.reach);
         // Marks lie on bodies. While time runs these are what one wants to pull.
         if (!body || !document().playing()) {
@@ -57,6 +60,7 @@ public:
 
     void move(const Pointer& pointer) override {
         level_.move(pointer);
+        if (meter_) meter_->moveTo(bench(), pointer);
         if (doing_ == Doing::pull) grip_->moveTo(pointer.position);
         if (doing_ == Doing::move) moveSelection(pointer.position - to_);
         if (doing_ == Doing::turn) turnTo(pointer.position);
@@ -66,6 +70,11 @@ public:
 
     void release(const Pointer& pointer) override {
         level_.release();
+        if (meter_) {
+            meter_->moveTo(bench(), pointer);
+            meter_->release(bench());
+            meter_.reset();
+        }
         if (doing_ == Doing::idle) return;
         move(pointer);
         if (doing_ == Doing::band) selectBand();
@@ -83,6 +92,8 @@ public:
 
     void cancel() override {
         level_.cancel();
+        if (meter_) meter_->cancel(bench());
+        meter_.reset();
         if (moved_) document().rollback();
         toIdle();
     }
@@ -215,6 +226,7 @@ private:
     Point from_{0, 0};
     Point to_{0, 0};
     std::optional<Grip> grip_;
+    std::optional<MeterGrip> meter_;
 };
 
 }  // namespace

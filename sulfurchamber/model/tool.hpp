@@ -44,14 +44,14 @@ std::unique_ptr<Tool> makeOutlineTool(Workbench& bench, ToolKind kind);
 std::unique_ptr<Tool> makeParticleTool(Workbench& bench, ToolKind kind);
 /// Ready-made shapes between two points, and the ground.
 std::unique_ptr<Tool> makeCreateTool(Workbench& bench, ToolKind kind);
-/// A ruler that also tells the angle. It changes nothing.
-std::unique_ptr<Tool> makeMeasureTool(Workbench& bench);
 /// What is fitted between bodies.
 std::unique_ptr<Tool> makeMechanismTool(Workbench& bench, ToolKind kind);
 /// Thrusters, zones, conveyors and liquid.
 std::unique_ptr<Tool> makeZoneTool(Workbench& bench, ToolKind kind);
 /// Pieces of a level.
 std::unique_ptr<Tool> makePlaceTool(Workbench& bench, LevelPiece piece);
+/// Rulers, protractors, tracers, force gauges and speed guns.
+std::unique_ptr<Tool> makeMeterTool(Workbench& bench, ToolKind kind);
 /// Pin, cut and erase.
 std::unique_ptr<Tool> makeChangeTool(Workbench& bench, ToolKind kind);
 

@@ -49,6 +49,10 @@ constexpr std::array toolEntries{
     ToolEntry{ToolKind::cut, "cut", G::change},
     ToolEntry{ToolKind::erase, "erase", G::change},
     ToolEntry{ToolKind::measure, "measure", G::measure},
+    ToolEntry{ToolKind::protractor, "protractor", G::measure},
+    ToolEntry{ToolKind::tracer, "tracer", G::measure},
+    ToolEntry{ToolKind::gauge, "gauge", G::measure},
+    ToolEntry{ToolKind::gun, "gun", G::measure},
 };
 
 constexpr std::array groupInfos{

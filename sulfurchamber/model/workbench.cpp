@@ -35,7 +35,7 @@ std::unique_ptr<Tool> makeTool(Workbench& bench, ToolKind kind) {
         case ToolGroup::change:
             return makeChangeTool(bench, kind);
         case ToolGroup::measure:
-            return makeMeasureTool(bench);
+            return makeMeterTool(bench, kind);
         default:
             break;
     }
@@ -157,6 +157,8 @@ void Workbench::documentChanged() {
 void Workbench::forgetRemoved() {
     std::erase_if(selection_, [&](BodyId body) { return !document_.world().contains(body); });
     std::erase_if(things_, [&](const LevelThing& thing) { return !contains(document_, thing); });
+    std::erase_if(selectedMeters_,
+                  [&](const std::string& id) { return meters_.find(id) == nullptr; });
 }
 
 // --- time ------------------------------------------------------------------------------------
@@ -166,8 +168,16 @@ void Workbench::tick() {
     tool_->tick();
     if (rain_ > 0) addRainBox();
     controls_.tick(document_);
+    textbook_.beforeTick();
+    if (timing_) document_.world().setProfiling(true);
     document_.tick();
-    measurements_.sample(document_.world());
+    if (timing_) stageTimes_.add(document_.world().statistics());
+    textbook_.sample();
+    meters_.sample();
+    measurements_.sample(document_.world(), [this](const std::string& id, const Quantity& reading) {
+        const Meter* meter = meters_.find(id);
+        return meter == nullptr ? std::nullopt : meters_.read(*meter, reading);
+    });
     if (trailing_) trails_.sample(document_.world());
 }
 
@@ -232,6 +242,12 @@ bool Workbench::selected(BodyId body) const {
 }
 
 void Workbench::select(std::vector<BodyId> bodies) {
+    selectedMeters_.clear();
+    setSelection(std::move(bodies));
+}
+
+// Meters that are selected stay so.
+void Workbench::setSelection(std::vector<BodyId> bodies) {
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     const auto pins = document_.pins();  // these go with what they hold
@@ -249,7 +265,7 @@ void Workbench::toggle(BodyId body) {
         std::erase(bodies, body);
     else
         bodies.push_back(body);
-    select(std::move(bodies));
+    setSelection(std::move(bodies));
 }
 
 // Mechanisms are known by their ids, others by their place.
@@ -281,11 +297,11 @@ void Workbench::chooseFitting(const std::optional<FittingRef>& ref) {
 
 void Workbench::measure(std::vector<const Quantity*> quantities) {
     measured_ = std::move(quantities);
-    watchSelection();
+    watchSelection(true);
 }
 
-void Workbench::watchSelection() {
-    if (measured_.empty() && measurements_.series().empty() && !trailing_) return;
+void Workbench::watchSelection(bool plotting) {
+    if (measured_.empty() && measurements_.series().empty() && !trailing_ && !plotting) return;
     const World& world = document_.world();
     std::vector<Measurements::Subject> subjects;
     for (const BodyId body : selection_) {
@@ -293,12 +309,16 @@ void Workbench::watchSelection() {
         subjects.push_back(
             {body, world.userData(body), id.empty() ? "a piece of " + world.name(body) : id});
     }
+    for (const std::string& id : selectedMeters_)
+        subjects.push_back({BodyId{}, 0, id, id, meters_.record(id)});
     // What was measured goes on to be, as long as it is there.
     if (subjects.empty())
-        for (const auto& subject : subjects_)
-            if (subject.body && world.contains(subject.body) &&
-                world.userData(subject.body) == subject.userData)
+        for (auto& subject : subjects_) {
+            if (!subject.meter.empty()) subject.record = meters_.record(subject.meter);
+            if (!subject.record.empty() || (subject.body && world.contains(subject.body) &&
+                                            world.userData(subject.body) == subject.userData))
                 subjects.push_back(subject);
+        }
     if (subjects.empty()) subjects.push_back({BodyId{}, 0, "the scene"});
     subjects_ = std::move(subjects);
     measurements_.watch(subjects_, measured_);
@@ -309,6 +329,7 @@ void Workbench::watchSelection() {
 
 void Workbench::clearMeasurements() {
     measurements_.clear();
+    meters_.clear();
     trails_.clear();
 }
 
@@ -358,10 +379,31 @@ void Workbench::deleteSelection() {
         return;
     }
     if (!things_.empty()) deleteThings();
-    if (selection_.empty()) return;
+    if (selection_.empty() && selectedMeters_.empty()) return;
     tool_->cancel();
     const auto gone = std::exchange(selection_, {});
-    document_.edit("Delete", [&] { document_.remove(gone); });
+    const auto meters = std::exchange(selectedMeters_, {});
+    document_.edit("Delete", [&] {
+        document_.remove(gone);
+        if (!meters.empty()) removeMeters(document_.planForEditing(), meters);
+    });
+}
+
+void Workbench::setStageTimes(bool on) {
+    if (on != timing_) stageTimes_.clear();
+    timing_ = on;
+    document_.world().setProfiling(on);
+}
+
+bool Workbench::meterSelected(const std::string& id) const {
+    return std::find(selectedMeters_.begin(), selectedMeters_.end(), id) != selectedMeters_.end();
+}
+
+void Workbench::selectMeters(std::vector<std::string> ids, bool too) {
+    if (!too) setSelection({});
+    selectedMeters_ = std::move(ids);
+    forgetRemoved();
+    watchSelection();
 }
 
 std::string Workbench::copy() const {
@@ -444,7 +486,7 @@ void Workbench::followHandles(const std::function<BodyId(BodyId)>& now) {
     // These have no handles: they stay.
     auto chosen = std::move(chosen_);
     auto things = std::move(things_);
-    select(std::move(kept));
+    setSelection(std::move(kept));
     chosen_ = std::move(chosen);
     things_ = std::move(things);
 }

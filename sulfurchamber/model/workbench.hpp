@@ -16,6 +16,9 @@
 #include "grip.hpp"
 #include "level_pieces.hpp"
 #include "measurement.hpp"
+#include "meters.hpp"
+#include "stage_times.hpp"
+#include "textbook.hpp"
 
 namespace sulfurchamber {
 
@@ -54,6 +57,10 @@ enum class ToolKind : std::uint8_t {
     cut,
     erase,
     measure,
+    protractor,
+    tracer,
+    gauge,
+    gun,
     place  ///< a piece of a level; see Workbench::setPlacing
 };
 /// All but `place`, which a menu of its own offers.
@@ -194,7 +201,8 @@ public:
     // -- measuring --
 
     /// Records these quantities of what is selected, or else of what was measured so far; of the
-    /// scene where that is nothing. A sample each tick.
+    /// scene where that is nothing. A sample each tick. Meters that are selected join them with
+    /// their readings.
     void measure(std::vector<const Quantity*> quantities);
     const std::vector<const Quantity*>& measured() const { return measured_; }
     const Measurements& measurements() const { return measurements_; }
@@ -204,6 +212,22 @@ public:
     bool trails() const { return trailing_; }
     /// Pairs of series: the way to the right and the height of each.
     const Measurements& trailMeasurements() const { return trails_; }
+
+    // -- meters --
+
+    /// Those of the scene, with what they show.
+    const Meters& meters() const { return meters_; }
+    /// Ids of meters that are selected beside the bodies.
+    const std::vector<std::string>& selectedMeters() const { return selectedMeters_; }
+    bool meterSelected(const std::string& id) const;
+    /// Selects these meters, and no bodies unless `too`.
+    void selectMeters(std::vector<std::string> ids, bool too = false);
+
+    /// What the scene's formula expects and what is measured.
+    const Textbook& textbook() const { return textbook_; }
+    /// Measures the time of each stage from now on, which costs a little.
+    void setStageTimes(bool on);
+    const StageTimes& stageTimes() const { return stageTimes_; }
 
     // -- transforming, each one step --
 
@@ -234,7 +258,8 @@ private:
     void dropBox(Drop kind, double width);
     void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
     void forgetRemoved();
-    void watchSelection();
+    void setSelection(std::vector<sulfur::BodyId> bodies);
+    void watchSelection(bool plotting = false);
     void deleteThings();
     void duplicateThings();
 
@@ -255,6 +280,11 @@ private:
     std::vector<Measurements::Subject> subjects_;
     Measurements measurements_;
     Measurements trails_;
+    Meters meters_{document_};
+    std::vector<std::string> selectedMeters_;
+    Textbook textbook_{document_};
+    StageTimes stageTimes_;
+    bool timing_ = false;
     bool trailing_ = false;
     double snap_ = 0;
     double rain_ = 0;

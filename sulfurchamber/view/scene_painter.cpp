@@ -23,8 +23,6 @@ using sulfur::JointId;
 using sulfur::ParticleId;
 using sulfur::World;
 
-constexpr float fullStrain = 0.08f;    // at which the colour is strongest
-constexpr float arrowSeconds = 0.12f;  // an arrow is the way of this time
 constexpr float innerJointPixels = 9;  // shorter inner joints would only be noise
 constexpr float smallestDotPixels = 2.6f;
 constexpr double trailSeconds = 20;
@@ -38,13 +36,6 @@ float toFloat(sulfur::Real value) {
 float shade(BodyId body) {
     const std::uint32_t mixed = (body.index * 2654435761u) >> 16;
     return static_cast<float>(mixed % 64u) / 64.0f;
-}
-
-Color strainColor(float strain) {
-    const float t = std::clamp(strain / fullStrain, -1.0f, 1.0f);
-    if (t < 0) return atlax::mix(palette::sky.withAlpha(0.45f), palette::cold, -t);
-    return t < 0.5f ? atlax::mix(palette::sky.withAlpha(0.45f), palette::amber, t * 2)
-                    : atlax::mix(palette::amber, palette::hot, t * 2 - 1);
 }
 
 // Whether another body lies inside: then the outline is a cave and not a rock.
@@ -95,6 +86,13 @@ private:
 };
 
 }  // namespace
+
+Color strainColour(float strain) {
+    const float t = std::clamp(strain / strainAtFullColour, -1.0f, 1.0f);
+    if (t < 0) return atlax::mix(palette::sky.withAlpha(0.45f), palette::cold, -t);
+    return t < 0.5f ? atlax::mix(palette::sky.withAlpha(0.45f), palette::amber, t * 2)
+                    : atlax::mix(palette::amber, palette::hot, t * 2 - 1);
+}
 
 const ScenePainter::Look& ScenePainter::lookOf(const Document& document, BodyId body) {
     const World& world = document.world();
@@ -342,7 +340,7 @@ void ScenePainter::paintStrain() {
         const Vec2 a = place(info.a);
         const Vec2 b = place(info.b);
         const float rest = std::max(1e-4f, toFloat(info.restLength));
-        canvas_->line(a, b, 2.4f * pixel_, strainColor(atlax::length(b - a) / rest - 1));
+        canvas_->line(a, b, 2.4f * pixel_, strainColour(atlax::length(b - a) / rest - 1));
     };
     for (const BodyId body : world_->bodies()) {
         if (world_->kind(body) == sulfur::BodyKind::fixed) continue;
@@ -372,13 +370,15 @@ void ScenePainter::paintVelocities() {
             Vec2 middle;
             for (const ParticleId particle : particles) middle += place(particle);
             middle = middle / static_cast<float>(std::max<std::size_t>(1, particles.size()));
-            arrow(middle, middle + Vec2(world_->meanVelocity(body)) * arrowSeconds, palette::cold);
+            arrow(middle, middle + Vec2(world_->meanVelocity(body)) * velocityArrowSeconds,
+                  palette::cold);
             continue;
         }
         const std::size_t stride = std::max<std::size_t>(1, particles.size() / 8);
         for (std::size_t i = 0; i < particles.size(); i += stride) {
             const Vec2 at = place(particles[i]);
-            arrow(at, at + Vec2(world_->velocity(particles[i])) * arrowSeconds, palette::cold);
+            arrow(at, at + Vec2(world_->velocity(particles[i])) * velocityArrowSeconds,
+                  palette::cold);
         }
     }
 }

@@ -12,6 +12,10 @@
 namespace sulfurchamber {
 
 inline constexpr float reachPixels = 9;  ///< logical pixels within which the pointer hits
+inline constexpr float velocityArrowSeconds = 0.12f;  ///< an arrow is the way of this time
+inline constexpr float strainAtFullColour = 0.08f;    ///< at which the colour is strongest
+/// Amber and red for what is stretched, cyan for what is pressed.
+atlax::Color strainColour(float strain);
 
 /// What is drawn beside the bodies.
 struct ViewOptions {
@@ -21,8 +25,11 @@ struct ViewOptions {
     bool velocities = false;
     bool strain = false;  ///< joints coloured by how far they are stretched
     bool contacts = false;
-    bool bodies = true;     ///< else somebody else has drawn them, and only marks are
-    bool skeleton = false;  ///< over all, what the physics library sees (paintDebug)
+    bool bodies = true;          ///< else somebody else has drawn them, and only marks are
+    bool gravity = false;        ///< arrows of weights
+    bool contactForces = false;  ///< arrows of what contacts push
+    bool jointForces = false;    ///< arrows of what joints and mechanisms pull
+    bool skeleton = false;       ///< over all, what the physics library sees (paintDebug)
 };
 
 /// Keeps what it finds out about bodies between frames.

@@ -11,7 +11,9 @@
 
 #include "../model/geometry.hpp"
 #include "debug_painter.hpp"
+#include "force_painter.hpp"
 #include "grid_painter.hpp"
+#include "meter_painter.hpp"
 #include "palette.hpp"
 
 namespace sulfurchamber {
@@ -332,7 +334,10 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
         paintDebug(canvas, bench_.document().world(), bench_.document().playing() ? alpha : 1.0);
     }
     if (overlay) overlay(canvas, camera_, *font_);
+    paintForces(canvas, camera_, bench_.document().world(), options_);
+    paintMeters(canvas, camera_, *font_, bench_, bench_.document().playing() ? alpha : 1.0);
     if (options_.rulers) paintRulers(canvas, camera_, *font_);
+    paintLegend(canvas, camera_, *font_, bench_.document().world(), options_);
     paintRulerText(canvas);
     paintClock(canvas);
 }

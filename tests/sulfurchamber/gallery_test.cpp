@@ -38,7 +38,10 @@ INSTANTIATE_TEST_SUITE_P(All, Gallery,
                          testing::Values("boxes", "bridge", "car", "catapult", "crane",
                                          "crumbling-wall", "flag", "jelly-tower", "mass-ratio",
                                          "newtons-cradle", "pendulum", "pendulum-clock", "rope",
-                                         "rope-bridge", "trebuchet", "walker", "wrecking-ball"),
+                                         "rope-bridge", "textbook-collision", "textbook-fall",
+                                         "textbook-pendulum", "textbook-rolling", "textbook-slope",
+                                         "textbook-spring", "textbook-throw", "trebuchet", "walker",
+                                         "wrecking-ball"),
                          [](const auto& scene) {
                              std::string name = scene.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -67,7 +70,7 @@ TEST(GalleryFolder, HasOnlyTheseScenes) {
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SULFURCHAMBER_SCENES))
         if (entry.path().extension() == ".json") ++files;
-    EXPECT_EQ(files, 17u) << "a new example belongs into the list above";
+    EXPECT_EQ(files, 24u) << "a new example belongs into the list above";
 }
 
 }  // namespace
