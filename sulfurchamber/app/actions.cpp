@@ -196,7 +196,7 @@ void MainFrame::addToolActions() {
                               [this, kind = entry.kind] { bench_.setTool(kind); },
                               {},
                               [this, kind = entry.kind] { return bench_.tool() == kind; }});
-        if (group == ToolGroup::select || group == ToolGroup::measure) continue;
+        if (group == ToolGroup::select) continue;
         for (const ToolGroupInfo& info : toolGroups())
             if (info.group == group)
                 action.under = wxString::FromUTF8(info.title.data(), info.title.size());

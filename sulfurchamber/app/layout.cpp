@@ -181,7 +181,7 @@ void MainFrame::followTool() {
         const bool on = which == group;
         if (palette_->GetToolToggled(id) != on) palette_->ToggleTool(id, on);
     }
-    if (group != ToolGroup::select && group != ToolGroup::measure) showGroup(group);
+    if (group != ToolGroup::select) showGroup(group);
     palette_->Refresh();
 }
 
