@@ -1,6 +1,7 @@
 #include "share.hpp"
 
 #include <array>
+#include <atlax/base64.hpp>
 #include <atlax/compression.hpp>
 #include <atlax/error.hpp>
 #include <cstdlib>
@@ -12,44 +13,12 @@ namespace {
 
 constexpr std::string_view prefix = "quaoar-replay:";
 constexpr std::uint8_t formatVersion = 1;
-constexpr std::string_view digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr int half = 512;       ///< aims of players lie on the edge of a square of this half side
 constexpr int edge = 8 * half;  ///< points of that edge
 constexpr std::size_t mostBytes = std::size_t{4} << 20;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw RecordingError("this is no replay of the game: " + why);
-}
-
-std::string toBase64(std::span<const std::byte> bytes) {
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (k < count ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0);
-        for (std::size_t k = 0; k <= count; ++k) text += digits[group >> (18 - 6 * k) & 63];
-    }
-    return text;
-}
-
-/// Up to the first character that does not belong to it.
-std::vector<std::byte> fromBase64(std::string_view text) {
-    std::vector<std::byte> bytes;
-    std::uint32_t group = 0;
-    int bits = 0;
-    for (const char c : text) {
-        if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-        const std::size_t digit = digits.find(c);
-        if (digit == std::string_view::npos) break;
-        group = (group << 6 | static_cast<std::uint32_t>(digit)) & 0xFFFFFFu;
-        bits += 6;
-        if (bits < 8) continue;
-        bits -= 8;
-        bytes.push_back(static_cast<std::byte>(group >> bits & 255));
-    }
-    return bytes;
 }
 
 class Writer {
@@ -215,14 +184,14 @@ Recording parseShareBytes(std::span<const std::byte> bytes) {
 }
 
 std::string shareText(const Recording& recording) {
-    return std::string(prefix) + toBase64(atlax::compress(shareBytes(recording), 19));
+    return std::string(prefix) + atlax::toBase64(atlax::compress(shareBytes(recording), 19));
 }
 
 Recording parseShareText(std::string_view text) {
     const std::size_t start = text.find(prefix);
     if (start == std::string_view::npos)
         refuse("\"" + std::string(prefix) + "\" is missing at its beginning");
-    const std::vector<std::byte> packed = fromBase64(text.substr(start + prefix.size()));
+    const std::vector<std::byte> packed = atlax::fromBase64(text.substr(start + prefix.size()));
     try {
         return parseShareBytes(atlax::decompress(packed, mostBytes));
     } catch (const atlax::Error&) {
