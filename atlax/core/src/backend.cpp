@@ -14,9 +14,11 @@ namespace atlax {
 
 namespace {
 
-/// Longest time that the ticks of one frame may take. It keeps an overloaded program at 20 frames a
-/// second or more; what remains is given up, so that time slows down instead.
-constexpr std::int64_t tickBudgetNs = 40'000'000;
+/// An overloaded program draws about 30 frames a second all the same: ticks have what drawing
+/// leaves of such a frame, and a little in any case. What remains is given up, so that time slows
+/// down instead.
+constexpr double wantedFrameMs = 31;
+constexpr double leastTicksMs = 8;
 constexpr std::int64_t statisticsWindowNs = 500'000'000;
 /// What seems to last longer is no frame: the clock has leapt, or the machine has slept.
 constexpr std::int64_t longestWindowNs = 10'000'000'000;
@@ -104,7 +106,8 @@ void BackendPlatform::frame(bool visible) {
 }
 
 void BackendPlatform::runTicks() {
-    const std::int64_t deadline = now_() + tickBudgetNs;
+    const double budgetMs = std::max(leastTicksMs, wantedFrameMs - statistics_.drawMilliseconds);
+    const std::int64_t deadline = now_() + static_cast<std::int64_t>(budgetMs * 1e6);
     const std::int64_t due = clock_.due();
     statistics_.ticksLastFrame = 0;
     while (!finished() && clock_.takeTick()) {
