@@ -238,6 +238,7 @@ void Timeline::addKey(Branch& branch, const World& world) {
         key.packed = atlax::compress(bytes, 1);
         growing_ = {key.serial, std::move(bytes)};
     }
+    key.packed.shrink_to_fit();  // as it grew, it has taken up to twice as much
     packed_ += key.packed.size();
     branch.keys.push_back(std::move(key));
     scheduleKey(branch, world);
