@@ -15,6 +15,7 @@ using sulfur::Vec2;
 
 constexpr double massPerArea = 4;     // kg/m^2: half a metre of box weighs a kilogram
 constexpr double massPerMetre = 0.4;  // kg/m of rope
+constexpr double leastSpan = 3;       // metres from which a rope between two ends is a bridge
 constexpr double chainMassPerMetre = 3;
 constexpr double bridgeMassPerMetre = 3;
 constexpr double clothMassPerArea = 0.3;
@@ -142,12 +143,31 @@ private:
         options.pinLast = !end.pick && pointer.shift;
         // Between two things it hangs as between two pins. A single link cannot.
         if (end.pick && options.links > 1) options.slack = sulfur::Real(0.02);
+        if ((end.pick || options.pinLast) && whole > leastSpan) makeSpan(options);
+        const sulfur::ConnectOptions tie{.stiffness = options.stiffness,
+                                         .damping = options.damping};
         document().edit("Add rope", [&] {
             const BodyId rope = document().add("rope", options, {.position = first});
             const auto particles = world().particles(rope);
-            if (start.pick) document().connect(particles.front(), start.pick->particle);
-            if (end.pick) document().connect(particles.back(), end.pick->particle);
+            if (start.pick) document().connect(particles.front(), start.pick->particle, tie);
+            if (end.pick) document().connect(particles.back(), end.pick->particle, tie);
         });
+    }
+
+    // What bears loads between two ends gives, damps, is rough, and has few links: a load across
+    // many rigid ones costs a tenth of a core.
+    static void makeSpan(sulfur::shapes::RopeOptions& options) {
+        constexpr double link = 0.25;      // metres
+        constexpr double stretch = 3750;   // N, for twice its length
+        constexpr double dampedFor = 0.2;  // s, damping over stiffness
+        const auto span = static_cast<double>(options.to.norm());
+        options.links = std::clamp(static_cast<int>(std::lround(span / link)), 2, 400);
+        options.slack = sulfur::Real(0.02);
+        options.stiffness = real(stretch * options.links / span);
+        options.damping = real(dampedFor * static_cast<double>(options.stiffness));
+        options.bending = 0;
+        options.material.staticFriction = Real(1.5);
+        options.material.kineticFriction = Real(1.3);
     }
 };
 
