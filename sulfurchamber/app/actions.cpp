@@ -34,6 +34,10 @@ void MainFrame::addFileActions() {
     add({"save-moment", m, wxString::FromUTF8("Save this &moment as a new scene\xE2\x80\xA6"), 0,
          "Save everything where it is now, in a file of its own", "",
          [this] { saveMomentDialog(); }});
+    addShareActions();
+    add({"import", m, wxString::FromUTF8("&Import outlines\xE2\x80\xA6"), 0,
+         "Make bodies from the outlines of an SVG drawing or of a picture with transparency", "",
+         [this] { chooseImport(); }});
     add({"quit", m, "&Quit\tCtrl+Q", 0, "Leave SulfurChamber", "", [this] { Close(); }})
         .separatorBefore = true;
 }

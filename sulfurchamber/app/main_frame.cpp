@@ -39,6 +39,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     actions_.reserve(256);
     stage_ = std::make_unique<LevelStage>(bench_, view_);
     makeActions();
+    makeDropUses();
     makeMenus();
     makeBars();
     makePanels();
@@ -46,9 +47,12 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     bindControls();
     loadPreferences();
     view_.onFile = [this](const std::filesystem::path& file) {
-        if (mayDiscard()) openFile(file);
+        CallAfter([this, file] { dropFile(file); });  // who drops waits for us until then
     };
     view_.onProblem = [this](const std::string& problem) { tell(problem); };
+    view_.onFilm = [this](const std::filesystem::path& file) {
+        notify("The film is " + file.string());
+    };
     view_.onFrame = [this] { onFrame(); };
     canvas_->setOnEnd([this](int code, const std::string& error) {
         if (!error.empty()) tellInDialog(error, "SulfurChamber cannot draw");
@@ -338,17 +342,22 @@ void MainFrame::refreshStatus() {
     const wxString particles = counted(sums.particles, "particle");
     const wxString joints = "   " + counted(sums.rigidJoints + sums.elasticJoints, "joint");
     const wxString contacts = "   " + counted(s.contacts, "contact");
+    const std::string slowness = view_.slowness();
     const int strayWidth = strays_ > 0 ? FromDIP(130) : 0;
-    if (GetStatusBar()->GetStatusWidth(1) != strayWidth) {
+    const int paceWidth = FromDIP(slowness.empty() ? 140 : 260);
+    if (GetStatusBar()->GetStatusWidth(1) != strayWidth ||
+        GetStatusBar()->GetStatusWidth(2) != paceWidth) {
         // GTK cannot redraw a text where there is no room any more.
         if (strayWidth == 0) SetStatusText("", 1);
-        const std::array<int, 4> widths{-1, strayWidth, FromDIP(140), FromDIP(112)};
+        if (slowness.empty()) SetStatusText("", 2);
+        const std::array<int, 4> widths{-1, strayWidth, paceWidth, FromDIP(112)};
         SetStatusWidths(4, widths.data());
     }
     setStatus(0, {particles + joints + contacts, particles + joints, particles});
     if (strays_ > 0) setStatus(1, {wxString::Format("%zu out of bounds", strays_)});
-    setStatus(2, {wxString::Format("%.0f %% of real time",
-                                   view_.realTimeShare() * view_.speedPermille() / 10.0)});
+    const wxString pace = wxString::Format("%.0f %% of real time",
+                                           view_.realTimeShare() * view_.speedPermille() / 10.0);
+    setStatus(2, {slowness.empty() ? pace : pace + ": " + wxString::FromUTF8(slowness), pace});
     const wxString rate = wxString::Format("%d Hz", world.settings().tickRate);
     setStatus(3, {s.substeps > 1 ? rate + wxString::Format(", %u steps", s.substeps) : rate, rate});
     tellWhenNearlyFull(sums.particles);

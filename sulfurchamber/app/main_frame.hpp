@@ -20,8 +20,10 @@
 #include <vector>
 
 #include "../level/level_stage.hpp"
+#include "../model/drawing.hpp"
 #include "../model/recovery.hpp"
 #include "../view/scene_view.hpp"
+#include "drop_use.hpp"
 #include "options.hpp"
 #include "plot_panel.hpp"
 #include "preferences.hpp"
@@ -78,6 +80,17 @@ public:
     bool saveFile(const std::filesystem::path& file);
     /// The same for the state of this moment, as a scene of its own.
     bool saveMoment(const std::filesystem::path& file);
+    /// The selection, or the scene, as C++ source; the reason of a failure is shown.
+    bool exportCpp(const std::filesystem::path& file);
+    /// Begins to make a film of the last seconds; that it is done, or why not, is told.
+    void makeFilm(const std::filesystem::path& file);
+    /// Bodies from the outlines of a drawing or a picture, their middle at a place. What could not
+    /// be used is told. Whether any was made.
+    bool importOutlines(const std::filesystem::path& file, OutlineKind kind,
+                        const DrawingOptions& options, const sulfur::Point& place);
+    /// Does with a file, at the pointer, what the table of uses has for it (dropping.cpp): the use
+    /// of this name, or what the user chooses. The reason of a failure is told.
+    void dropFile(const std::filesystem::path& file, const std::string& use = "");
     /// What was last told to be wrong; empty at the start.
     const std::string& lastProblem() const { return lastProblem_; }
     /// What the menu says of an action, without its key; "" when there is none.
@@ -142,6 +155,20 @@ private:
     void savePreferences();
     void noteRecent(const std::filesystem::path& file);
 
+    // sharing.cpp
+    void addShareActions();
+    void openShared();
+    void exportCppDialog();
+    void filmDialog();
+
+    // import_dialog.cpp
+    void importDialog(const std::filesystem::path& file, const sulfur::Point& place);
+    void chooseImport();
+
+    // dropping.cpp
+    void makeDropUses();
+    const DropUse* chooseDropUse(const std::vector<const DropUse*>& fitting);
+
     // main_frame.cpp
     void onClose(wxCloseEvent& event);
     void onKey(wxKeyEvent& event);
@@ -174,6 +201,7 @@ private:
     const Options& options_;
     SceneView view_;
     std::vector<Action> actions_;
+    std::vector<DropUse> dropUses_;
     wxAuiManager manager_;
     atlax::wx::View* canvas_ = nullptr;
     wxPanel* centre_ = nullptr;

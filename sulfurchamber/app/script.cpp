@@ -86,7 +86,11 @@ std::string scriptHelp() {
            "  title WORDS, describe WORDS  of the scene\n"
            "  material NAME           makes what is selected of ice, rubber, wood, steel, ...\n"
            "  open FILE, save FILE    without questions\n"
+           "  drop FILE X Y [USE]     drop a file on the scene; uses: open, add, outline\n"
+           "  import FILE KIND METRES bodies from outlines: rigid, soft or fixed, so large\n"
            "  save-moment FILE        the state of this moment as a scene of its own\n"
+           "  export-cpp FILE         the selection, or the scene, as C++ source\n"
+           "  film FILE               the last 10 s as an animated picture\n"
            "  screenshot FILE         the window as PNG\n"
            "  expect QUANTITY OP N    fails unless it holds; OP is = != < or >; quantities:\n"
            "                          bodies particles joints contacts time selected modified\n"
@@ -493,6 +497,21 @@ bool Script::startWorld(const Words& words) {
 }
 
 bool Script::startFile(const Words& words) {
+    if (words[0] == "drop" && (words.size() == 4 || words.size() == 5)) {
+        moveMouse({number(words[2]), number(words[3])},
+                  [this, file = words[1], use = words.size() == 5 ? words[4] : ""] {
+                      frame_.dropFile(file, use);
+                      waitForFrames(2, {});
+                  });
+        return true;
+    }
+    if (words[0] == "import" && words.size() == 4) {
+        const auto kind = outlineKindFromName(words[2]);
+        if (!kind) fail("\"" + words[2] + "\" is not one of rigid soft fixed");
+        frame_.importOutlines(words[1], *kind, {.size = number(words[3])},
+                              frame_.sceneView().pointer().value_or(sulfur::Point(0, 2)));
+        return true;
+    }
     if (words.size() != 2) return false;
     if (words[0] == "open") {
         // A file that cannot be read is not the script's failure: it may expect a problem.
@@ -502,6 +521,11 @@ bool Script::startFile(const Words& words) {
         if (!frame_.saveFile(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "save-moment") {
         if (!frame_.saveMoment(words[1])) fail(frame_.lastProblem());
+    } else if (words[0] == "export-cpp") {
+        if (!frame_.exportCpp(words[1])) fail(frame_.lastProblem());
+    } else if (words[0] == "film") {
+        frame_.makeFilm(words[1]);
+        waitFor([this] { return !frame_.sceneView().filmProgress(); });
     } else if (words[0] == "save-plot") {
         if (!frame_.savePlot(words[1])) fail(frame_.lastProblem());
     } else if (words[0] == "save-table4") {

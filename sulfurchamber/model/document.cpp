@@ -342,6 +342,19 @@ bool Document::goTo(const Moment& moment, double milliseconds) {
            std::clamp(moment.tick, timeline_.first(reached.branch), timeline_.last(reached.branch));
 }
 
+void Document::lookAt(std::unique_ptr<World>& other, const std::function<void()>& look) {
+    struct Exchange {
+        std::unique_ptr<World>& a;
+        std::unique_ptr<World>& b;
+        Exchange(std::unique_ptr<World>& one, std::unique_ptr<World>& two) : a(one), b(two) {
+            a.swap(b);
+        }
+        ~Exchange() { a.swap(b); }
+    };
+    const Exchange exchange(world_, other);
+    look();
+}
+
 // Where no edit lies between two moments, a handle means the same body in both. While the slider is
 // dragged there is one after the other, and views keep what they know of bodies.
 void Document::followTime(const std::function<void()>& go) {

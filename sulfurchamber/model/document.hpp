@@ -151,6 +151,14 @@ public:
     /// reached. Precondition: something is recorded.
     bool goTo(const Moment& moment, double milliseconds = 1e9);
 
+    /// Brings another world to a recorded moment, as Timeline::replay() does.
+    bool replay(sulfur::World& other, const Moment& moment, double milliseconds) {
+        return timeline_.replay(other, moment, milliseconds);
+    }
+    /// Runs `look` while another world stands in the place of this one's: a moment that was
+    /// replayed. Neither world and nothing of the document may be changed by it.
+    void lookAt(std::unique_ptr<sulfur::World>& other, const std::function<void()>& look);
+
     // -- history --
 
     /// Runs `change` as one step of the history. When it throws, all is as before and the exception

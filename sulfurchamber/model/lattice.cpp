@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "geometry.hpp"
+#include "region.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -185,16 +186,24 @@ double areaWithin(const Outline& outline) {
 }
 
 sulfur::Blueprint lattice(const Outline& outline, double spacing, double mass, double stiffness,
-                          double damping) {
+                          double damping, const std::vector<Outline>& holes) {
     using sulfur::Real;
     if (outline.size() < 3 || areaWithin(outline) < spacing * spacing)
         throw std::runtime_error("this outline encloses too little; draw a larger one");
     if (meetsItself(outline))
         throw std::runtime_error("this outline crosses itself; draw it round once");
-    Outline points = resampled(outline, spacing);
+    // The way to a hole is a slit, across which springs hold it together.
+    const Region region{outline, holes};
+    Outline points = resampled(keyholed(region, spacing / 6), spacing);
     const auto rim = static_cast<std::uint32_t>(points.size());
-    addInside(outline, spacing, points);
-    const Outline around(points.begin(), points.begin() + rim);
+    const Outline around = points;
+    addInside(around, spacing, points);
+    const auto within = [&](const Point& point) {
+        if (holes.empty()) return inside(around, point);
+        return inside(outline, point) &&
+               std::none_of(holes.begin(), holes.end(),
+                            [&](const Outline& hole) { return inside(hole, point); });
+    };
     const auto radius = static_cast<Real>(std::min(0.03, spacing / 6));
     sulfur::Blueprint blueprint;
     for (const Point& point : points) {
@@ -215,7 +224,7 @@ sulfur::Blueprint lattice(const Outline& outline, double spacing, double mass, d
     for (std::uint32_t i = 0; i < rim; ++i) join(i, (i + 1) % rim, radius);
     for (const auto& [a, b] : delaunay(points)) {
         const bool side = b < rim && (b == a + 1 || (a == 0 && b == rim - 1));
-        if (!side && inside(around, (points[a] + points[b]) / 2)) join(a, b, 0);
+        if (!side && within((points[a] + points[b]) / 2)) join(a, b, 0);
     }
     blueprint.validate();
     return blueprint;

@@ -19,8 +19,9 @@ double areaWithin(const Outline& outline);
 /// A soft body that fills a closed outline: particles along it and in a grid inside, about
 /// `spacing` metres apart, joined by springs as triangles (Delaunay's triangulation), with capsules
 /// along the outline. Its frame's origin is the outline's. Throws std::runtime_error when the
-/// outline meets itself or has no room for a body.
+/// outline meets itself or has no room for a body. Holes, clockwise outlines inside of one that
+/// runs anticlockwise, stay empty.
 sulfur::Blueprint lattice(const Outline& outline, double spacing, double mass, double stiffness,
-                          double damping);
+                          double damping, const std::vector<Outline>& holes = {});
 
 }  // namespace sulfurchamber

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lattice.hpp"
+#include "region.hpp"
 #include "tool.hpp"
 
 namespace sulfurchamber {
@@ -11,8 +11,7 @@ namespace {
 using sulfur::Point;
 using sulfur::Real;
 
-constexpr double outlineMassPerArea = 4;  // kg/m^2, as of boxes
-constexpr double leastArea = 0.002;       // m^2; what is smaller was no outline
+constexpr double leastArea = 0.002;  // m^2; what is smaller was no outline
 
 // About its own middle, which becomes the origin of its frame.
 Point centred(Outline& outline) {

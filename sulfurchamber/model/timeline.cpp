@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 
 namespace sulfurchamber {
 namespace {
@@ -351,6 +352,19 @@ Moment Timeline::go(World& world, const Moment& wanted, double budget) {
         scheduleKey(branch, world);
     }
     return *now_;
+}
+
+// Where a key lies on the way, an edit may too: it comes from there.
+bool Timeline::replay(World& other, const Moment& wanted, double budget) {
+    const bool kept = branches_.contains(wanted.branch) && wanted.tick >= first(wanted.branch) &&
+                      wanted.tick <= last(wanted.branch);
+    if (!kept) throw std::runtime_error("this moment is no longer recorded");
+    const Branch& branch = at(owner(wanted));
+    const Key& key = keyBefore(branch, wanted.tick);
+    if (other.ticks() > wanted.tick || key.tick >= other.ticks())
+        other.restore(unpack(branch, key));
+    simulate(other, branch, wanted.tick, budget);
+    return other.ticks() == wanted.tick;
 }
 
 void Timeline::simulate(World& world, const Branch& branch, std::uint64_t to, double budget) const {

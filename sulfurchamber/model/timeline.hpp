@@ -122,6 +122,11 @@ public:
     /// ask again. Precondition: something is recorded.
     Moment go(sulfur::World& world, const Moment& wanted, double milliseconds);
 
+    /// Brings another world, which nobody else moves, to a moment, and leaves this one's where it
+    /// is. It stops on the way as go() does; then ask again. Whether it is there. Throws
+    /// std::runtime_error where the moment is no longer recorded.
+    bool replay(sulfur::World& other, const Moment& wanted, double milliseconds);
+
     // -- what there is --
 
     bool empty() const { return branches_.empty(); }

@@ -5,7 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "cpp_source.hpp"
 #include "geometry.hpp"
+#include "share_text.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
 
@@ -80,6 +82,10 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
     scene.extra.clear();
     setThrusters(scene, thrusters);
     return scene;
+}
+
+sulfur::scene::Scene pastedScene(const std::string& text) {
+    return isShareText(text) ? parseShareText(text) : sulfur::scene::parse(text, "the clipboard");
 }
 
 }  // namespace
@@ -417,8 +423,13 @@ std::string Workbench::copy() const {
     return sulfur::scene::format(only(std::move(scene), ids));
 }
 
+std::string Workbench::cppSource() const {
+    if (selection_.empty()) return sulfurchamber::cppSource(document_.planScene());
+    return sulfurchamber::cppSource(sulfur::scene::parse(copy(), "the selection"));
+}
+
 void Workbench::paste(const std::string& text, const Point& by) {
-    const auto scene = sulfur::scene::parse(text, "the clipboard");
+    const auto scene = pastedScene(text);
     std::vector<BodyId> made;
     tool_->cancel();
     document_.edit("Paste", [&] {
@@ -428,7 +439,7 @@ void Workbench::paste(const std::string& text, const Point& by) {
 }
 
 void Workbench::pasteAt(const std::string& text, const Point& place) {
-    const auto scene = sulfur::scene::parse(text, "the clipboard");
+    const auto scene = pastedScene(text);
     World trial(scene.settings);
     sulfur::scene::instantiate(scene, trial);
     std::optional<Bounds> all;

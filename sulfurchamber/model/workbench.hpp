@@ -191,8 +191,10 @@ public:
     }
     /// The selected bodies as the text of a scene; empty when nothing is selected.
     std::string copy() const;
-    /// Adds the bodies of such a text and selects them, moved by `by` metres. Throws
-    /// sulfur::scene::ReadError, naming the clipboard, when it is something else.
+    /// The selected bodies as C++ source, or all of the plan where nothing is selected.
+    std::string cppSource() const;
+    /// Adds the bodies of such a text, or of one of a whole scene, and selects them, moved by `by`
+    /// metres. Throws sulfur::scene::ReadError, naming the clipboard, when it is something else.
     void paste(const std::string& text, const sulfur::Point& by);
     /// The same, with the middle of what is pasted at a place.
     void pasteAt(const std::string& text, const sulfur::Point& place);

@@ -25,6 +25,7 @@ using sulfur::World;
 
 constexpr float innerJointPixels = 9;  // shorter inner joints would only be noise
 constexpr float smallestDotPixels = 2.6f;
+constexpr float smallBodyPixels = 14;  // up to which a body has no rim of its own
 constexpr double trailSeconds = 20;
 constexpr std::size_t trailPoints = 600;  // of one trail
 
@@ -172,7 +173,7 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     for (const bool fixed : {true, false})
         for (const Posed& body : bodies)
             if ((body.kind == sulfur::BodyKind::fixed) == fixed)
-                paintBody(body, bench.selected(body.id));
+                paintBody(body, options.tools && bench.selected(body.id));
     if (options.bodies) paintConnections();
     paintMechanisms();
     fittings.paintMarks();
@@ -181,9 +182,10 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     paintPins();
     if (options.contacts) paintContacts();
     if (options.velocities) paintVelocities();
-    if (bench.tool() == ToolKind::select && !document.playing()) paintHandles(bench);
+    const bool handles = bench.tool() == ToolKind::select && !document.playing();
+    if (options.tools && handles) paintHandles(bench);
     if (bench.trails()) paintTrails(bench);
-    paintPreview(bench.preview());
+    if (options.tools) paintPreview(bench.preview());
 }
 
 void ScenePainter::paintHandles(const Workbench& bench) {
@@ -205,7 +207,30 @@ void ScenePainter::paintHandles(const Workbench& bench) {
     canvas_->circle(turn, 3 * pixel_, palette::amber);
 }
 
+// A body of a few pixels is its outline, filled: its rim would be as wide as it is, and thousands
+// of them cost more than all else.
+bool ScenePainter::paintedSmall(const Posed& body, bool selected) {
+    if (body.look->outlines.empty() || !body.look->filled || !body.look->lone.empty()) return false;
+    Vec2 low = body.points[0];
+    Vec2 high = low;
+    for (const Vec2& point : body.points) {
+        low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+    const float size = std::max(high.x - low.x, high.y - low.y);
+    if (size > smallBodyPixels * pixel_) return false;
+    const Color color = selected ? palette::ice : atlax::mix(body.fill, body.rim, 0.25f);
+    std::vector<Vec2> polygon;
+    for (const auto& loop : body.look->outlines) {
+        polygon.clear();
+        for (const std::uint32_t index : loop) polygon.push_back(body.points[index]);
+        canvas_->polygon(polygon, color);
+    }
+    return true;
+}
+
 void ScenePainter::paintBody(const Posed& body, bool selected) {
+    if (paintedSmall(body, selected)) return;
     const auto particles = world_->particles(body.id);
     // The rim is the collision surface: capsules as thick as they are, the fill above them.
     const auto capsules = [&](float grow, const Color& color) {

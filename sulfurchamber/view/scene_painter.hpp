@@ -26,6 +26,7 @@ struct ViewOptions {
     bool strain = false;  ///< joints coloured by how far they are stretched
     bool contacts = false;
     bool bodies = true;          ///< else somebody else has drawn them, and only marks are
+    bool tools = true;           ///< the selection, its handles, and what a tool is doing
     bool gravity = false;        ///< arrows of weights
     bool contactForces = false;  ///< arrows of what contacts push
     bool jointForces = false;    ///< arrows of what joints and mechanisms pull
@@ -63,6 +64,7 @@ private:
 
     const Look& lookOf(const Document& document, sulfur::BodyId body);
     Posed pose(const Document& document, sulfur::BodyId body);
+    bool paintedSmall(const Posed& body, bool selected);
     void paintBody(const Posed& body, bool selected);
     void paintJoints(const Posed& body);
     void paintDiscs(const Posed& body);

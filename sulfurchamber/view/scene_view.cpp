@@ -300,8 +300,10 @@ void SceneView::tick() {
     }
     if (!document.playing() && singles_ == 0) return;
     singles_ = std::max(0, singles_ - 1);
+    load_.beforeTick(document.world());
     guarded([&] { bench_.tick(); });
     const sulfur::World& world = document.world();
+    load_.afterTick(world);
     if (world.ticks() % static_cast<std::uint64_t>(world.settings().tickRate) == 0)
         atlax::setCrashState(world.ticks(), world.hash());
 }
@@ -321,18 +323,10 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     followSlider();
     if (fitPending_) fit(canvas.size());
     fitPending_ = false;
-    const atlax::Vec2 size = canvas.size().toVec();
-    const bool staged = scenery && scenery(canvas, camera_);
-    if (!staged) canvas.gradientRect({{0, 0}, size}, palette::above, palette::deep);
-    canvas.setCamera(camera_);
-    if (options_.grid) paintGrid(canvas, camera_);
-    options_.bodies = !staged;
+    stepFilm(canvas);
+    options_.bodies = !(scenery && scenery(canvas, camera_));
     // Paused, the state itself is shown: a single tick is seen at once.
-    painter_.paint(canvas, bench_, options_, bench_.document().playing() ? alpha : 1.0);
-    if (options_.skeleton) {
-        canvas.setCamera(camera_);
-        paintDebug(canvas, bench_.document().world(), bench_.document().playing() ? alpha : 1.0);
-    }
+    paintWorld(canvas, camera_, painter_, options_, bench_.document().playing() ? alpha : 1.0);
     if (overlay) overlay(canvas, camera_, *font_);
     paintForces(canvas, camera_, bench_.document().world(), options_);
     paintMeters(canvas, camera_, *font_, bench_, bench_.document().playing() ? alpha : 1.0);
@@ -340,6 +334,43 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     paintLegend(canvas, camera_, *font_, bench_.document().world(), options_);
     paintRulerText(canvas);
     paintClock(canvas);
+}
+
+void SceneView::paintWorld(atlax::Canvas& canvas, const atlax::Camera& camera,
+                           ScenePainter& painter, const ViewOptions& options, double alpha) const {
+    if (options.bodies)
+        canvas.gradientRect({{0, 0}, canvas.size().toVec()}, palette::above, palette::deep);
+    canvas.setCamera(camera);
+    if (options.grid) paintGrid(canvas, camera);
+    painter.paint(canvas, bench_, options, alpha);
+    if (!options.skeleton) return;
+    canvas.setCamera(camera);
+    paintDebug(canvas, bench_.document().world(), alpha);
+}
+
+// --- the film --------------------------------------------------------------------------------
+
+void SceneView::startFilm(const std::filesystem::path& file) {
+    if (platform_ == nullptr) return;
+    film_ = std::make_unique<SceneFilm>(*this, bench_.document(), camera_, platform_->size(), file);
+}
+
+// A few milliseconds of each frame, so that nobody waits for it.
+void SceneView::stepFilm(atlax::Canvas& canvas) {
+    if (!film_) return;
+    try {
+        if (!film_->step(canvas)) return;
+        const auto file = film_->file();
+        film_.reset();
+        if (onFilm) onFilm(file);
+    } catch (const std::exception& error) {
+        film_.reset();
+        if (onProblem) onProblem(error.what());
+    }
+}
+
+std::optional<double> SceneView::filmProgress() const {
+    return film_ ? std::optional(film_->progress()) : std::nullopt;
 }
 
 // Length and angle beside the middle of the ruler.
@@ -368,6 +399,9 @@ void SceneView::paintClock(atlax::Canvas& canvas) {
                 {20, playing ? palette::ice : palette::sky, atlax::AlignX::Right});
     const std::string state = clockState();
     canvas.text(*font_, state, {right, 46}, {13, palette::amber, atlax::AlignX::Right});
+    if (!film_) return;
+    std::snprintf(text.data(), text.size(), "film %.0f %%", 100 * film_->progress());
+    canvas.text(*font_, text.data(), {right, 64}, {13, palette::ice, atlax::AlignX::Right});
 }
 
 // Below the clock: how time runs, or where in the past one is.

@@ -4,10 +4,13 @@
 
 #include <atlax/application.hpp>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "../model/load_watch.hpp"
 #include "../model/workbench.hpp"
+#include "scene_film.hpp"
 #include "scene_painter.hpp"
 
 namespace sulfurchamber {
@@ -63,6 +66,8 @@ public:
     bool seeking() const { return wanted_.has_value(); }
     /// Share of real time that the simulation reaches while it plays: 1 keeps up.
     double realTimeShare() const;
+    /// What costs most of that while it does not keep up: "2400 contacts".
+    std::string slowness() const { return realTimeShare() < 0.95 ? load_.cause() : ""; }
     /// Share of one core that the ticks take.
     double physicsLoad() const;
     double framesPerSecond() const;
@@ -81,7 +86,20 @@ public:
     void dismiss();
     bool hasGuest() const { return guest_ != nullptr || make_ != nullptr; }
 
+    // -- the film --
+    /// Begins to make a picture that moves of the last ten recorded seconds, seen as the scene is
+    /// seen now, a bit with each frame. One that is being made is dropped. Precondition: something
+    /// is recorded.
+    void startFilm(const std::filesystem::path& file);
+    /// 0..1 of one that is being made.
+    std::optional<double> filmProgress() const;
+    /// What is seen but for texts, rulers and what others draw. Also for films.
+    void paintWorld(atlax::Canvas& canvas, const atlax::Camera& camera, ScenePainter& painter,
+                    const ViewOptions& options, double alpha) const;
+
     // -- telling --
+    /// A film is finished and written.
+    std::function<void(const std::filesystem::path&)> onFilm;
     /// A file was dropped on the drawing area.
     std::function<void(const std::filesystem::path&)> onFile;
     /// Something did not work: one sentence. Without it the sentence goes to the log.
@@ -103,6 +121,7 @@ private:
     Pointer pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const;
     void guarded(const std::function<void()>& body);
     void followSlider();
+    void stepFilm(atlax::Canvas& canvas);
     void paintRulerText(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
     std::string clockState() const;
@@ -126,6 +145,8 @@ private:
     std::optional<Moment> wanted_;  // on the way there
     std::uint64_t buttonEvents_ = 0;
     std::uint64_t frames_ = 0;
+    LoadWatch load_;
+    std::unique_ptr<SceneFilm> film_;  // that is being made
 };
 
 }  // namespace sulfurchamber

@@ -89,7 +89,10 @@ bool movesFocus(int code) {
 class View::DropTarget final : public wxFileDropTarget {
 public:
     explicit DropTarget(View& view) : view_(view) {}
-    bool OnDropFiles(wxCoord, wxCoord, const wxArrayString& files) override {
+    // While something is dragged no motion is told: the pointer is where it was dropped.
+    bool OnDropFiles(wxCoord x, wxCoord y, const wxArrayString& files) override {
+        const double scale = view_.GetContentScaleFactor();
+        view_.send(MouseMoved{{static_cast<float>(x * scale), static_cast<float>(y * scale)}});
         for (const wxString& file : files)
             view_.send(FileDropped{std::filesystem::path(file.utf8_string())});
         return true;

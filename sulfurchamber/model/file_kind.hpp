@@ -1,0 +1,23 @@
+// What a file holds, as far as its first bytes tell: its name may be wrong.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace sulfurchamber {
+
+enum class FileKind : std::uint8_t {
+    other,
+    scene,      ///< a scene or a level
+    blueprint,  ///< a file of one blueprint
+    drawing,    ///< SVG
+    picture,    ///< PNG or JPEG
+};
+
+/// Of these first bytes of a file.
+FileKind kindOfBytes(std::string_view head);
+/// Reads some kilobytes. Throws std::runtime_error when the file cannot be read.
+FileKind kindOfFile(const std::filesystem::path& file);
+
+}  // namespace sulfurchamber
