@@ -46,11 +46,6 @@ SulfurResult sulfur_body_joints(const SulfurWorld* world, SulfurBodyId body, Sul
     return giveList(out, capacity, count, [&] { return of(world).joints(fromC(body)); });
 }
 
-SulfurResult sulfur_body_angles(const SulfurWorld* world, SulfurBodyId body, SulfurAngleInfo* out,
-                                size_t capacity, size_t* count) {
-    return giveList(out, capacity, count, [&] { return of(world).angles(fromC(body)); });
-}
-
 SulfurResult sulfur_body_name(const SulfurWorld* world, SulfurBodyId body, const char** name) {
     return give(name, [&]() -> const std::string& { return of(world).name(fromC(body)); });
 }

@@ -75,7 +75,13 @@ AngularJointSpec fromC(const SulfurAngularJointSpec& angle) {
             angle.c,
             real(angle.stiffness),
             real(angle.damping),
-            optional(angle.has_rest_angle, angle.rest_angle)};
+            optional(angle.has_rest_angle, angle.rest_angle),
+            real(angle.lower),
+            real(angle.upper),
+            real(angle.motor_speed),
+            real(angle.motor_max),
+            optional(angle.has_motor_target, angle.motor_target),
+            real(angle.strength)};
 }
 
 Skin fromC(const SulfurSkin& skin) {
@@ -177,9 +183,10 @@ QueryShape fromC(const SulfurQueryShape& shape) {
 }
 
 DrawOptions fromC(const SulfurDrawOptions& options) {
-    return {options.bodies,   options.particles,  options.discs,       options.joints,
-            options.capsules, options.contacts,   options.attachments, options.fields,
-            options.grabs,    options.mechanisms, options.alpha,       fromC(options.view)};
+    return {options.bodies,     options.particles,  options.discs,       options.joints,
+            options.capsules,   options.contacts,   options.attachments, options.fields,
+            options.grabs,      options.mechanisms, options.angles,      options.alpha,
+            fromC(options.view)};
 }
 
 // --- to C ----------------------------------------------------------------------------------------
@@ -213,7 +220,14 @@ SulfurAngularJointSpec toC(const AngularJointSpec& angle) {
             toC(angle.stiffness),
             toC(angle.damping),
             angle.restAngle.has_value(),
-            toC(angle.restAngle.value_or(0))};
+            toC(angle.restAngle.value_or(0)),
+            toC(angle.lower),
+            toC(angle.upper),
+            toC(angle.motorSpeed),
+            toC(angle.motorMax),
+            angle.motorTarget.has_value(),
+            toC(angle.motorTarget.value_or(0)),
+            toC(angle.strength)};
 }
 
 SulfurSkin toC(const Skin& skin, std::vector<SulfurVec>& uv) {
@@ -288,7 +302,8 @@ SulfurGrabOptions toC(const GrabOptions& options) {
 SulfurDrawOptions toC(const DrawOptions& options) {
     return {options.bodies,   options.particles,  options.discs,       options.joints,
             options.capsules, options.contacts,   options.attachments, options.fields,
-            options.grabs,    options.mechanisms, options.alpha,       toC(options.view)};
+            options.grabs,    options.mechanisms, options.angles,      options.alpha,
+            toC(options.view)};
 }
 
 }  // namespace sulfur::c

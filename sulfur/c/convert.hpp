@@ -52,6 +52,9 @@ inline GrabId fromC(SulfurGrabId id) {
 inline MechanismId fromC(SulfurMechanismId id) {
     return {id.index, id.generation};
 }
+inline AngleId fromC(SulfurAngleId id) {
+    return {id.index, id.generation};
+}
 inline Pose fromC(const SulfurPose& pose) {
     return {point(pose.position), pose.angle};
 }
@@ -148,6 +151,9 @@ inline SulfurGrabId toC(GrabId id) {
 inline SulfurMechanismId toC(MechanismId id) {
     return {id.index, id.generation};
 }
+inline SulfurAngleId toC(AngleId id) {
+    return {id.index, id.generation};
+}
 inline SulfurBodyPair toC(const std::pair<BodyId, BodyId>& pair) {
     return {toC(pair.first), toC(pair.second)};
 }
@@ -206,6 +212,7 @@ SulfurSensorEvent toC(const SensorLeft& event);
 SulfurLimitEvent toC(const LimitReached& event);
 SulfurLimitEvent toC(const LimitLeft& event);
 SulfurMechanismBroken toC(const MechanismBroken& event);
+SulfurAngleBroken toC(const AngleBroken& event);
 SulfurGroundOptions toC(const shapes::GroundOptions& options);
 SulfurBoxOptions toC(const shapes::BoxOptions& options);
 SulfurPolygonOptions toC(const shapes::PolygonOptions& options);

@@ -60,8 +60,8 @@ SulfurJointInfo toC(const JointInfo& info) {
 }
 
 SulfurAngleInfo toC(const AngleInfo& info) {
-    return {toC(info.a),       toC(info.b),         toC(info.c),     toC(info.stiffness),
-            toC(info.damping), toC(info.restAngle), toC(info.angle), toC(info.torque)};
+    return {toC(info.id),    toC(info.body), toC(info.a),      toC(info.b),  toC(info.c),
+            toC(info.drive), info.angle,     toC(info.torque), info.atLower, info.atUpper};
 }
 
 SulfurAttachmentInfo toC(const AttachmentInfo& info) {

@@ -128,15 +128,19 @@ SulfurMechanismInfo toC(const MechanismInfo& info) {
 }
 
 SulfurLimitEvent toC(const LimitReached& event) {
-    return {toC(event.mechanism), event.upper};
+    return {toC(event.mechanism), event.upper, toC(event.angle)};
 }
 
 SulfurLimitEvent toC(const LimitLeft& event) {
-    return {toC(event.mechanism), event.upper};
+    return {toC(event.mechanism), event.upper, toC(event.angle)};
 }
 
 SulfurMechanismBroken toC(const MechanismBroken& event) {
     return {toC(event.mechanism), toC(event.a), toC(event.b), toC(event.force)};
+}
+
+SulfurAngleBroken toC(const AngleBroken& event) {
+    return {toC(event.angle), toC(event.body), toC(event.corner), toC(event.torque)};
 }
 
 }  // namespace sulfur::c

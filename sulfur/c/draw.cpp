@@ -46,6 +46,9 @@ public:
         for (const Point& place : m.places) drawn.places[drawn.count++] = toC(place);
         tell(to_.mechanism, drawn);
     }
+    void angle(const Angle& a) override {
+        tell(to_.angle, SulfurDrawnAngle{toC(a.info), toC(a.a), toC(a.b), toC(a.c), a.asleep});
+    }
 
 private:
     template <class Shown>

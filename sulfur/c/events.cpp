@@ -32,6 +32,7 @@ SulfurResult sulfur_world_events(const SulfurWorld* world, SulfurEvents* events)
         copy(told.limitsReached, e.limitsReached);
         copy(told.limitsLeft, e.limitsLeft);
         copy(told.mechanismsBroken, e.mechanismsBroken);
+        copy(told.anglesBroken, e.anglesBroken);
         result = {e.contactsBegun.data(),     e.contactsBegun.size(),  e.contactsPersisted.data(),
                   e.contactsPersisted.size(), e.contactsEnded.data(),  e.contactsEnded.size(),
                   e.jointsBroken.data(),      e.jointsBroken.size(),   e.bodiesSplit.data(),
@@ -39,7 +40,7 @@ SulfurResult sulfur_world_events(const SulfurWorld* world, SulfurEvents* events)
                   e.sensorsEntered.data(),    e.sensorsEntered.size(), e.sensorsLeft.data(),
                   e.sensorsLeft.size(),       e.limitsReached.data(),  e.limitsReached.size(),
                   e.limitsLeft.data(),        e.limitsLeft.size(),     e.mechanismsBroken.data(),
-                  e.mechanismsBroken.size()};
+                  e.mechanismsBroken.size(),  e.anglesBroken.data(),   e.anglesBroken.size()};
     });
 }
 

@@ -24,6 +24,7 @@ struct EventArrays {
     std::vector<SulfurSensorEvent> sensorsEntered, sensorsLeft;
     std::vector<SulfurLimitEvent> limitsReached, limitsLeft;
     std::vector<SulfurMechanismBroken> mechanismsBroken;
+    std::vector<SulfurAngleBroken> anglesBroken;
 };
 
 /// Threads that a host lends by functions.

@@ -124,6 +124,31 @@ SulfurResult sulfur_joint_set_strength(SulfurWorld* world, SulfurJointId joint, 
     return call([&] { of(world).setStrength(fromC(joint), real(strength)); });
 }
 
+// --- angular joints ------------------------------------------------------------------------------
+
+SulfurResult sulfur_body_angles(const SulfurWorld* world, SulfurBodyId body, SulfurAngleInfo* out,
+                                size_t capacity, size_t* count) {
+    return giveList(out, capacity, count, [&] { return of(world).angles(fromC(body)); });
+}
+
+SulfurResult sulfur_angle_info(const SulfurWorld* world, SulfurAngleId angle,
+                               SulfurAngleInfo* info) {
+    return give(info, [&] { return of(world).info(fromC(angle)); });
+}
+
+SulfurResult sulfur_angle_set_drive(SulfurWorld* world, SulfurAngleId angle,
+                                    const SulfurDrive* drive) {
+    return call([&] { of(world).setDrive(fromC(angle), fromC(required(drive, "the drive"))); });
+}
+
+SulfurResult sulfur_angle_remove(SulfurWorld* world, SulfurAngleId angle) {
+    return call([&] { of(world).remove(fromC(angle)); });
+}
+
+SulfurResult sulfur_angle_exists(const SulfurWorld* world, SulfurAngleId angle, bool* exists) {
+    return give(exists, [&] { return of(world).contains(fromC(angle)); });
+}
+
 // --- attachments ---------------------------------------------------------------------------------
 
 SulfurResult sulfur_world_attach_to_body(SulfurWorld* world, SulfurParticleId particle,

@@ -11,8 +11,8 @@ import pathlib
 import re
 import sys
 
-HEADERS = ("base", "blueprint", "shapes", "world", "fields", "presets", "bodies", "parts",
-           "mechanisms", "queries", "events", "draw", "callbacks")
+HEADERS = ("base", "blueprint", "shapes", "world", "fields", "presets", "bodies",
+           "mechanisms", "parts", "queries", "events", "draw", "callbacks")
 SIMPLE = {"void": None, "bool": "c_bool", "double": "c_double", "size_t": "c_size_t",
           "int32_t": "c_int32", "uint32_t": "c_uint32", "uint64_t": "c_uint64"}
 OPENING = '''"""The C interface of Sulfur for ctypes: structs, constants, types of functions, functions.

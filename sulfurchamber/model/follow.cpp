@@ -35,7 +35,10 @@ bool canBeSet(const World& world, BodyId body, const Blueprint& before, const Bl
                       [](const auto& a, const auto& b) {
                           return a.a == b.a && a.b == b.b && a.c == b.c &&
                                  a.stiffness == b.stiffness && a.damping == b.damping &&
-                                 a.restAngle == b.restAngle;
+                                 a.restAngle == b.restAngle && a.lower == b.lower &&
+                                 a.upper == b.upper && a.motorSpeed == b.motorSpeed &&
+                                 a.motorMax == b.motorMax && a.motorTarget == b.motorTarget &&
+                                 a.strength == b.strength;
                       });
 }
 

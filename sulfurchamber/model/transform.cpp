@@ -64,6 +64,13 @@ bool isSymmetric(const Prefab& prefab) {
            std::holds_alternative<WallOptions>(g) || std::holds_alternative<BlobOptions>(g);
 }
 
+void mirrorAngle(sulfur::AngularJointSpec& angle) {
+    if (angle.restAngle) angle.restAngle = -*angle.restAngle;
+    angle.lower = -std::exchange(angle.upper, -angle.lower);
+    angle.motorSpeed = -angle.motorSpeed;
+    if (angle.motorTarget) angle.motorTarget = -*angle.motorTarget;
+}
+
 void mirrorPlan(Prefab& prefab) {
     auto& plan = prefab.blueprint;
     if (plan.material.surfaceSpeed == 0 && isSymmetric(prefab)) return;
@@ -71,8 +78,7 @@ void mirrorPlan(Prefab& prefab) {
     plan.material.surfaceSpeed = -plan.material.surfaceSpeed;
     for (auto& particle : plan.particles) particle.position.x() = -particle.position.x();
     for (auto& joint : plan.joints) std::swap(joint.a, joint.b);  // the outside stays outside
-    for (auto& angle : plan.angles)
-        if (angle.restAngle) angle.restAngle = -*angle.restAngle;
+    for (auto& angle : plan.angles) mirrorAngle(angle);
 }
 
 Drive scaledDrive(Drive drive, Real f) {

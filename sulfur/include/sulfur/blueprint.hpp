@@ -9,6 +9,7 @@
 #include <string>
 #include <sulfur/material.hpp>
 #include <sulfur/math.hpp>
+#include <sulfur/mechanisms.hpp>
 #include <vector>
 
 namespace sulfur {
@@ -45,14 +46,27 @@ struct JointSpec {
 /// Like elastic joints, soft ones are forces and stiffer ones constraints, without a border. Where
 /// joints lead from a to b or from b to c, the angular joint goes when one of them breaks or is
 /// removed; else it goes when its particles come to be of different bodies.
+///
+/// One with limits, a motor or the stiffness `infinite` is driven: it is solved as a hinge between
+/// two bodies is, and its angle counts whole turns, from between -pi and pi when it is made. All of
+/// it together is a Drive; World::setDrive changes it.
 struct AngularJointSpec {
     std::uint32_t a = 0;  ///< index into Blueprint::particles
     std::uint32_t b = 0;  ///< index into Blueprint::particles, the corner, apart from both others
     std::uint32_t c = 0;  ///< index into Blueprint::particles; all three differ
-    Real stiffness = 0;   ///< N m/rad, 0 to 1e12
+    Real stiffness = 0;   ///< N m/rad, 0 to 1e12 or `infinite`
     Real damping = 0;     ///< N m s/rad, 0 to 1e12
     std::optional<Real> restAngle =
-        std::nullopt;  ///< radians, -pi to pi (3.1416); as the particles stand when not given
+        std::nullopt;        ///< radians, -pi to pi (3.1416); as the particles stand when not given
+    Real lower = -infinite;  ///< radians, the least angle
+    Real upper = infinite;   ///< radians, the largest one, not less than `lower`
+    Real motorSpeed = 0;     ///< rad/s, -1e6 to 1e6: what the motor wants
+    Real motorMax = 0;       ///< N m, 0 to `infinite`: the most that it gives; 0: no motor
+    /// Radians: a motor that goes there and stays, at most as fast as the size of `motorSpeed`.
+    std::optional<Real> motorTarget = std::nullopt;
+    /// N m, above 0, or `infinite`: it breaks when spring and motor, or the limits, give more. Of
+    /// those of a body that are loaded so the worst one breaks, which relieves the others.
+    Real strength = infinite;
 };
 
 /// A texture worn by a body: mapped at rest, drawn through the live particles.
@@ -93,6 +107,8 @@ struct Blueprint {
     /// The rest angle of an angular joint between these particles in radians: what is given, or as
     /// they stand.
     Real restAngle(const AngularJointSpec& joint) const;
+    /// All that acts on such an angle, as World::setDrive takes it.
+    Drive drive(const AngularJointSpec& joint) const;
     /// Mass-weighted mean position in the body's frame.
     Vec2 centreOfMass() const;
 };

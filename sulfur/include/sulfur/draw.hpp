@@ -22,6 +22,7 @@ struct DrawOptions {
     bool fields = true;       ///< DebugDraw::field
     bool grabs = true;        ///< DebugDraw::grab
     bool mechanisms = true;   ///< DebugDraw::mechanism
+    bool angles = true;       ///< DebugDraw::angle
     /// How much of the next tick has passed on the clock, 0 to 1: places are between those of the
     /// last two ticks, as World::interpolated gives them. Contacts are where the tick left them.
     double alpha = 1;
@@ -32,9 +33,9 @@ struct DrawOptions {
 };
 
 /// Receives what World::draw shows, in this order: fields, then body by body (oldest first) the
-/// body itself, its capsules, joints, discs and particles, then joints between bodies, attachments,
-/// mechanisms, grabs and contacts. Override what is of interest; everything else does nothing.
-/// Places are in the world, metres. The world must not be changed meanwhile.
+/// body itself, its capsules, joints, discs, particles and angular joints, then joints between
+/// bodies, attachments, mechanisms, grabs and contacts. Override what is of interest; everything
+/// else does nothing. Places are in the world, metres. The world must not be changed meanwhile.
 class DebugDraw {
 public:
     /// A particle.
@@ -109,6 +110,14 @@ public:
         /// rope from a over the frame to b. Gear: the first place of each of its two mechanisms.
         std::span<const Point> places;
     };
+    /// An angular joint.
+    struct Angle {
+        AngleInfo info = {};  ///< what it is and does, with its handle
+        Point a{0, 0};        ///< metres: one neighbour
+        Point b{0, 0};        ///< metres: the corner
+        Point c{0, 0};        ///< metres: the other neighbour
+        bool asleep = false;  ///< whether its body sleeps
+    };
 
     virtual ~DebugDraw() = default;
     /// Called for each body.
@@ -131,6 +140,8 @@ public:
     virtual void grab(const Grab&) {}
     /// Called for each mechanism.
     virtual void mechanism(const Mechanism&) {}
+    /// Called for each angular joint.
+    virtual void angle(const Angle&) {}
 };
 
 }  // namespace sulfur

@@ -74,16 +74,18 @@ struct SensorLeft {
     BodyId visitor = {};  ///< what left; no longer valid when it was removed
 };
 
-/// A limit of a mechanism began to push; see Drive.
+/// A limit of a mechanism or of an angular joint began to push; see Drive.
 struct LimitReached {
-    MechanismId mechanism = {};  ///< whose
+    MechanismId mechanism = {};  ///< whose, or null
     bool upper = false;          ///< which of both
+    AngleId angle = {};          ///< the angular joint whose limit it is, or null
 };
 
-/// A limit of a mechanism no longer pushes.
+/// Such a limit no longer pushes.
 struct LimitLeft {
-    MechanismId mechanism = {};  ///< whose
+    MechanismId mechanism = {};  ///< whose, or null
     bool upper = false;          ///< which of both
+    AngleId angle = {};          ///< the angular joint whose limit it is, or null
 };
 
 /// A mechanism was loaded beyond the strength of its drive and is gone.
@@ -92,6 +94,14 @@ struct MechanismBroken {
     BodyId a = {};               ///< one of its bodies
     BodyId b = {};               ///< the other one
     Real force = 0;              ///< N m or N at which it broke
+};
+
+/// An angular joint was loaded beyond its strength and is gone. What it bent stays together.
+struct AngleBroken {
+    AngleId angle = {};      ///< no longer valid; for comparison only
+    BodyId body = {};        ///< whose it was
+    ParticleId corner = {};  ///< where
+    Real torque = 0;         ///< N m at which it broke
 };
 
 /// Events of one tick, overwritten by the next World::step. The order is fixed: joints oldest
@@ -112,6 +122,7 @@ struct Events {
     std::vector<LimitReached> limitsReached = {};        ///< limits that began to push
     std::vector<LimitLeft> limitsLeft = {};              ///< limits that no longer push
     std::vector<MechanismBroken> mechanismsBroken = {};  ///< mechanisms that broke
+    std::vector<AngleBroken> anglesBroken = {};          ///< angular joints that broke
 };
 
 }  // namespace sulfur

@@ -23,6 +23,7 @@ struct Handle {
 
 using ParticleId = Handle<struct ParticleTag>;      ///< a particle
 using JointId = Handle<struct JointTag>;            ///< a joint
+using AngleId = Handle<struct AngleTag>;            ///< an angular joint
 using BodyId = Handle<struct BodyTag>;              ///< a body
 using AttachmentId = Handle<struct AttachmentTag>;  ///< an attachment; see World::attach
 using FieldId = Handle<struct FieldTag>;            ///< a force field

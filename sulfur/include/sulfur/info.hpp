@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <sulfur/ids.hpp>
 #include <sulfur/math.hpp>
+#include <sulfur/mechanisms.hpp>
 
 namespace sulfur {
 
@@ -36,14 +37,18 @@ struct JointInfo {
 
 /// What an angular joint is at the moment; see AngularJointSpec.
 struct AngleInfo {
-    ParticleId a = {};   ///< one neighbour
-    ParticleId b = {};   ///< the corner
-    ParticleId c = {};   ///< the other neighbour
-    Real stiffness = 0;  ///< N m/rad
-    Real damping = 0;    ///< N m s/rad
-    Real restAngle = 0;  ///< radians
-    Real angle = 0;      ///< radians, -pi to pi: the turn from a to b to that from b to c
-    Real torque = 0;     ///< N m in the last tick, positive where it makes the angle larger
+    AngleId id = {};    ///< its handle
+    BodyId body = {};   ///< whose it is
+    ParticleId a = {};  ///< one neighbour
+    ParticleId b = {};  ///< the corner
+    ParticleId c = {};  ///< the other neighbour
+    Drive drive = {};   ///< spring, limits, motor and strength, in rad and N m
+    /// Radians: the turn from a to b to that from b to c. -pi to pi, with whole turns if it is
+    /// driven.
+    double angle = 0;
+    Real torque = 0;       ///< N m in the last tick, positive where it makes the angle larger
+    bool atLower = false;  ///< whether the lower limit pushed in the last tick
+    bool atUpper = false;  ///< the same of the upper one
 };
 
 /// What an attachment is: its particle is held at the sum of weight_i times the place of support_i.

@@ -145,8 +145,13 @@ public:
     /// Changes what acts along the coordinate of a mechanism, and wakes both bodies. A gear's drive
     /// holds with the stiffness `infinite` and the rest 0.
     void setDrive(MechanismId mechanism, const Drive& drive);
+    /// The same for an angular joint of a body, whose coordinate is its angle; its rest is -pi to
+    /// pi.
+    void setDrive(AngleId angle, const Drive& drive);
     /// Lets both bodies go.
     void remove(MechanismId mechanism);
+    /// Takes an angular joint away; what it bent stays.
+    void remove(AngleId angle);
 
     /// Whether a handle is valid: neither null nor of something that was removed.
     bool contains(BodyId body) const;
@@ -162,6 +167,8 @@ public:
     bool contains(GrabId grab) const;
     /// Whether a handle is valid.
     bool contains(MechanismId mechanism) const;
+    /// Whether a handle is valid.
+    bool contains(AngleId angle) const;
 
     // --- looking ---------------------------------------------------------------------------
 
@@ -288,6 +295,8 @@ public:
     GrabInfo info(GrabId grab) const;
     /// What a mechanism is.
     MechanismInfo info(MechanismId mechanism) const;
+    /// What an angular joint is.
+    AngleInfo info(AngleId angle) const;
     /// Where a particle is, metres.
     Point position(ParticleId particle) const;
     /// Where to draw a particle when `alpha` (0..1) of the next tick has already passed on the

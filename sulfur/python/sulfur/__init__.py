@@ -19,7 +19,7 @@ from . import c
 from .blueprints import (Blueprint, ball, blob, box, bridge, chain, cloth, floor, ground, jelly,
                          polygon, rope, wall, wheel)
 from .library import VERSION, Error
-from .things import Attachment, Body, Field, Grab, Joint, Mechanism, Particle
+from .things import Angle, Attachment, Body, Field, Grab, Joint, Mechanism, Particle
 from .values import (box_zone, capsule, circle, circle_zone, collision_filter, drive, hull, material,
                      radial_field, rectangle, stage_name, uniform_field, wind_field)
 from .world import ThreadPool, World

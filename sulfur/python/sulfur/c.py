@@ -90,6 +90,13 @@ class MechanismId(Structure):
     ]
 
 
+class AngleId(Structure):
+    _fields_ = [
+        ("index", c_uint32),
+        ("generation", c_uint32),
+    ]
+
+
 class Material(Structure):
     _fields_ = [
         ("static_friction", c_double),
@@ -141,6 +148,13 @@ class AngularJointSpec(Structure):
         ("damping", c_double),
         ("has_rest_angle", c_bool),
         ("rest_angle", c_double),
+        ("lower", c_double),
+        ("upper", c_double),
+        ("motor_speed", c_double),
+        ("motor_max", c_double),
+        ("has_motor_target", c_bool),
+        ("motor_target", c_double),
+        ("strength", c_double),
     ]
 
 
@@ -466,90 +480,10 @@ class Field(Structure):
     ]
 
 
-class AngleInfo(Structure):
-    _fields_ = [
-        ("a", ParticleId),
-        ("b", ParticleId),
-        ("c", ParticleId),
-        ("stiffness", c_double),
-        ("damping", c_double),
-        ("rest_angle", c_double),
-        ("angle", c_double),
-        ("torque", c_double),
-    ]
-
-
 class BodyPair(Structure):
     _fields_ = [
         ("a", BodyId),
         ("b", BodyId),
-    ]
-
-
-class ParticleInfo(Structure):
-    _fields_ = [
-        ("body", BodyId),
-        ("position", Vec),
-        ("velocity", Vec),
-        ("mass", c_double),
-        ("radius", c_double),
-        ("pinned", c_bool),
-        ("angle", c_double),
-        ("spin", c_double),
-    ]
-
-
-class ConnectOptions(Structure):
-    _fields_ = [
-        ("stiffness", c_double),
-        ("damping", c_double),
-        ("has_rest_length", c_bool),
-        ("rest_length", c_double),
-        ("radius", c_double),
-        ("strength", c_double),
-        ("has_material", c_bool),
-        ("material", Material),
-    ]
-
-
-class JointInfo(Structure):
-    _fields_ = [
-        ("body", BodyId),
-        ("a", ParticleId),
-        ("b", ParticleId),
-        ("rest_length", c_double),
-        ("stiffness", c_double),
-        ("damping", c_double),
-        ("radius", c_double),
-        ("strength", c_double),
-        ("force", c_double),
-    ]
-
-
-class AttachmentInfo(Structure):
-    _fields_ = [
-        ("particle", ParticleId),
-        ("count", c_uint32),
-        ("supports", ParticleId * 3),
-        ("weights", c_double * 3),
-    ]
-
-
-class GrabOptions(Structure):
-    _fields_ = [
-        ("frequency", c_double),
-        ("damping_ratio", c_double),
-        ("has_max_force", c_bool),
-        ("max_force", c_double),
-    ]
-
-
-class GrabInfo(Structure):
-    _fields_ = [
-        ("body", BodyId),
-        ("point", Vec),
-        ("target", Vec),
-        ("force", Vec),
     ]
 
 
@@ -667,6 +601,88 @@ class MechanismInfo(Structure):
         ("pin_2", AttachmentId),
         ("own_1", BodyId),
         ("own_2", BodyId),
+    ]
+
+
+class ParticleInfo(Structure):
+    _fields_ = [
+        ("body", BodyId),
+        ("position", Vec),
+        ("velocity", Vec),
+        ("mass", c_double),
+        ("radius", c_double),
+        ("pinned", c_bool),
+        ("angle", c_double),
+        ("spin", c_double),
+    ]
+
+
+class ConnectOptions(Structure):
+    _fields_ = [
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("has_rest_length", c_bool),
+        ("rest_length", c_double),
+        ("radius", c_double),
+        ("strength", c_double),
+        ("has_material", c_bool),
+        ("material", Material),
+    ]
+
+
+class JointInfo(Structure):
+    _fields_ = [
+        ("body", BodyId),
+        ("a", ParticleId),
+        ("b", ParticleId),
+        ("rest_length", c_double),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("radius", c_double),
+        ("strength", c_double),
+        ("force", c_double),
+    ]
+
+
+class AngleInfo(Structure):
+    _fields_ = [
+        ("id", AngleId),
+        ("body", BodyId),
+        ("a", ParticleId),
+        ("b", ParticleId),
+        ("c", ParticleId),
+        ("drive", Drive),
+        ("angle", c_double),
+        ("torque", c_double),
+        ("at_lower", c_bool),
+        ("at_upper", c_bool),
+    ]
+
+
+class AttachmentInfo(Structure):
+    _fields_ = [
+        ("particle", ParticleId),
+        ("count", c_uint32),
+        ("supports", ParticleId * 3),
+        ("weights", c_double * 3),
+    ]
+
+
+class GrabOptions(Structure):
+    _fields_ = [
+        ("frequency", c_double),
+        ("damping_ratio", c_double),
+        ("has_max_force", c_bool),
+        ("max_force", c_double),
+    ]
+
+
+class GrabInfo(Structure):
+    _fields_ = [
+        ("body", BodyId),
+        ("point", Vec),
+        ("target", Vec),
+        ("force", Vec),
     ]
 
 
@@ -789,6 +805,7 @@ class LimitEvent(Structure):
     _fields_ = [
         ("mechanism", MechanismId),
         ("upper", c_bool),
+        ("angle", AngleId),
     ]
 
 
@@ -798,6 +815,15 @@ class MechanismBroken(Structure):
         ("a", BodyId),
         ("b", BodyId),
         ("force", c_double),
+    ]
+
+
+class AngleBroken(Structure):
+    _fields_ = [
+        ("angle", AngleId),
+        ("body", BodyId),
+        ("corner", ParticleId),
+        ("torque", c_double),
     ]
 
 
@@ -825,6 +851,8 @@ class Events(Structure):
         ("limits_left_count", c_size_t),
         ("mechanisms_broken", POINTER(MechanismBroken)),
         ("mechanisms_broken_count", c_size_t),
+        ("angles_broken", POINTER(AngleBroken)),
+        ("angles_broken_count", c_size_t),
     ]
 
 
@@ -851,6 +879,7 @@ class DrawOptions(Structure):
         ("fields", c_bool),
         ("grabs", c_bool),
         ("mechanisms", c_bool),
+        ("angles", c_bool),
         ("alpha", c_double),
         ("view", Zone),
     ]
@@ -945,6 +974,16 @@ class DrawnMechanism(Structure):
     ]
 
 
+class DrawnAngle(Structure):
+    _fields_ = [
+        ("info", AngleInfo),
+        ("a", Vec),
+        ("b", Vec),
+        ("c", Vec),
+        ("asleep", c_bool),
+    ]
+
+
 DrawBody = CFUNCTYPE(None, c_void_p, POINTER(DrawnBody))
 DrawParticle = CFUNCTYPE(None, c_void_p, POINTER(DrawnParticle))
 DrawDisc = CFUNCTYPE(None, c_void_p, POINTER(DrawnDisc))
@@ -955,6 +994,7 @@ DrawAttachment = CFUNCTYPE(None, c_void_p, POINTER(DrawnAttachment))
 DrawField = CFUNCTYPE(None, c_void_p, POINTER(DrawnField))
 DrawGrab = CFUNCTYPE(None, c_void_p, POINTER(DrawnGrab))
 DrawMechanism = CFUNCTYPE(None, c_void_p, POINTER(DrawnMechanism))
+DrawAngle = CFUNCTYPE(None, c_void_p, POINTER(DrawnAngle))
 
 
 class DebugDraw(Structure):
@@ -970,6 +1010,7 @@ class DebugDraw(Structure):
         ("field", DrawField),
         ("grab", DrawGrab),
         ("mechanism", DrawMechanism),
+        ("angle", DrawAngle),
     ]
 
 
@@ -1108,7 +1149,6 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_body_particles": (c_int32, [c_void_p, BodyId, POINTER(ParticleId), c_size_t, POINTER(c_size_t)]),
     "sulfur_body_particle": (c_int32, [c_void_p, BodyId, c_size_t, POINTER(ParticleId)]),
     "sulfur_body_joints": (c_int32, [c_void_p, BodyId, POINTER(JointId), c_size_t, POINTER(c_size_t)]),
-    "sulfur_body_angles": (c_int32, [c_void_p, BodyId, POINTER(AngleInfo), c_size_t, POINTER(c_size_t)]),
     "sulfur_body_name": (c_int32, [c_void_p, BodyId, POINTER(c_char_p)]),
     "sulfur_body_kind": (c_int32, [c_void_p, BodyId, POINTER(c_int32)]),
     "sulfur_body_set_kind": (c_int32, [c_void_p, BodyId, c_int32]),
@@ -1162,6 +1202,25 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_body_apply_impulse": (c_int32, [c_void_p, BodyId, Vec, Vec]),
     "sulfur_body_apply_angular_impulse": (c_int32, [c_void_p, BodyId, c_double]),
     "sulfur_body_move_to": (c_int32, [c_void_p, BodyId, Pose]),
+    "sulfur_drive_default": (Drive, []),
+    "sulfur_hinge_options_default": (HingeOptions, []),
+    "sulfur_weld_options_default": (WeldOptions, []),
+    "sulfur_slider_options_default": (SliderOptions, []),
+    "sulfur_wheel_mechanism_options_default": (WheelMechanismOptions, []),
+    "sulfur_distance_options_default": (DistanceOptions, []),
+    "sulfur_pulley_options_default": (PulleyOptions, []),
+    "sulfur_world_hinge": (c_int32, [c_void_p, BodyId, BodyId, Vec, POINTER(HingeOptions), POINTER(MechanismId)]),
+    "sulfur_world_weld": (c_int32, [c_void_p, BodyId, BodyId, Vec, POINTER(WeldOptions), POINTER(MechanismId)]),
+    "sulfur_world_slider": (c_int32, [c_void_p, BodyId, BodyId, Vec, Vec, POINTER(SliderOptions), POINTER(MechanismId)]),
+    "sulfur_world_wheel": (c_int32, [c_void_p, BodyId, BodyId, Vec, Vec, POINTER(WheelMechanismOptions), POINTER(WheelIds)]),
+    "sulfur_world_distance": (c_int32, [c_void_p, BodyId, Vec, BodyId, Vec, POINTER(DistanceOptions), POINTER(MechanismId)]),
+    "sulfur_world_pulley": (c_int32, [c_void_p, BodyId, Vec, Vec, BodyId, Vec, Vec, BodyId, POINTER(PulleyOptions), POINTER(MechanismId)]),
+    "sulfur_world_gear": (c_int32, [c_void_p, MechanismId, MechanismId, c_double, POINTER(MechanismId)]),
+    "sulfur_mechanism_info": (c_int32, [c_void_p, MechanismId, POINTER(MechanismInfo)]),
+    "sulfur_mechanism_set_drive": (c_int32, [c_void_p, MechanismId, POINTER(Drive)]),
+    "sulfur_mechanism_remove": (c_int32, [c_void_p, MechanismId]),
+    "sulfur_mechanism_exists": (c_int32, [c_void_p, MechanismId, POINTER(c_bool)]),
+    "sulfur_world_mechanisms": (c_int32, [c_void_p, POINTER(MechanismId), c_size_t, POINTER(c_size_t)]),
     "sulfur_particle_info": (c_int32, [c_void_p, ParticleId, POINTER(ParticleInfo)]),
     "sulfur_particle_exists": (c_int32, [c_void_p, ParticleId, POINTER(c_bool)]),
     "sulfur_particle_position": (c_int32, [c_void_p, ParticleId, POINTER(Vec)]),
@@ -1185,6 +1244,11 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_joint_set_damping": (c_int32, [c_void_p, JointId, c_double]),
     "sulfur_joint_set_rest_length": (c_int32, [c_void_p, JointId, c_double]),
     "sulfur_joint_set_strength": (c_int32, [c_void_p, JointId, c_double]),
+    "sulfur_body_angles": (c_int32, [c_void_p, BodyId, POINTER(AngleInfo), c_size_t, POINTER(c_size_t)]),
+    "sulfur_angle_info": (c_int32, [c_void_p, AngleId, POINTER(AngleInfo)]),
+    "sulfur_angle_set_drive": (c_int32, [c_void_p, AngleId, POINTER(Drive)]),
+    "sulfur_angle_remove": (c_int32, [c_void_p, AngleId]),
+    "sulfur_angle_exists": (c_int32, [c_void_p, AngleId, POINTER(c_bool)]),
     "sulfur_world_attach_to_body": (c_int32, [c_void_p, ParticleId, BodyId, Vec, POINTER(AttachmentId)]),
     "sulfur_world_attach_to_joint": (c_int32, [c_void_p, ParticleId, JointId, c_double, POINTER(AttachmentId)]),
     "sulfur_attachment_remove": (c_int32, [c_void_p, AttachmentId]),
@@ -1199,25 +1263,6 @@ FUNCTIONS = {  # name: type of the result, types of the parameters
     "sulfur_grab_info": (c_int32, [c_void_p, GrabId, POINTER(GrabInfo)]),
     "sulfur_grab_exists": (c_int32, [c_void_p, GrabId, POINTER(c_bool)]),
     "sulfur_world_grabs": (c_int32, [c_void_p, POINTER(GrabId), c_size_t, POINTER(c_size_t)]),
-    "sulfur_drive_default": (Drive, []),
-    "sulfur_hinge_options_default": (HingeOptions, []),
-    "sulfur_weld_options_default": (WeldOptions, []),
-    "sulfur_slider_options_default": (SliderOptions, []),
-    "sulfur_wheel_mechanism_options_default": (WheelMechanismOptions, []),
-    "sulfur_distance_options_default": (DistanceOptions, []),
-    "sulfur_pulley_options_default": (PulleyOptions, []),
-    "sulfur_world_hinge": (c_int32, [c_void_p, BodyId, BodyId, Vec, POINTER(HingeOptions), POINTER(MechanismId)]),
-    "sulfur_world_weld": (c_int32, [c_void_p, BodyId, BodyId, Vec, POINTER(WeldOptions), POINTER(MechanismId)]),
-    "sulfur_world_slider": (c_int32, [c_void_p, BodyId, BodyId, Vec, Vec, POINTER(SliderOptions), POINTER(MechanismId)]),
-    "sulfur_world_wheel": (c_int32, [c_void_p, BodyId, BodyId, Vec, Vec, POINTER(WheelMechanismOptions), POINTER(WheelIds)]),
-    "sulfur_world_distance": (c_int32, [c_void_p, BodyId, Vec, BodyId, Vec, POINTER(DistanceOptions), POINTER(MechanismId)]),
-    "sulfur_world_pulley": (c_int32, [c_void_p, BodyId, Vec, Vec, BodyId, Vec, Vec, BodyId, POINTER(PulleyOptions), POINTER(MechanismId)]),
-    "sulfur_world_gear": (c_int32, [c_void_p, MechanismId, MechanismId, c_double, POINTER(MechanismId)]),
-    "sulfur_mechanism_info": (c_int32, [c_void_p, MechanismId, POINTER(MechanismInfo)]),
-    "sulfur_mechanism_set_drive": (c_int32, [c_void_p, MechanismId, POINTER(Drive)]),
-    "sulfur_mechanism_remove": (c_int32, [c_void_p, MechanismId]),
-    "sulfur_mechanism_exists": (c_int32, [c_void_p, MechanismId, POINTER(c_bool)]),
-    "sulfur_world_mechanisms": (c_int32, [c_void_p, POINTER(MechanismId), c_size_t, POINTER(c_size_t)]),
     "sulfur_query_filter_default": (QueryFilter, []),
     "sulfur_query_shape_default": (QueryShape, []),
     "sulfur_query_shape_circle": (c_int32, [Vec, c_double, POINTER(QueryShape)]),

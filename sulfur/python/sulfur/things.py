@@ -164,8 +164,8 @@ class Body(Thing):
 
     @property
     def angles(self):
-        """What its angular joints are at the moment, without those that are gone."""
-        return self._ask_list(c.AngleInfo, "angles")
+        """Its angular joints in the order of its blueprint, without those that are gone."""
+        return [Angle(self.world, info.id) for info in self._ask_list(c.AngleInfo, "angles")]
 
     @property
     def contacts(self):
@@ -245,6 +245,37 @@ class Joint(Thing):
         self._tell("remove")
 
 
+class _Driven(Thing):
+    """What has a coordinate on which a drive acts."""
+
+    @property
+    def drive(self):
+        """What acts along its coordinate; set it to what drive() returned."""
+        return self.info.drive
+
+    @drive.setter
+    def drive(self, drive):
+        self._tell("set_drive", ctypes.byref(drive))
+
+    def change_drive(self, **options):
+        """Changes some members of its drive: motor_speed, upper ...; motor_target=None forgets."""
+        self.drive = fill(self.drive, options)
+
+
+class Angle(_Driven):
+    """An angular joint; sulfur/c/parts.h."""
+
+    _name = "angle"
+
+    info = _reading(c.AngleInfo, "info", "All that it is at the moment.")
+    angle = property(lambda self: self.info.angle, doc="rad.")
+    torque = property(lambda self: self.info.torque, doc="N m in the last tick.")
+
+    def remove(self):
+        """Takes it away; what it bent stays."""
+        self._tell("remove")
+
+
 class Attachment(Thing):
     """A particle held at a point of a body; sulfur/c/parts.h."""
 
@@ -289,7 +320,7 @@ class Grab(Thing):
         self._tell("release")
 
 
-class Mechanism(Thing):
+class Mechanism(_Driven):
     """A hinge, a weld, a slider, a distance, a pulley or a gear; sulfur/c/mechanisms.h."""
 
     _name = "mechanism"
@@ -298,19 +329,6 @@ class Mechanism(Thing):
     value = property(lambda self: self.info.value, doc="rad or m.")
     speed = property(lambda self: self.info.speed, doc="rad/s or m/s.")
     force = property(lambda self: self.info.force, doc="N m or N of its drive in the last tick.")
-
-    @property
-    def drive(self):
-        """What acts along its coordinate; set it to what drive() returned."""
-        return self.info.drive
-
-    @drive.setter
-    def drive(self, drive):
-        self._tell("set_drive", ctypes.byref(drive))
-
-    def change_drive(self, **options):
-        """Changes some members of its drive: motor_speed, upper ...; motor_target=None forgets."""
-        self.drive = fill(self.drive, options)
 
     def remove(self):
         """Lets both bodies go."""

@@ -323,8 +323,8 @@ class World:
 
     def draw(self, visitor, **options):
         """Calls those of visitor's methods body, particle, disc, joint, capsule, contact,
-        attachment, field, grab and mechanism that it has, each with a struct of sulfur.c that is valid only
-        meanwhile: sulfur/c/draw.h."""
+        attachment, field, grab, mechanism and angle that it has, each with a struct of sulfur.c
+        that is valid only meanwhile: sulfur/c/draw.h."""
         functions = c.DebugDraw()
         for name, kind in c.DebugDraw._fields_[1:]:
             method = getattr(visitor, name, None)

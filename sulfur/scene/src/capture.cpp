@@ -1,6 +1,7 @@
 // A running world as a scene.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <sulfur/scene/instance.hpp>
 
@@ -11,6 +12,17 @@
 namespace sulfur::scene {
 
 namespace {
+
+/// The drive of an angular joint that is made again, with an angle between -pi and pi: its limits
+/// and target go back by the whole turns that it has made. A spring forgets these.
+Drive withoutTurns(Drive drive, double angle) {
+    const double turn = 2 * std::numbers::pi;
+    const auto turns = static_cast<Real>(turn * std::nearbyint(angle / turn));
+    drive.lower -= turns;
+    drive.upper -= turns;
+    if (drive.motorTarget) *drive.motorTarget -= turns;
+    return drive;
+}
 
 /// Of a joint, if it shows another surface than a body.
 std::optional<Material> ownMaterial(const World& world, JointId joint, BodyId body) {
@@ -133,8 +145,7 @@ private:
                    a.material.value_or(plan.material) == b.material.value_or(plan.material);
         };
         const auto sameAngle = [&](const AngularJointSpec& a, const AngularJointSpec& b) {
-            return a.a == b.a && a.b == b.b && a.c == b.c && a.stiffness == b.stiffness &&
-                   a.damping == b.damping && plan.restAngle(a) == b.restAngle;
+            return a.a == b.a && a.b == b.b && a.c == b.c && same(plan.drive(a), now.drive(b));
         };
         return std::equal(plan.particles.begin(), plan.particles.end(), now.particles.begin(),
                           now.particles.end(), sameParticle) &&
@@ -290,9 +301,12 @@ Blueprint blueprintNow(const World& world, BodyId body, const Point& origin) {
                                info.restLength, info.radius, info.strength,
                                ownMaterial(world, id, body)});
     }
-    for (const AngleInfo& info : world.angles(body))
-        plan.angles.push_back({places.at(info.a), places.at(info.b), places.at(info.c),
-                               info.stiffness, info.damping, info.restAngle});
+    for (const AngleInfo& info : world.angles(body)) {
+        const Drive d = withoutTurns(withinFile(info.drive), info.angle);
+        plan.angles.push_back({places.at(info.a), places.at(info.b), places.at(info.c), d.stiffness,
+                               d.damping, d.rest, d.lower, d.upper, d.motorSpeed, d.motorMax,
+                               d.motorTarget, d.strength});
+    }
     if (plan.skin && plan.skin->uv.size() != plan.particles.size()) plan.skin.reset();
     return plan;
 }

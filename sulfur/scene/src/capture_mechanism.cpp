@@ -15,7 +15,9 @@ Real bounded(Real value, double most) {
     return static_cast<double>(std::abs(value)) > most ? std::copysign(infinite, value) : value;
 }
 
-Drive within(Drive drive) {
+}  // namespace
+
+Drive withinFile(Drive drive) {
     drive.lower = std::min(bounded(drive.lower, Limits::driven), static_cast<Real>(Limits::driven));
     drive.upper =
         std::max(bounded(drive.upper, Limits::driven), static_cast<Real>(-Limits::driven));
@@ -30,6 +32,8 @@ bool same(const Drive& a, const Drive& b) {
            a.motorMax == b.motorMax && a.motorTarget == b.motorTarget && a.strength == b.strength;
 }
 
+namespace {
+
 double valueOf(const MechanismInfo& info) {
     return std::clamp(info.value, -Limits::driven, Limits::driven);
 }
@@ -37,7 +41,7 @@ double valueOf(const MechanismInfo& info) {
 Weld weldOf(const MechanismInfo& info) {
     Weld weld;
     weld.at = info.pointB;
-    const Drive drive = within(info.drive);
+    const Drive drive = withinFile(info.drive);
     weld.options.stiffness = drive.stiffness;
     weld.options.damping = drive.damping;
     weld.options.torqueStrength = drive.strength;
@@ -58,7 +62,7 @@ Pulley pulleyOf(const MechanismInfo& info) {
     pulley.atB = info.pointB;
     pulley.overA = info.overA;
     pulley.overB = info.overB;
-    const Drive drive = within(info.drive);
+    const Drive drive = withinFile(info.drive);
     pulley.options.ratio = info.ratio;
     pulley.options.strength = drive.strength;
     Drive plain;
@@ -75,7 +79,7 @@ Slider sliderOf(const MechanismInfo& info) {
     Slider slider;
     slider.at = info.pointB;
     if (!info.axis.isZero(0)) slider.axis = info.axis;
-    slider.options.drive = within(info.drive);
+    slider.options.drive = withinFile(info.drive);
     slider.options.collide = info.collide;
     slider.options.turns = info.turns;
     slider.options.value = valueOf(info);
@@ -85,7 +89,7 @@ Slider sliderOf(const MechanismInfo& info) {
 Hinge hingeOf(const MechanismInfo& info) {
     Hinge hinge;
     hinge.at = info.pointB;
-    hinge.options.drive = within(info.drive);
+    hinge.options.drive = withinFile(info.drive);
     hinge.options.collide = info.collide;
     hinge.options.pin = info.pin;
     hinge.options.strength = bounded(info.strength, Limits::strength);
@@ -97,7 +101,7 @@ Distance distanceOf(const MechanismInfo& info) {
     Distance distance;
     distance.atA = info.pointA;
     distance.atB = info.pointB;
-    distance.options.drive = within(info.drive);
+    distance.options.drive = withinFile(info.drive);
     distance.options.collide = info.collide;
     return distance;
 }
@@ -173,7 +177,7 @@ SceneMechanism MechanismCapture::describe(const MechanismInfo& info) {
             Gear gear{nameOf(info.first), nameOf(info.second), info.ratio, std::nullopt};
             Drive plain;
             plain.stiffness = infinite;
-            if (const Drive drive = within(info.drive); !same(drive, plain)) gear.drive = drive;
+            if (const Drive drive = withinFile(info.drive); !same(drive, plain)) gear.drive = drive;
             result.spec = gear;
             return result;
         }

@@ -8,6 +8,11 @@
 
 namespace sulfur::scene {
 
+/// A drive as a file can say it: what is beyond its bounds counts as without bound.
+Drive withinFile(Drive drive);
+/// Whether two drives are the same.
+bool same(const Drive& a, const Drive& b);
+
 /// Describes the mechanisms of a world as they are now.
 class MechanismCapture {
 public:

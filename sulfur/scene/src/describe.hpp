@@ -83,15 +83,34 @@ void describe(Visitor& v, Object& o) {
     describeJoint(v, o);
 }
 
+/// What drives and angular joints have in common.
+template <class Visitor, class Object>
+void describeLimits(Visitor& v, Object& o) {
+    const Drive d;
+    v.number("lower", o.lower, d.lower, -Limits::driven, Limits::driven);
+    v.number("upper", o.upper, d.upper, -Limits::driven, Limits::driven);
+}
+
+template <class Visitor, class Object>
+void describeMotor(Visitor& v, Object& o) {
+    const Drive d;
+    v.number("motorSpeed", o.motorSpeed, d.motorSpeed, -Limits::driven, Limits::driven);
+    v.infinite("motorMax", o.motorMax, d.motorMax, Limits::strength, "unlimited");
+    v.optionalNumber("motorTarget", o.motorTarget, -Limits::driven, Limits::driven);
+    v.strength("strength", o.strength);
+}
+
 template <class Visitor, Is<AngularJointSpec> Object>
 void describe(Visitor& v, Object& o) {
     const AngularJointSpec d;
     v.index("a", o.a);
     v.index("b", o.b);
     v.index("c", o.c);
-    v.number("stiffness", o.stiffness, d.stiffness, 0, Limits::angularStiffness);
+    v.infinite("stiffness", o.stiffness, d.stiffness, Limits::angularStiffness, "rigid");
     v.number("damping", o.damping, d.damping, 0, Limits::damping);
     v.optionalNumber("restAngle", o.restAngle, -Limits::angle, Limits::angle);
+    describeLimits(v, o);
+    describeMotor(v, o);
 }
 
 template <class Visitor, Is<FloorOptions> Object>
@@ -306,15 +325,11 @@ void describe(Visitor& v, Object& o) {
 template <class Visitor, Is<Drive> Object>
 void describe(Visitor& v, Object& o) {
     const Drive d;
-    v.number("lower", o.lower, d.lower, -Limits::driven, Limits::driven);
-    v.number("upper", o.upper, d.upper, -Limits::driven, Limits::driven);
+    describeLimits(v, o);
     v.infinite("stiffness", o.stiffness, d.stiffness, Limits::angularStiffness, "rigid");
     v.number("damping", o.damping, d.damping, 0, Limits::damping);
     v.number("rest", o.rest, d.rest, -Limits::driven, Limits::driven);
-    v.number("motorSpeed", o.motorSpeed, d.motorSpeed, -Limits::driven, Limits::driven);
-    v.infinite("motorMax", o.motorMax, d.motorMax, Limits::strength, "unlimited");
-    v.optionalNumber("motorTarget", o.motorTarget, -Limits::driven, Limits::driven);
-    v.strength("strength", o.strength);
+    describeMotor(v, o);
 }
 
 template <class Visitor, Is<Hinge> Object>

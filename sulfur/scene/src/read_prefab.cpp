@@ -66,6 +66,8 @@ AngularJointSpec readAngle(Reader& angle, const Blueprint& plan) {
     const auto& place = plan.particles[spec.b].position;
     if (place == plan.particles[spec.a].position || place == plan.particles[spec.c].position)
         angle.node().fail("has its corner b where a or c stands; allowed are places that differ");
+    if (spec.lower > spec.upper)
+        angle.node().fail("lower is above upper; allowed is the same or less");
     angle.finish();
     return spec;
 }

@@ -137,7 +137,7 @@ private:
     }
 
     void addLoads(std::uint32_t i) {
-        if (isHeld(state_, i)) return;
+        if (isHeld(state_, i) || state_.angles.drive[i]) return;
         const TurnedParts parts = partsOf(state_, i);
         const double sum = parts[0].size + parts[1].size + parts[2].size;
         const double steepened = hasRigidArms(state_, i) ? 1 : tuned::mostSteepened;
@@ -164,6 +164,10 @@ private:
         angles.explicitStiffness[i] = angles.explicitDamping[i] = 0;
         angles.kind[i] = AngleKind::held;
         if (isHeld(state_, i)) return;
+        if (angles.drive[i]) {
+            angles.kind[i] = AngleKind::driven;
+            return;
+        }
         const auto arms = armsOf(state_, i);
         angles.armBefore[i] = static_cast<Real>(arms[0]);
         angles.armAfter[i] = static_cast<Real>(arms[1]);

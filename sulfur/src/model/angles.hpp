@@ -16,10 +16,11 @@ enum class AngleKind : std::uint8_t {
     held,             // by a rigid component, so never solved
     explicitElastic,  // as forces
     implicitElastic,  // partly as forces, the rest as a compliant constraint
+    driven,           // as a row of a mechanism
 };
 
-/// Elastic angles at a particle b, between its neighbours a and c. They stand in the order of
-/// their bodies.
+/// Angles at a particle b, between its neighbours a and c. They stand in the order of their bodies.
+/// Those with limits or a motor are rows of mechanisms, of which each has one of its own.
 struct Angles {
     std::vector<std::uint32_t> a, b, c;     // particles, dense indices
     std::vector<Real> restAngle;            // rad, of the turn from b - a to c - b
@@ -32,11 +33,22 @@ struct Angles {
     std::vector<AngleKind> kind;
     std::vector<JointId> before, after;  // from a to b and from b to c, or null
     std::vector<std::uint32_t> body;     // dense index
+    std::vector<Real> strength;          // N m
+    std::vector<MechanismId> drive;      // whose row it is, or null
+    std::vector<AngleId> id;
 
     std::size_t size() const { return a.size(); }
 
     template <class Function>
     void forEachArray(Function&& f) {
+        forEachMoving(f);
+        f(strength);
+        f(drive);
+        f(id);
+    }
+    /// Those that say how elastic ones move.
+    template <class Function>
+    void forEachMoving(Function&& f) {
         f(a);
         f(b);
         f(c);

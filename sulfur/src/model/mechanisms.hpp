@@ -61,7 +61,8 @@ struct RowForces {
 struct Mechanism {
     MechanismId id;
     MechanismKind kind = MechanismKind::hinge;
-    BodyId a, b;
+    BodyId a, b;    // of an angular joint the same
+    AngleId angle;  // the angular joint that it is, or null
     Drive drive;
     Real ratio = 1;        // of a pulley or gear
     double zero = 0;       // rad or m, of the coordinate where the caller's begins
@@ -114,6 +115,7 @@ struct Mechanism {
         archive(atUpper);
         archive(vain);
         for (auto& row : forces) archive(row);
+        if (a == b) archive(angle);
     }
 };
 

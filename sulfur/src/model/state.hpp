@@ -117,6 +117,7 @@ struct WorkLists {
     std::vector<std::uint32_t> stiffJoints;                     // all that have a multiplier
     std::vector<StiffRun> stiffRuns;                            // the same
     std::vector<std::uint32_t> breakableJoints;
+    std::vector<std::uint32_t> breakableAngles;  // that are not driven
     // All joints that are not rigid, body by body, asleep or not; where those of each body begin.
     std::vector<std::uint32_t> springs, springStart;
     std::vector<std::uint32_t> attachments, hinges;  // swept
@@ -207,6 +208,7 @@ struct State {
     Slots<JointId> jointSlots;
     Slots<BodyId> bodySlots;
     Slots<AttachmentId> attachmentSlots;
+    Slots<AngleId> angleSlots;
 
     /// Particles whose velocity was set since the last tick: their first kick is half a tick's,
     /// which is where a scheme that keeps velocities at half ticks must start.

@@ -1,4 +1,4 @@
-// Mechanisms that go: overloaded, removed, or with what they held.
+// Mechanisms and angular joints that go: overloaded, removed, or with what they held.
 #include <algorithm>
 #include <cmath>
 
@@ -49,6 +49,17 @@ Vec2 pinForceOf(const State& state, const Mechanism& m) {
     return isPinned ? state.attachments[state.attachmentSlots.dense(m.pins[0])].force : Vec2(0, 0);
 }
 
+/// The load of an angular joint in its strength.
+Real loadOf(const Angles& angles, std::uint32_t i) {
+    return std::abs(angles.torque[i]) / angles.strength[i];
+}
+
+void tellBroken(State& state, std::uint32_t angle, Real torque) {
+    const Angles& angles = state.angles;
+    state.events.anglesBroken.push_back({angles.id[angle], state.bodies[angles.body[angle]].id,
+                                         state.particles.id[angles.b[angle]], torque});
+}
+
 }  // namespace
 
 void dropMechanism(State& state, std::uint32_t index) {
@@ -77,17 +88,57 @@ void forgetMechanisms(State& state) {
     }
 }
 
+void dropAngles(State& state, const std::vector<AngleId>& gone) {
+    if (gone.empty()) return;
+    Removal removal(state);
+    for (const AngleId id : gone) {
+        if (!state.angleSlots.contains(id)) continue;
+        const auto i = state.angleSlots.dense(id);
+        removal.angles[i] = true;
+        wakeBody(state, state.angles.body[i]);
+    }
+    compact(state, removal);
+    forgetMechanisms(state);
+}
+
+std::vector<AngleId> breakingAngles(State& state) {
+    const Angles& angles = state.angles;
+    std::vector<AngleId> gone;
+    std::uint32_t worst = none;  // of the body that is looked at; they stand body by body
+    const auto breakWorst = [&] {
+        if (worst == none) return;
+        tellBroken(state, worst, std::abs(angles.torque[worst]));
+        gone.push_back(angles.id[worst]);
+        worst = none;
+    };
+    for (const auto i : state.work.breakableAngles) {
+        if (!(loadOf(angles, i) > 1)) continue;
+        if (worst != none && angles.body[worst] != angles.body[i]) breakWorst();
+        if (worst == none || loadOf(angles, i) > loadOf(angles, worst)) worst = i;
+    }
+    breakWorst();
+    return gone;
+}
+
 void breakMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     if (all.empty()) return;
+    std::vector<AngleId> gone;
     for (auto i = static_cast<std::uint32_t>(all.list.size()); i-- > 0;) {
         const Mechanism& m = all.list[i];
+        if (m.angle && !state.angleSlots.contains(m.angle)) continue;  // gone with a joint
         const Real driven = loadOf(m.forces[0]), held = pinForceOf(state, m).norm();
         if (driven <= m.drive.strength && held <= m.pinStrength) continue;
+        if (m.angle) {
+            tellBroken(state, state.angleSlots.dense(m.angle), driven);
+            gone.push_back(m.angle);
+            continue;
+        }
         const Real force = held > m.pinStrength ? held : driven;
         state.events.mechanismsBroken.push_back({m.id, m.a, m.b, force});
         dropMechanism(state, i);
     }
+    dropAngles(state, gone);
     forgetMechanisms(state);
 }
 

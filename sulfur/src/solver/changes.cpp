@@ -191,13 +191,17 @@ void listAngles(State& state) {
     const Angles& angles = state.angles;
     work.explicitAngles.clear();
     work.implicitAngles.clear();
+    work.breakableAngles.clear();
     for (std::uint32_t i = 0; i < angles.size(); ++i) {
-        if (angles.kind[i] == AngleKind::held || !state.awake(angles.body[i])) continue;
+        if (angles.kind[i] == AngleKind::held || angles.kind[i] == AngleKind::driven ||
+            !state.awake(angles.body[i]))
+            continue;
         const auto moves = [&](std::uint32_t p) { return inverseMassAwake(state, p) > 0; };
         if (!moves(angles.a[i]) && !moves(angles.b[i]) && !moves(angles.c[i])) continue;
         if (angles.explicitStiffness[i] > 0 || angles.explicitDamping[i] > 0)
             work.explicitAngles.push_back(i);
         if (angles.kind[i] == AngleKind::implicitElastic) work.implicitAngles.push_back(i);
+        if (angles.strength[i] != infinite) work.breakableAngles.push_back(i);
     }
     groupAngles(state);
 }

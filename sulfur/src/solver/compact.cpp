@@ -113,6 +113,8 @@ void retire(State& state, std::uint32_t index) {
         state.joints.inCluster[state.jointSlots.dense(id)] = 1;  // nobody solves it
         state.jointSlots.retire(id);
     }
+    const Range angles = anglesOf(state, index);
+    for (auto i = angles.first; i < angles.last; ++i) state.angleSlots.retire(state.angles.id[i]);
     std::erase_if(state.vetoes,
                   [&](const BodyPair& pair) { return pair.a == body.id || pair.b == body.id; });
     state.idsHaveGaps = true;
@@ -170,8 +172,13 @@ void squeezeJoints(State& state, const Removal& removal) {
 
 void squeezeAngles(State& state, const Removal& removal) {
     Angles& angles = state.angles;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        if (removal.angles[i]) state.angleSlots.erase(angles.id[i]);
     angles.forEachArray([&](auto& list) { squeeze(list, removal.angles); });
-    for (auto& body : angles.body) body = removal.newBody[body];
+    for (std::uint32_t i = 0; i < angles.size(); ++i) {
+        angles.body[i] = removal.newBody[angles.body[i]];
+        state.angleSlots.move(angles.id[i], i);
+    }
 }
 
 void squeezeAttachments(State& state, const Removal& removal) {
@@ -287,6 +294,7 @@ void makeRoomToCompact(State& state) {
     state.jointSlots.makeRoom(0);
     state.bodySlots.makeRoom(0);
     state.attachmentSlots.makeRoom(0);
+    state.angleSlots.makeRoom(0);
     makeRoomFor(state.sensing.bodies, state.bodies.size());
     makeRoomFor(state.surface, state.particles.size());
 }

@@ -9,6 +9,7 @@ namespace sulfur::detail {
 
 /// Drops what is marked (true) and closes the gaps, keeping the order. Joints and attachments
 /// that lose a particle go too, angular joints also that lose a joint along one of their arms.
+/// Mechanisms that hold what has gone stay until forgetMechanisms().
 struct Removal {
     std::vector<bool> particles, joints, attachments, bodies, angles;
 

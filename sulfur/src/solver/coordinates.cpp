@@ -192,14 +192,20 @@ double angleOf(const State& state, const MechanismArm& arm, bool moved) {
     return angle + fullTurn * std::nearbyint((arm.angle - angle) / fullTurn);
 }
 
+double angleApart(const State& state, const Mechanism& m, bool moved) {
+    const double apart = angleOf(state, m.arms[1], moved) - angleOf(state, m.arms[0], moved);
+    if (!m.angle) return apart;
+    const double before = m.arms[1].angle - m.arms[0].angle;
+    return apart + fullTurn * std::nearbyint((before - apart) / fullTurn);
+}
+
 double valueOf(const State& state, const Mechanism& m, RowOf row, bool moved) {
     if (row == RowOf::across) return onLine(state, m, moved).off;
-    if (row == RowOf::angle)
-        return angleOf(state, m.arms[1], moved) - angleOf(state, m.arms[0], moved) - m.zeroAngle;
+    if (row == RowOf::angle) return angleApart(state, m, moved) - m.zeroAngle;
     switch (m.kind) {
         case MechanismKind::hinge:
         case MechanismKind::weld:
-            return angleOf(state, m.arms[1], moved) - angleOf(state, m.arms[0], moved) - m.zero;
+            return angleApart(state, m, moved) - m.zero;
         case MechanismKind::slider:
             return onLine(state, m, moved).place - m.zero;
         case MechanismKind::distance:
@@ -246,6 +252,7 @@ bool holds(const State& state, const Mechanism& m) {
             return all.slots.contains(part) && holds(state, all.list[all.slots.dense(part)]);
         });
     }
+    if (m.angle && !state.angleSlots.contains(m.angle)) return false;
     const auto isThere = [&](ParticleId id) { return !id || state.particleSlots.contains(id); };
     for (const MechanismPoint& point : m.points)
         for (std::uint32_t k = 0; k < point.count; ++k)

@@ -22,6 +22,9 @@ CoordinateSlopes slopesOf(const State& state, const Mechanism& mechanism, RowOf 
 double speedOf(const State& state, const Mechanism& mechanism);
 /// rad, of a body as its arm shows it, with whole turns.
 double angleOf(const State& state, const MechanismArm& arm, bool moved);
+/// rad, by how much the second arm is turned more than the first. Within a body, which a call may
+/// turn as a whole, it is the one nearest to that of the last step.
+double angleApart(const State& state, const Mechanism& mechanism, bool moved);
 /// Where a point of a body is.
 Point placeOf(const State& state, const MechanismPoint& point, bool moved);
 

@@ -140,6 +140,19 @@ bool isAwake(const State& state, const Mechanism& m) {
     return state.awake(state.bodySlots.dense(m.a)) || state.awake(state.bodySlots.dense(m.b));
 }
 
+/// Where its arms are as the step begins.
+void noteAngles(const State& state, Mechanism& m) {
+    const double apart = m.angle ? angleApart(state, m, false) : 0;
+    for (MechanismArm& arm : m.arms)
+        if (arm.from) arm.angle = angleOf(state, arm, false);
+    if (m.angle) m.arms[1].angle = m.arms[0].angle + apart;
+}
+
+/// How events name it.
+MechanismId toldId(const Mechanism& m) {
+    return m.angle ? MechanismId{} : m.id;
+}
+
 }  // namespace
 
 RowHold holdOf(const MechanismRow& row) {
@@ -163,8 +176,7 @@ void startMechanisms(State& state) {
     for (std::uint32_t i = 0; i < all.list.size(); ++i) {
         Mechanism& m = all.list[i];
         if (!isAwake(state, m) || isCut(state, m)) continue;
-        for (MechanismArm& arm : m.arms)
-            if (arm.from) arm.angle = angleOf(state, arm, false);
+        noteAngles(state, m);
         for (const auto number : {RowOf::drive, RowOf::across, RowOf::angle}) {
             if (!hasRow(m, number)) continue;
             MechanismRow row;
@@ -215,9 +227,9 @@ void recordMechanisms(State& state) {
     for (Mechanism& m : all.list) {
         const std::uint8_t lower = m.forces[0].lower > 0, upper = m.forces[0].upper < 0;
         if (lower > m.atLower || upper > m.atUpper)
-            state.events.limitsReached.push_back({m.id, upper > m.atUpper});
+            state.events.limitsReached.push_back({toldId(m), upper > m.atUpper, m.angle});
         if (lower < m.atLower || upper < m.atUpper)
-            state.events.limitsLeft.push_back({m.id, upper < m.atUpper});
+            state.events.limitsLeft.push_back({toldId(m), upper < m.atUpper, m.angle});
         m.atLower = lower;
         m.atUpper = upper;
     }

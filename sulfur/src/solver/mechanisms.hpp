@@ -1,6 +1,8 @@
 // Mechanisms, as the stages of a step see them.
 #pragma once
 
+#include <vector>
+
 #include "model/state.hpp"
 
 namespace sulfur::detail {
@@ -20,6 +22,11 @@ void solveMechanisms(State& state);
 void leadMechanisms(State& state);
 /// The forces that the multipliers stand for; what limits began and ceased to push.
 void recordMechanisms(State& state);
+/// Angular joints that are not driven and break: of those of a body that are loaded beyond their
+/// strength the worst one.
+std::vector<AngleId> breakingAngles(State& state);
+/// Takes angular joints away, as far as they are there, with the rows that drive them.
+void dropAngles(State& state, const std::vector<AngleId>& gone);
 /// Removes what was loaded beyond its strength, and what holds nothing any more.
 void breakMechanisms(State& state);
 /// Removes what holds nothing any more.

@@ -142,6 +142,8 @@ void regroupAngles(State& state) {
         angles.body[i] = body[angles.b[i]];
         if (body[angles.a[i]] == angles.body[i] && body[angles.c[i]] == angles.body[i])
             order.push_back(i);
+        else
+            state.angleSlots.erase(angles.id[i]);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) {
         return angles.body[i] < angles.body[k];
@@ -151,6 +153,12 @@ void regroupAngles(State& state) {
         list.resize(order.size());
         for (std::size_t i = 0; i < order.size(); ++i) list[i] = from[order[i]];
     });
+    for (std::uint32_t i = 0; i < angles.size(); ++i) {
+        state.angleSlots.move(angles.id[i], i);
+        if (!angles.drive[i]) continue;
+        Mechanism& drive = state.mechanisms.list[state.mechanisms.slots.dense(angles.drive[i])];
+        drive.a = drive.b = state.bodies[angles.body[i]].id;
+    }
 }
 
 /// Puts the particles of every body beside each other again, bodies in their order.

@@ -47,6 +47,7 @@ void clear(Events& events) {
     events.limitsReached.clear();
     events.limitsLeft.clear();
     events.mechanismsBroken.clear();
+    events.anglesBroken.clear();
 }
 
 /// What the stages of collision and constraints loop over.
@@ -100,7 +101,10 @@ void updateNarrowPhase(State& state) {
 }
 
 void breakage(State& state) {
+    // What joints take with them is no longer listed afterwards.
+    const std::vector<AngleId> angles = breakingAngles(state);
     breakJoints(state);
+    dropAngles(state, angles);
     breakMechanisms(state);
 }
 

@@ -4,6 +4,7 @@
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "joints/turn.hpp"
+#include "world/impl.hpp"
 
 namespace sulfur {
 
@@ -61,6 +62,11 @@ Point apartOf(const std::vector<ParticleSpec>& particles, std::uint32_t a, std::
     return particles[b].position.cast<double>() - particles[a].position.cast<double>();
 }
 
+Drive driveOf(const AngularJointSpec& joint, Real rest) {
+    return {joint.lower,      joint.upper,    joint.stiffness,   joint.damping, rest,
+            joint.motorSpeed, joint.motorMax, joint.motorTarget, joint.strength};
+}
+
 void validateAngle(const AngularJointSpec& joint, std::size_t i,
                    const std::vector<ParticleSpec>& particles) {
     using namespace detail;
@@ -74,7 +80,9 @@ void validateAngle(const AngularJointSpec& joint, std::size_t i,
     if (joint.a == joint.b || joint.b == joint.c || joint.a == joint.c)
         throw Error(ErrorCode::degenerate,
                     named("names a particle twice; allowed are three different particles").text());
-    requireRange(static_cast<double>(joint.stiffness), 0, maxAngularStiffness, named("stiffness"));
+    if (joint.stiffness != infinite)
+        requireRange(static_cast<double>(joint.stiffness), 0, maxAngularStiffness,
+                     named("stiffness"));
     requireRange(static_cast<double>(joint.damping), 0, 1e12, named("damping"));
     if (joint.restAngle)
         requireRange(static_cast<double>(*joint.restAngle), -maxAngle, maxAngle,
@@ -84,6 +92,11 @@ void validateAngle(const AngularJointSpec& joint, std::size_t i,
                     named("has its corner where a neighbour stands; allowed are particles that "
                           "are apart")
                         .text());
+    try {
+        validate(driveOf(joint, joint.restAngle.value_or(0)));
+    } catch (const Error& error) {
+        throw Error(error.code(), named(error.what()).text());
+    }
 }
 
 void validateSkin(const Skin& skin, std::size_t particles) {
@@ -126,6 +139,10 @@ Real Blueprint::restAngle(const AngularJointSpec& joint) const {
     const double angle = detail::angleBetween(apartOf(particles, joint.a, joint.b),
                                               apartOf(particles, joint.b, joint.c));
     return static_cast<Real>(angle);
+}
+
+Drive Blueprint::drive(const AngularJointSpec& joint) const {
+    return driveOf(joint, restAngle(joint));
 }
 
 Vec2 Blueprint::centreOfMass() const {

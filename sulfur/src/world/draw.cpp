@@ -37,7 +37,8 @@ public:
         if (options_.attachments)
             for (const auto& held : state_.attachments) drawAttachment(held);
         if (options_.mechanisms)
-            for (const auto& mechanism : state_.mechanisms.list) drawMechanism(mechanism);
+            for (const auto& mechanism : state_.mechanisms.list)
+                if (!mechanism.angle) drawMechanism(mechanism);
         if (options_.grabs)
             for (const GrabId id : world_.grabs()) to_.grab({id, world_.info(id)});
         if (options_.contacts)
@@ -81,6 +82,12 @@ private:
         }
         for (std::uint32_t k = 0; k < body.particles.size(); ++k)
             drawParticle(body.firstParticle + k);
+        if (options_.angles) drawAngles(body);
+    }
+
+    void drawAngles(const BodyRecord& body) {
+        for (const AngleInfo& info : world_.angles(body.id))
+            to_.angle({info, place(info.a), place(info.b), place(info.c), body.asleep});
     }
 
     /// The centre of mass moves in a tick as the mean of its particles does.

@@ -1,6 +1,10 @@
 // What the calls of World have in common.
 #pragma once
 
+#include <array>
+#include <utility>
+#include <vector>
+
 #include "bodies/impl.hpp"
 
 namespace sulfur::detail {
@@ -10,6 +14,7 @@ std::uint32_t indexOf(const State& state, ParticleId id);
 std::uint32_t indexOf(const State& state, JointId id);
 std::uint32_t indexOf(const State& state, BodyId id);
 std::uint32_t indexOf(const State& state, AttachmentId id);
+std::uint32_t indexOf(const State& state, AngleId id);
 
 /// Throws unless a pose is in its range.
 void validatePose(const Pose& pose);
@@ -29,8 +34,18 @@ Real movableMass(const State& state, std::uint32_t body);
 void validate(const Drive& drive);
 /// Throws unless it is above 0, or `infinite`.
 void requireStrength(Real strength, const char* what);
+/// The joints of a plan by both of their particles, the lower one first.
+using JointsByEnds = std::vector<std::pair<std::array<std::uint32_t, 2>, std::size_t>>;
+/// Takes the memory that the angular joints of a plan need, and returns what adds them.
+JointsByEnds makeRoomForAngles(State& state, const Blueprint& plan);
+/// Adds them to a body, whose particles and joints are there, and which is about to be the last.
+void addAngles(State& state, const Blueprint& plan, const BodyRecord& body,
+               const JointsByEnds& joints);
 /// Throws Error{staleHandle} when it is gone.
 const Mechanism& knownMechanism(const State& state, MechanismId id);
+/// What a drive no longer has, gives nothing any more: the next step begins with the forces of the
+/// last one, and nobody would take these back.
+void forgetTaken(const Drive& drive, RowForces& forces);
 /// Wakes both bodies, as far as they are there.
 void wakeBoth(State& state, const Mechanism& mechanism);
 

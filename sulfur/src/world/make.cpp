@@ -92,46 +92,6 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     return j.id.back();
 }
 
-/// The joints of a plan by both of their particles, the lower one first.
-using JointsByEnds = std::vector<std::pair<std::array<std::uint32_t, 2>, std::size_t>>;
-
-JointsByEnds jointsByEnds(const Blueprint& plan) {
-    JointsByEnds list;
-    if (plan.angles.empty()) return list;
-    for (std::size_t j = 0; j < plan.joints.size(); ++j) {
-        const auto [a, b] = std::minmax(plan.joints[j].a, plan.joints[j].b);
-        list.push_back({{a, b}, j});
-    }
-    std::sort(list.begin(), list.end());
-    return list;
-}
-
-void addAngle(State& state, const AngularJointSpec& spec, Real rest, const BodyRecord& body,
-              std::uint32_t bodyIndex, const JointsByEnds& joints) {
-    const auto between = [&](std::uint32_t i, std::uint32_t k) {
-        const std::array<std::uint32_t, 2> ends{std::min(i, k), std::max(i, k)};
-        const auto at = std::partition_point(joints.begin(), joints.end(),
-                                             [&](const auto& joint) { return joint.first < ends; });
-        return at != joints.end() && at->first == ends ? body.joints[at->second] : JointId{};
-    };
-    Angles& angles = state.angles;
-    angles.a.push_back(body.firstParticle + spec.a);
-    angles.b.push_back(body.firstParticle + spec.b);
-    angles.c.push_back(body.firstParticle + spec.c);
-    angles.restAngle.push_back(rest);
-    angles.stiffness.push_back(spec.stiffness);
-    angles.damping.push_back(spec.damping);
-    angles.explicitStiffness.push_back(0);
-    angles.explicitDamping.push_back(0);
-    angles.armBefore.push_back(0);
-    angles.armAfter.push_back(0);
-    angles.torque.push_back(0);
-    angles.kind.push_back(AngleKind::held);
-    angles.before.push_back(between(spec.a, spec.b));
-    angles.after.push_back(between(spec.b, spec.c));
-    angles.body.push_back(bodyIndex);
-}
-
 void makeRoomForParticles(State& state, std::size_t count, BodyKind kind) {
     state.particles.forEachArray([&](auto& list) { makeRoom(list, count); });
     state.particleSlots.makeRoom(count);
@@ -291,8 +251,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
     detail::BodyRecord body = detail::recordOf(plan);
     detail::makeRoomForParticles(state, plan.particles.size(), plan.kind);
     detail::makeRoomForJoints(state, plan.joints.size());
-    const detail::JointsByEnds joints = detail::jointsByEnds(plan);
-    state.angles.forEachArray([&](auto& list) { detail::makeRoom(list, plan.angles.size()); });
+    const detail::JointsByEnds joints = detail::makeRoomForAngles(state, plan);
     state.bodySlots.makeRoom(1);
     detail::makeRoom(state.bodies, 1);
     detail::makeRoom(state.bodyIds, 1);
@@ -313,8 +272,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
             {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
             spec.restLength.value_or(apart.norm()), index));
     }
-    for (const AngularJointSpec& spec : plan.angles)
-        detail::addAngle(state, spec, plan.restAngle(spec), body, index, joints);
+    detail::addAngles(state, plan, body, joints);
     state.placed.push_back(body.id.index - 1);
     state.bodyIds.push_back(body.id);
     state.bodies.push_back(std::move(body));
@@ -388,6 +346,7 @@ void World::remove(JointId id) {
     removal.joints[index] = true;
     detail::jointChanged(state, index);
     detail::compact(state, removal);
+    detail::forgetMechanisms(state);
 }
 
 void World::remove(AttachmentId id) {

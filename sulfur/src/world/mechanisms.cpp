@@ -56,8 +56,6 @@ void wakeBoth(State& state, const Mechanism& m) {
         if (state.bodySlots.contains(body)) wakeBody(state, state.bodySlots.dense(body));
 }
 
-/// What a drive no longer has, gives nothing any more: the next step begins with the forces of the
-/// last one, and nobody would take these back.
 void forgetTaken(const Drive& drive, RowForces& forces) {
     if (!(drive.stiffness > 0) && !(drive.damping > 0)) forces.spring = 0;
     if (!(drive.motorMax > 0)) forces.motor = 0;
@@ -94,7 +92,8 @@ bool World::contains(MechanismId id) const {
 
 std::vector<MechanismId> World::mechanisms() const {
     std::vector<MechanismId> found;
-    for (const Mechanism& m : impl_->known().mechanisms.list) found.push_back(m.id);
+    for (const Mechanism& m : impl_->known().mechanisms.list)
+        if (!m.angle) found.push_back(m.id);
     return found;
 }
 

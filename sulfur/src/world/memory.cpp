@@ -66,8 +66,8 @@ MemoryUse ofAngles(const State& state) {
     return Sum()
         .add(a.a, a.b, a.c, a.restAngle, a.stiffness, a.damping, a.explicitStiffness,
              a.explicitDamping, a.armBefore, a.armAfter, a.torque, a.kind, a.before, a.after,
-             a.body, w.explicitAngles, w.implicitAngles, w.sweptAngles.list, w.sweptAngles.groups,
-             w.sweptAngles.factors)
+             a.body, a.strength, a.drive, a.id, w.explicitAngles, w.implicitAngles,
+             w.breakableAngles, w.sweptAngles.list, w.sweptAngles.groups, w.sweptAngles.factors)
         .as("angular joints", a.size(), true);
 }
 
@@ -167,7 +167,8 @@ MemoryUse ofBodies(const State& state) {
     sum.add(state.bodies, state.bodyIds, state.attachments, state.mechanisms.list);
     for (const auto& body : state.bodies) sum.add(body.particles, body.joints, body.name);
     sum.addBytes(state.particleSlots.bytes() + state.jointSlots.bytes() + state.bodySlots.bytes() +
-                 state.attachmentSlots.bytes() + state.mechanisms.slots.bytes());
+                 state.attachmentSlots.bytes() + state.angleSlots.bytes() +
+                 state.mechanisms.slots.bytes());
     return sum.as("bodies, and all handles", state.bodies.size(), false);
 }
 

@@ -13,7 +13,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x43735f7266756c53u;  // "Slfr_sC", little-endian
+constexpr std::uint64_t snapshotMark = 0x44735f7266756c53u;  // "Slfr_sD", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>
@@ -64,6 +64,7 @@ void archiveAll(Archive& a, State& state) {
     a(state.jointSlots);
     a(state.bodySlots);
     a(state.attachmentSlots);
+    a(state.angleSlots);
     a(state.influences);
     a(state.mechanisms);
     a(state.structureChanged);
@@ -104,6 +105,17 @@ void archiveBodyMotion(Hasher& hasher, State& state) {
         if (body.spin == 0) continue;
         hasher(body.spin);
         hasher(body.drift);
+    }
+}
+
+/// Strengths only where there are any, as worlds without them have always hashed. What drives them
+/// is among the mechanisms.
+void archiveAngles(Hasher& hasher, Angles& angles) {
+    angles.forEachMoving(hasher);
+    for (std::uint32_t i = 0; i < angles.size(); ++i) {
+        if (angles.strength[i] == infinite) continue;
+        hasher(i);
+        hasher(angles.strength[i]);
     }
 }
 
@@ -155,7 +167,7 @@ std::uint64_t World::hash() const {
     detail::archiveBodyMotion(hasher, state);
     if (!state.discTurns.empty()) hasher(state.discTurns);
     if (!state.core.passedBy.empty()) hasher(state.core.passedBy);
-    if (state.angles.size() > 0) hasher(state.angles);
+    if (state.angles.size() > 0) detail::archiveAngles(hasher, state.angles);
     if (!state.influences.empty()) {
         hasher(state.influences.fields);
         hasher(state.influences.grabs);

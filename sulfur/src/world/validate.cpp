@@ -33,7 +33,7 @@ std::string validateArrays(const State& state) {
     if (state.bodyIds.size() + state.gone.bodies != state.bodies.size())
         return "a list of bodies of another length";
     if (!state.particleSlots.sound() || !state.jointSlots.sound() || !state.bodySlots.sound() ||
-        !state.attachmentSlots.sound())
+        !state.attachmentSlots.sound() || !state.angleSlots.sound())
         return "handles that fit no list";
     const int rate = state.settings.tickRate;
     if (rate < minTickRate || rate > maxTickRate) return "tick rate out of range";
@@ -90,6 +90,15 @@ std::string validateAngles(const State& state) {
         if (angles.a[i] == angles.b[i] || angles.b[i] == angles.c[i] || angles.a[i] == angles.c[i])
             return problem("angular joint that names a particle twice", i);
         if (!std::isfinite(angles.torque[i])) return problem("torque is not finite", i);
+        if (!(angles.strength[i] > 0)) return problem("angular joint without strength", i);
+        if (state.bodies[angles.body[i]].gone > 0) continue;
+        if (!state.angleSlots.contains(angles.id[i]) || state.angleSlots.dense(angles.id[i]) != i)
+            return problem("handle of an angular joint leads elsewhere", i);
+        const Mechanisms& all = state.mechanisms;
+        if (angles.drive[i] && (!all.slots.contains(angles.drive[i]) ||
+                                all.slots.dense(angles.drive[i]) >= all.list.size() ||
+                                all.list[all.slots.dense(angles.drive[i])].angle != angles.id[i]))
+            return problem("angular joint that another mechanism drives", i);
     }
     return {};
 }
@@ -374,6 +383,7 @@ bool isWhole(const State& state, const Mechanism& m) {
         if (!std::isfinite(forces.spring) || !std::isfinite(forces.motor) ||
             !std::isfinite(forces.lower) || !std::isfinite(forces.upper))
             return false;
+    if (bool(m.angle) != (m.a == m.b) || (m.angle && m.kind != MechanismKind::hinge)) return false;
     const bool isGear = m.kind == MechanismKind::gear;
     const auto points = m.kind == MechanismKind::slider     ? 3u
                         : m.kind == MechanismKind::distance ? 2u

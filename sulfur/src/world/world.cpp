@@ -58,6 +58,9 @@ std::uint32_t indexOf(const State& state, BodyId id) {
 std::uint32_t indexOf(const State& state, AttachmentId id) {
     return lookUp(state.attachmentSlots, id, "attachment");
 }
+std::uint32_t indexOf(const State& state, AngleId id) {
+    return lookUp(state.angleSlots, id, "angular joint");
+}
 
 }  // namespace detail
 
@@ -236,23 +239,6 @@ std::span<const ParticleId> World::particles(BodyId id) const {
 std::span<const JointId> World::joints(BodyId id) const {
     return record(impl_->known(), id).joints;
 }
-std::vector<AngleInfo> World::angles(BodyId id) const {
-    const State& state = impl_->state();
-    const detail::Range range = detail::anglesOf(state, indexOf(state, id));
-    const auto& j = state.angles;
-    const auto& p = state.particles;
-    std::vector<AngleInfo> found;
-    found.reserve(range.last - range.first);
-    for (auto i = range.first; i < range.last; ++i) {
-        const Point before = p.position[j.b[i]] - p.position[j.a[i]];
-        const Point after = p.position[j.c[i]] - p.position[j.b[i]];
-        const bool has = detail::hasTurn(before, after);
-        found.push_back(
-            {p.id[j.a[i]], p.id[j.b[i]], p.id[j.c[i]], j.stiffness[i], j.damping[i], j.restAngle[i],
-             has ? static_cast<Real>(detail::angleBetween(before, after)) : Real(0), j.torque[i]});
-    }
-    return found;
-}
 const std::string& World::name(BodyId id) const {
     return record(impl_->known(), id).name;
 }
@@ -422,6 +408,7 @@ double energyOfAngles(const State& state) {
     const auto& j = state.angles;
     double sum = 0;
     for (std::uint32_t i = 0; i < j.size(); ++i) {
+        if (j.drive[i]) continue;  // it is among the mechanisms
         const Point corner = positionOfVelocity(state, j.b[i]);
         const Point before = corner - positionOfVelocity(state, j.a[i]);
         const Point after = positionOfVelocity(state, j.c[i]) - corner;

@@ -404,7 +404,8 @@ static const char* check_corner(SulfurWorld* world, const SulfurBlueprint* plan)
     OK(sulfur_body_particle(world, body, 1, &corner));
     OK(sulfur_body_angles(world, body, &info, 1, &count));
     CHECK(count == 1 && info.b.index == corner.index && fabs(info.angle - right) < 1e-6);
-    CHECK(info.stiffness == 2 && info.damping == 0.125 && info.rest_angle == 0);
+    CHECK(info.drive.stiffness == 2 && info.drive.damping == 0.125 && info.drive.rest == 0);
+    CHECK(info.body.index == body.index && info.id.index != 0);
     OK(sulfur_world_step(world));
     OK(sulfur_body_angles(world, body, &info, 1, &count));
     CHECK(fabs(info.torque + 2 * right) < 0.02 && info.angle < right);
@@ -418,6 +419,51 @@ static const char* check_corner(SulfurWorld* world, const SulfurBlueprint* plan)
     return NULL;
 }
 
+/* An elbow with a motor, which a limit stops, until the limit breaks. */
+static const char* check_elbow(SulfurWorld* world, const SulfurBlueprint* plan) {
+    SulfurBodyId body;
+    SulfurAngleInfo info;
+    SulfurDrive drive;
+    SulfurEvents events;
+    size_t count, reached = 0, broken = 0;
+    bool exists;
+    int i;
+    OK(sulfur_world_add_body(world, plan, at(5, 0, 0), &body));
+    OK(sulfur_body_angles(world, body, &info, 1, &count));
+    drive = info.drive;
+    drive.stiffness = drive.damping = 0;
+    drive.upper = 2;
+    drive.motor_speed = 5;
+    drive.motor_max = 40;
+    OK(sulfur_angle_set_drive(world, info.id, &drive));
+    for (i = 0; i < 200; ++i) {
+        OK(sulfur_world_step(world));
+        OK(sulfur_world_events(world, &events));
+        if (events.limits_reached_count == 0) continue;
+        reached += events.limits_reached_count;
+        CHECK(events.limits_reached[0].angle.index == info.id.index);
+        CHECK(events.limits_reached[0].mechanism.index == 0 && events.limits_reached[0].upper);
+    }
+    OK(sulfur_angle_info(world, info.id, &info));
+    CHECK(reached == 1 && info.at_upper && !info.at_lower && fabs(info.angle - 2) < 1e-3);
+    drive.strength = 20;
+    OK(sulfur_angle_set_drive(world, info.id, &drive));
+    for (i = 0; i < 3; ++i) {
+        OK(sulfur_world_step(world));
+        OK(sulfur_world_events(world, &events));
+        if (events.angles_broken_count == 0) continue;
+        broken += events.angles_broken_count;
+        CHECK(events.angles_broken[0].angle.index == info.id.index);
+        CHECK(events.angles_broken[0].corner.index == info.b.index);
+        CHECK(events.angles_broken[0].torque > 20);
+    }
+    OK(sulfur_angle_exists(world, info.id, &exists));
+    CHECK(broken == 1 && !exists);
+    CHECK(sulfur_angle_remove(world, info.id) == SULFUR_STALE_HANDLE);
+    OK(sulfur_body_remove(world, body));
+    return NULL;
+}
+
 const char* c_check_angles(void) {
     SulfurWorldSettings settings = sulfur_world_settings_default();
     SulfurWorld* world = NULL;
@@ -426,6 +472,7 @@ const char* c_check_angles(void) {
     settings.gravity = v(0, 0);
     if (!wrong) OK(sulfur_world_create(&settings, &world));
     if (!wrong) wrong = check_corner(world, plan);
+    if (!wrong) wrong = check_elbow(world, plan);
     sulfur_blueprint_destroy(plan);
     sulfur_world_destroy(world);
     return wrong;

@@ -140,6 +140,11 @@ Blueprint Caller::rawPlan() {
         angle.stiffness = sane ? 100 * positive() : number();
         if (oneIn(3)) angle.damping = sane ? positive() : number();
         if (oneIn(4)) angle.restAngle = sane ? positive() : number();
+        if (oneIn(4)) angle.upper = sane ? 4 * positive() : number();
+        if (oneIn(4)) angle.lower = sane ? -positive() : number();
+        if (oneIn(4)) angle.motorMax = sane ? 10 * positive() : number();
+        if (oneIn(4)) angle.motorSpeed = number();
+        angle.strength = strength();
         plan.angles.push_back(angle);
     }
     if (oneIn(8)) {

@@ -258,8 +258,10 @@ void Caller::lookAtAll() {
     for (const auto& [a, b] : w.vetoes()) require(!w.collision(a, b), "vetoes hold");
     for (const BodyId id : w.bodies()) {
         w.asleep(id);
-        for (const AngleInfo& angle : w.angles(id))
+        for (const AngleInfo& angle : w.angles(id)) {
             require(std::isfinite(angle.torque) && std::isfinite(angle.angle), "angles are finite");
+            require(w.contains(angle.id) && w.info(angle.id).body == id, "angles are of bodies");
+        }
         if (const auto& skin = w.skin(id))
             require(skin->uv.size() == w.particles(id).size(), "a skin has a place per particle");
     }

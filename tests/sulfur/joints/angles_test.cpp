@@ -100,10 +100,11 @@ TEST(Angles, TellsWhatItIs) {
     const auto angles = world.angles(bent);
     ASSERT_EQ(angles.size(), 1u);
     EXPECT_EQ(angles[0].b, bent[1]);
-    EXPECT_EQ(angles[0].stiffness, 3);
-    EXPECT_EQ(angles[0].damping, 1);
-    EXPECT_NEAR(static_cast<double>(angles[0].restAngle), pi / 2, 1e-6);
-    EXPECT_NEAR(static_cast<double>(angles[0].angle), pi / 2, 1e-6);
+    EXPECT_EQ(angles[0].body, bent.id());
+    EXPECT_EQ(angles[0].drive.stiffness, 3);
+    EXPECT_EQ(angles[0].drive.damping, 1);
+    EXPECT_NEAR(static_cast<double>(angles[0].drive.rest), pi / 2, 1e-6);
+    EXPECT_NEAR(angles[0].angle, pi / 2, 1e-6);
 }
 
 /// Three particles of mass m, arms l: w^2 = 6 k / (m l^2). From soft to stiff, where the period has
@@ -119,7 +120,7 @@ TEST(Angles, SwingsAtTheFrequencyOfTheory) {
         double first = 0, last = 0, before = -1;
         while (crossings < 11) {
             world.step();
-            const double now = static_cast<double>(world.angles(body)[0].angle);
+            const double now = world.angles(body)[0].angle;
             if ((now > 0) != (before > 0) && world.time() > 0.01) {
                 const double at =
                     world.time() - static_cast<double>(world.tickDuration()) * now / (now - before);
@@ -248,7 +249,7 @@ TEST(Angles, GoesWithTheJointsAlongIt) {
     // Of five, without those at both of its ends.
     EXPECT_EQ(world.angles(body).size(), 3u);
     EXPECT_EQ(world.angles(other).size(), 3u);
-    for (const AngleInfo& info : world.angles(body)) EXPECT_EQ(info.stiffness, 1);
+    for (const AngleInfo& info : world.angles(body)) EXPECT_EQ(info.drive.stiffness, 1);
     world.remove(other);
     test::run(world, 0.1);
     EXPECT_EQ(world.validate(), "");

@@ -179,10 +179,30 @@ class Plans(unittest.TestCase):
         world = sulfur.World(gravity=(0, 0))
         body = world.add(plan)
         self.assertAlmostEqual(body.angles[0].angle, math.pi / 2, 6)
-        self.assertEqual(body.angles[0].b, body.particles[1].id)
+        self.assertEqual(body.angles[0].info.b, body.particles[1].id)
         world.step()
         self.assertAlmostEqual(body.angles[0].torque, -math.pi, 1)
         self.assertEqual(world.statistics.explicit_angles, 1)
+
+    def test_have_angles_with_motors(self):
+        plan = sulfur.Blueprint()
+        for place in ((0, 0), (1, 0), (2, 0)):
+            plan.add_particle(place)
+        plan.add_joint(0, 1)
+        plan.add_joint(1, 2)
+        plan.add_angle(0, 1, 2, upper=0.5, motor_speed=2, motor_max=50)
+        world = sulfur.World(gravity=(0, 0))
+        elbow, = world.add(plan).angles
+        world.run(0.1)
+        self.assertAlmostEqual(elbow.angle, 0.2, 2)
+        world.run(0.5)
+        self.assertAlmostEqual(elbow.angle, 0.5, 3)
+        self.assertTrue(elbow.info.at_upper)
+        elbow.change_drive(upper=1, motor_target=0.8)
+        world.run(0.5)
+        self.assertAlmostEqual(elbow.angle, 0.8, 3)
+        elbow.remove()
+        self.assertFalse(elbow.exists)
 
     def test_of_all_shapes_make_bodies(self):
         world = sulfur.World()

@@ -30,7 +30,8 @@ inline const std::string fullScene = R"({
          "material": {"kineticFriction": 0.3, "surfaceSpeed": -2.5, "slick": 1}}
       ],
       "angles": [
-        {"a": 0, "b": 1, "c": 2, "stiffness": 12.5, "damping": 0.25, "restAngle": -1.5, "why": []}
+        {"a": 0, "b": 1, "c": 2, "stiffness": 12.5, "damping": 0.25, "restAngle": -1.5, "lower": -2,
+         "upper": 1, "motorSpeed": 3, "motorMax": 40, "motorTarget": -0.5, "strength": 60, "why": []}
       ],
       "material": {"staticFriction": 0.9, "kineticFriction": 0.8, "restitution": 0.7,
                    "surfaceSpeed": 1.5, "rollingResistance": 0.25, "wet": true},

@@ -132,6 +132,12 @@ typedef struct SulfurMechanismId {
     uint32_t generation;  ///< of the slot
 } SulfurMechanismId;
 
+/// An angular joint's handle; sulfur::AngleId.
+typedef struct SulfurAngleId {
+    uint32_t index;       ///< slot, counted from 1; 0 is null
+    uint32_t generation;  ///< of the slot
+} SulfurAngleId;
+
 /// How a surface behaves; sulfur::Material, which gives the ranges.
 typedef struct SulfurMaterial {
     double static_friction;     ///< coefficient

@@ -37,15 +37,22 @@ SULFUR_API SulfurJointSpec sulfur_joint_spec_default(void);
 
 /// An elastic angle at a particle between two others; sulfur::AngularJointSpec.
 typedef struct SulfurAngularJointSpec {
-    uint32_t a;           ///< index of a particle of the blueprint
-    uint32_t b;           ///< index of another one, the corner
-    uint32_t c;           ///< index of a third one
-    double stiffness;     ///< N m/rad, 0 to 1e12
-    double damping;       ///< N m s/rad, 0 to 1e12
-    bool has_rest_angle;  ///< else as the particles stand
-    double rest_angle;    ///< radians, -pi to pi
+    uint32_t a;             ///< index of a particle of the blueprint
+    uint32_t b;             ///< index of another one, the corner
+    uint32_t c;             ///< index of a third one
+    double stiffness;       ///< N m/rad, 0 to 1e12, or INFINITY
+    double damping;         ///< N m s/rad, 0 to 1e12
+    bool has_rest_angle;    ///< else as the particles stand
+    double rest_angle;      ///< radians, -pi to pi
+    double lower;           ///< radians, the least angle; -INFINITY is allowed
+    double upper;           ///< radians, the largest one; INFINITY is allowed
+    double motor_speed;     ///< rad/s: what the motor wants
+    double motor_max;       ///< N m: the most that it gives; 0: no motor
+    bool has_motor_target;  ///< else the motor keeps its speed
+    double motor_target;    ///< radians: where it goes, at most as fast as its speed, and stays
+    double strength;        ///< N m at which it breaks; INFINITY: never
 } SulfurAngularJointSpec;
-/// Without stiffness, between no particles yet.
+/// Without stiffness, limits and motor, between no particles yet.
 SULFUR_API SulfurAngularJointSpec sulfur_angular_joint_spec_default(void);
 
 /// A texture worn by a body; sulfur::Skin.

@@ -37,20 +37,6 @@ SULFUR_API SulfurResult sulfur_body_particle(const SulfurWorld* world, SulfurBod
 /// Its joints in the order of its blueprint, without those that are gone.
 SULFUR_API SulfurResult sulfur_body_joints(const SulfurWorld* world, SulfurBodyId body,
                                            SulfurJointId* out, size_t capacity, size_t* count);
-/// What an angular joint is at the moment; sulfur::AngleInfo.
-typedef struct SulfurAngleInfo {
-    SulfurParticleId a;  ///< one neighbour
-    SulfurParticleId b;  ///< the corner
-    SulfurParticleId c;  ///< the other neighbour
-    double stiffness;    ///< N m/rad
-    double damping;      ///< N m s/rad
-    double rest_angle;   ///< radians
-    double angle;        ///< radians, -pi to pi: the turn from a to b to that from b to c
-    double torque;       ///< N m in the last tick, positive where it makes the angle larger
-} SulfurAngleInfo;
-/// Its angular joints in the order of its blueprint, without those that are gone.
-SULFUR_API SulfurResult sulfur_body_angles(const SulfurWorld* world, SulfurBodyId body,
-                                           SulfurAngleInfo* out, size_t capacity, size_t* count);
 /// The name of its blueprint. Valid until bodies are added or removed.
 SULFUR_API SulfurResult sulfur_body_name(const SulfurWorld* world, SulfurBodyId body,
                                          const char** name);

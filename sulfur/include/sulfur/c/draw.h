@@ -29,6 +29,7 @@ typedef struct SulfurDrawOptions {
     bool fields;       ///< SulfurDebugDraw::field
     bool grabs;        ///< SulfurDebugDraw::grab
     bool mechanisms;   ///< SulfurDebugDraw::mechanism
+    bool angles;       ///< SulfurDebugDraw::angle
     double alpha;      ///< how much of the next tick has passed on the clock, 0 to 1
     SulfurZone view;   ///< what is outside is left out
 } SulfurDrawOptions;
@@ -115,6 +116,15 @@ typedef struct SulfurDrawnMechanism {
     uint32_t count;            ///< of the places, 1 to 4
 } SulfurDrawnMechanism;
 
+/// An angular joint.
+typedef struct SulfurDrawnAngle {
+    SulfurAngleInfo info;  ///< what it is and does, with its handle
+    SulfurVec a;           ///< metres: one neighbour
+    SulfurVec b;           ///< metres: the corner
+    SulfurVec c;           ///< metres: the other neighbour
+    bool asleep;           ///< whether its body sleeps
+} SulfurDrawnAngle;
+
 /// Gets a body.
 typedef void (*SulfurDrawBody)(void* user, const SulfurDrawnBody* body);
 /// Gets a particle.
@@ -135,6 +145,8 @@ typedef void (*SulfurDrawField)(void* user, const SulfurDrawnField* field);
 typedef void (*SulfurDrawGrab)(void* user, const SulfurDrawnGrab* grab);
 /// Gets a mechanism.
 typedef void (*SulfurDrawMechanism)(void* user, const SulfurDrawnMechanism* mechanism);
+/// Gets an angular joint.
+typedef void (*SulfurDrawAngle)(void* user, const SulfurDrawnAngle* angle);
 
 /// Receives what is shown, in the order that sulfur::DebugDraw has; null functions are not called.
 typedef struct SulfurDebugDraw {
@@ -149,6 +161,7 @@ typedef struct SulfurDebugDraw {
     SulfurDrawField field;            ///< called for each force field
     SulfurDrawGrab grab;              ///< called for each grab
     SulfurDrawMechanism mechanism;    ///< called for each mechanism
+    SulfurDrawAngle angle;            ///< called for each angular joint
 } SulfurDebugDraw;
 /// No functions.
 SULFUR_API SulfurDebugDraw sulfur_debug_draw_default(void);

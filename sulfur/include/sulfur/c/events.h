@@ -62,11 +62,12 @@ typedef struct SulfurSensorEvent {
     SulfurBodyId visitor;  ///< what came or left; no longer valid when it was removed
 } SulfurSensorEvent;
 
-/// A limit of a mechanism began to push, or no longer does; sulfur::LimitReached,
-/// sulfur::LimitLeft.
+/// A limit of a mechanism or of an angular joint began to push, or no longer does;
+/// sulfur::LimitReached, sulfur::LimitLeft.
 typedef struct SulfurLimitEvent {
-    SulfurMechanismId mechanism;  ///< whose
+    SulfurMechanismId mechanism;  ///< whose, or null
     bool upper;                   ///< which of both
+    SulfurAngleId angle;          ///< the angular joint whose limit it is, or null
 } SulfurLimitEvent;
 
 /// A mechanism was loaded beyond its strength and is gone; sulfur::MechanismBroken.
@@ -76,6 +77,14 @@ typedef struct SulfurMechanismBroken {
     SulfurBodyId b;               ///< the other one
     double force;                 ///< N m or N at which it broke
 } SulfurMechanismBroken;
+
+/// An angular joint was loaded beyond its strength and is gone; sulfur::AngleBroken.
+typedef struct SulfurAngleBroken {
+    SulfurAngleId angle;      ///< no longer valid; for comparison only
+    SulfurBodyId body;        ///< whose it was
+    SulfurParticleId corner;  ///< where
+    double torque;            ///< N m at which it broke
+} SulfurAngleBroken;
 
 /// Events of one tick; sulfur::Events, which says in which order. An array that has no entry may be
 /// null.
@@ -102,6 +111,8 @@ typedef struct SulfurEvents {
     size_t limits_left_count;                          ///< how many
     const SulfurMechanismBroken* mechanisms_broken;    ///< mechanisms that broke
     size_t mechanisms_broken_count;                    ///< how many
+    const SulfurAngleBroken* angles_broken;            ///< angular joints that broke
+    size_t angles_broken_count;                        ///< how many
 } SulfurEvents;
 /// What happened in the last tick. The arrays are the world's, valid until the next call of this
 /// function for it, or until it is destroyed.

@@ -1,9 +1,10 @@
 /// \file
-/// Particles, joints, attachments and grabs; sulfur/world.hpp and sulfur/grab.hpp.
+/// Particles, joints, angular joints, attachments and grabs; sulfur/world.hpp, sulfur/grab.hpp.
 #ifndef SULFUR_C_PARTS_H
 #define SULFUR_C_PARTS_H
 
 #include <sulfur/c/base.h>
+#include <sulfur/c/mechanisms.h>
 #include <sulfur/c/world.h>
 
 #ifdef __cplusplus
@@ -120,6 +121,36 @@ SULFUR_API SulfurResult sulfur_joint_set_rest_length(SulfurWorld* world, SulfurJ
 /// N.
 SULFUR_API SulfurResult sulfur_joint_set_strength(SulfurWorld* world, SulfurJointId joint,
                                                   double strength);
+
+// --- angular joints -----------------------------------------------------------------------------
+
+/// What an angular joint is at the moment; sulfur::AngleInfo.
+typedef struct SulfurAngleInfo {
+    SulfurAngleId id;    ///< its handle
+    SulfurBodyId body;   ///< whose it is
+    SulfurParticleId a;  ///< one neighbour
+    SulfurParticleId b;  ///< the corner
+    SulfurParticleId c;  ///< the other neighbour
+    SulfurDrive drive;   ///< spring, limits, motor and strength, in rad and N m
+    double angle;        ///< radians: the turn from a to b to that from b to c
+    double torque;       ///< N m in the last tick, positive where it makes the angle larger
+    bool at_lower;       ///< whether the lower limit pushed in the last tick
+    bool at_upper;       ///< the same of the upper one
+} SulfurAngleInfo;
+/// Those of a body in the order of its blueprint, without those that are gone.
+SULFUR_API SulfurResult sulfur_body_angles(const SulfurWorld* world, SulfurBodyId body,
+                                           SulfurAngleInfo* out, size_t capacity, size_t* count);
+/// What it is.
+SULFUR_API SulfurResult sulfur_angle_info(const SulfurWorld* world, SulfurAngleId angle,
+                                          SulfurAngleInfo* info);
+/// Changes what acts along its angle; World::setDrive.
+SULFUR_API SulfurResult sulfur_angle_set_drive(SulfurWorld* world, SulfurAngleId angle,
+                                               const SulfurDrive* drive);
+/// Takes it away; what it bent stays.
+SULFUR_API SulfurResult sulfur_angle_remove(SulfurWorld* world, SulfurAngleId angle);
+/// Whether its handle is valid.
+SULFUR_API SulfurResult sulfur_angle_exists(const SulfurWorld* world, SulfurAngleId angle,
+                                            bool* exists);
 
 // --- attachments --------------------------------------------------------------------------------
 
