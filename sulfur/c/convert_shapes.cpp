@@ -56,6 +56,7 @@ void members(const Copy& copy, C& c, Own& own) {
     copy(c.damping, own.damping);
     copy(c.strength, own.strength);
     copy(c.solid_inertia, own.solidInertia);
+    copy(c.rounded, own.rounded);
     copy(c.material, own.material);
 }
 
@@ -66,6 +67,7 @@ void members(const Copy& copy, C& c, Own& own) {
     copy(c.stiffness, own.stiffness);
     copy(c.damping, own.damping);
     copy(c.strength, own.strength);
+    copy(c.rounded, own.rounded);
     copy(c.material, own.material);
 }
 

@@ -6,6 +6,15 @@
 
 namespace sulfur::detail {
 
+void addLobes(Blueprint& plan, const std::vector<Point>& lobes, const Bracing& bracing) {
+    const auto count = static_cast<std::uint32_t>(lobes.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        plan.particles.push_back({.position = lobes[i].cast<Real>()});
+        for (const auto corner : {(i + count - 1) % count, i, (i + 1) % count})
+            join(plan, corner, count + i, 0, bracing);
+    }
+}
+
 void requireOuterSize(Vec2 size, Real radius) {
     requireFinite(size, "size");
     const double smallest = 2 * static_cast<double>(radius);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <sulfur/blueprint.hpp>
 #include <sulfur/error.hpp>
+#include <vector>
 
 namespace sulfur::detail {
 
@@ -23,6 +24,10 @@ inline void join(Blueprint& plan, std::uint32_t a, std::uint32_t b, Real radius,
                            .radius = radius,
                            .strength = bracing.strength});
 }
+
+/// Adds particles at the outermost points of the round corners of an outline, whose corners are the
+/// first particles, and ties each to its corner and to those beside it.
+void addLobes(Blueprint& plan, const std::vector<Point>& lobes, const Bracing& bracing);
 
 /// Throws unless both sides of an outer size leave room for capsules of this radius.
 void requireOuterSize(Vec2 size, Real radius);

@@ -84,11 +84,27 @@ void addDiagonals(Blueprint& plan, const Triangles& triangles, std::uint32_t cou
 void addCore(Blueprint& plan, const detail::Shares& shares, std::uint32_t count,
              const Bracing& bracing) {
     const Real size = (plan.particles[1].position - plan.particles[0].position).norm();
-    plan.particles.push_back({.position = shares.corePlace, .mass = shares.core});
-    for (std::uint32_t i = 0; i < count; ++i) {
+    const auto core = static_cast<std::uint32_t>(plan.particles.size());
+    for (std::size_t i = 0; i < shares.outline.size(); ++i)
         plan.particles[i].mass = shares.outline[i];
+    plan.particles.push_back({.position = shares.corePlace, .mass = shares.core});
+    for (std::uint32_t i = 0; i < count; ++i)
         if ((plan.particles[i].position - shares.corePlace).norm() > size / 1000)
-            join(plan, i, count, 0, bracing);
+            join(plan, i, core, 0, bracing);
+}
+
+/// A long arc at a sharp corner may pass an edge that ends at a corner bent inwards.
+void requireArcsOnEdges(const std::vector<Point>& outer, const std::vector<Point>& inner,
+                        Real radius) {
+    const std::size_t count = outer.size();
+    const double square = static_cast<double>(radius) * static_cast<double>(radius);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double reach2 = (outer[i] - inner[i]).squaredNorm() - square;
+        for (const auto end : {(i + 1) % count, (i + count - 1) % count})
+            if ((outer[end] - outer[i]).squaredNorm() < reach2)
+                throw Error(ErrorCode::outOfRange,
+                            "radius is " + std::to_string(radius) + ", too large to round point " +
+                                std::to_string(i) + "; allowed are arcs that end on its edges");
     }
 }
 
@@ -113,13 +129,23 @@ Blueprint polygon(const PolygonOptions& options) {
     }
     const auto count = static_cast<std::uint32_t>(corners->size());
     const auto triangles = detail::triangulate(*corners);
-    const auto shares = shareWithCore(detail::solidPolygon(outer, options.mass), *corners,
-                                      outlineWeights(*corners, triangles));
+    const double radius = static_cast<double>(options.radius);
+    if (options.rounded) requireArcsOnEdges(outer, *corners, options.radius);
+    const auto solid = options.rounded ? detail::solidRounded(outer, *corners, radius, options.mass)
+                                       : detail::solidPolygon(outer, options.mass);
+    const auto weights = outlineWeights(*corners, triangles);
+    auto shares = shareWithCore(solid, *corners, weights);
+    std::vector<Point> lobes;
+    if (!shares && options.rounded) {
+        lobes = detail::lobesOf(outer, *corners, radius);
+        shares = shareWithLobes(solid, *corners, lobes, weights);
+    }
     if (!shares) detail::refuseThickness("radius", options.radius);
     const Bracing bracing{options.stiffness, options.damping, options.strength};
     for (std::uint32_t i = 0; i < count; ++i)
         join(plan, i, (i + 1) % count, options.radius, bracing);
     addDiagonals(plan, triangles, count, bracing);
+    if (!lobes.empty()) detail::addLobes(plan, lobes, bracing);
     addCore(plan, *shares, count, bracing);
     plan.validate();
     return plan;

@@ -2,11 +2,55 @@
 
 #include <cmath>
 
+#include "core/trigonometry.hpp"
+#include "outline.hpp"
+
 namespace sulfur::detail {
 
 namespace {
 constexpr double leastCore = 0.02;  // of the mass
+constexpr double lobesShare = 0.9;  // of what is outside
+constexpr double straight = 1e-6;   // sine of the angle by which a corner at least turns
+
+/// What is added to a solid, or taken from it where `sign` is -1, with masses that are areas.
+struct Piece {
+    Solid solid;
+    double sign = 1;
+};
+
+Solid united(const std::vector<Piece>& pieces) {
+    Solid whole;
+    for (const auto& [solid, sign] : pieces) {
+        whole.mass += sign * solid.mass;
+        whole.centre += sign * solid.mass * solid.centre;
+    }
+    whole.centre /= whole.mass;
+    for (const auto& [solid, sign] : pieces)
+        whole.inertia +=
+            sign * (solid.inertia + solid.mass * (solid.centre - whole.centre).squaredNorm());
+    return whole;
 }
+
+Solid areaOf(const std::vector<Point>& corners) {
+    double twiceArea = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        twiceArea += cross(corners[i], corners[(i + 1) % corners.size()]);
+    Solid solid = solidPolygon(corners, 1);
+    solid.mass = std::abs(twiceArea) / 2;
+    solid.inertia *= solid.mass;
+    return solid;
+}
+
+/// A sector about `centre` between two directions of length 1, which are less than half a turn
+/// apart.
+Solid sector(const Point& centre, double radius, const Point& from, const Point& to) {
+    const double half = std::abs(angleOf(Point(from.dot(to), cross(from, to)))) / 2;
+    const double area = radius * radius * half;
+    const double far = 2 * radius * std::sin(half) / (3 * half);
+    return {area, centre + far * (from + to).normalized(),
+            area * (radius * radius / 2 - far * far)};
+}
+}  // namespace
 
 Solid solidRectangle(Vec2 size, Real mass) {
     const double m = static_cast<double>(mass);
@@ -36,6 +80,29 @@ Solid solidPolygon(const std::vector<Point>& corners, Real mass) {
     return {m, origin + centre, m * (second / twiceArea - centre.squaredNorm())};
 }
 
+Solid solidRounded(const std::vector<Point>& corners, const std::vector<Point>& inner,
+                   double radius, Real mass) {
+    const std::size_t count = corners.size();
+    const double sense = twiceArea(corners) > 0 ? 1 : -1;
+    std::vector<Piece> pieces{{areaOf(corners)}};
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto outwards = [&](std::size_t edge) {
+            const Point along = (corners[(edge + 1) % count] - corners[edge]).normalized();
+            return Point(sense * Point(along[1], -along[0]));
+        };
+        const Point before = outwards((i + count - 1) % count), after = outwards(i);
+        if (!(sense * cross(before, after) > straight)) continue;  // bent inwards, or not at all
+        const Point start = inner[i] + radius * before, end = inner[i] + radius * after;
+        pieces.push_back({areaOf({inner[i], start, corners[i], end}), -1});
+        pieces.push_back({sector(inner[i], radius, before, after), 1});
+    }
+    Solid solid = united(pieces);
+    const double density = static_cast<double>(mass) / solid.mass;
+    solid.mass = static_cast<double>(mass);
+    solid.inertia *= density;
+    return solid;
+}
+
 std::optional<Shares> shareWithCore(const Solid& solid, const std::vector<Point>& outline,
                                     const std::vector<double>& weights) {
     Point mean(0, 0);
@@ -61,6 +128,25 @@ std::optional<Shares> shareWithCore(const Solid& solid, const std::vector<Point>
     shares.core = static_cast<Real>(solid.mass * (1 - q));
     shares.corePlace = (solid.centre - q / (1 - q) * mean).cast<Real>();
     return shares;
+}
+
+std::vector<Point> lobesOf(const std::vector<Point>& corners, const std::vector<Point>& inner,
+                           double radius) {
+    std::vector<Point> lobes;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        lobes.emplace_back(inner[i] + radius * (corners[i] - inner[i]).normalized());
+    return lobes;
+}
+
+std::optional<Shares> shareWithLobes(const Solid& solid, const std::vector<Point>& inner,
+                                     const std::vector<Point>& lobes,
+                                     const std::vector<double>& weights) {
+    std::vector<Point> outline = inner;
+    outline.insert(outline.end(), lobes.begin(), lobes.end());
+    std::vector<double> shares;
+    for (const double weight : weights) shares.push_back((1 - lobesShare) * weight);
+    for (const double weight : weights) shares.push_back(lobesShare * weight);
+    return shareWithCore(solid, outline, shares);
 }
 
 }  // namespace sulfur::detail

@@ -12,7 +12,7 @@
 namespace sulfur::detail {
 
 /// A uniform solid. What it is made of reaches to the outer side of the collision capsules; corners
-/// are sharp, although the capsules round them by their radius.
+/// are sharp, although the capsules round them by their radius, unless it is rounded.
 struct Solid {
     double mass = 0;     // kg
     Point centre{0, 0};  // m, of mass
@@ -26,6 +26,11 @@ Solid solidDisc(Real radius, Real mass);
 /// `corners` in either sense of rotation; their area is not 0.
 Solid solidPolygon(const std::vector<Point>& corners, Real mass);
 
+/// The same with corners that are bent outwards rounded by `radius`. `inner`: the centres of their
+/// arcs, corner by corner.
+Solid solidRounded(const std::vector<Point>& corners, const std::vector<Point>& inner,
+                   double radius, Real mass);
+
 struct Shares {
     std::vector<Real> outline;  // kg
     Real core = 0;              // kg
@@ -37,5 +42,15 @@ struct Shares {
 /// so nearly that the core would be left with less than a fiftieth of the mass.
 std::optional<Shares> shareWithCore(const Solid& solid, const std::vector<Point>& outline,
                                     const std::vector<double>& weights);
+
+/// The outermost points of round corners.
+std::vector<Point> lobesOf(const std::vector<Point>& corners, const std::vector<Point>& inner,
+                           double radius);
+/// The same as shareWithCore() where thick capsules keep the outline too near to the centre:
+/// `lobes` carry nine tenths of what is outside. The outline's shares are those of `inner`, then of
+/// them.
+std::optional<Shares> shareWithLobes(const Solid& solid, const std::vector<Point>& inner,
+                                     const std::vector<Point>& lobes,
+                                     const std::vector<double>& weights);
 
 }  // namespace sulfur::detail

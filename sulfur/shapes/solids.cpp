@@ -39,9 +39,33 @@ void addOutriggers(Blueprint& plan, Vec2 size, const detail::Solid& solid, const
 
 void addCore(Blueprint& plan, const detail::Shares& shares, std::uint32_t outline,
              const Bracing& spokes) {
-    for (std::uint32_t i = 0; i < outline; ++i) plan.particles[i].mass = shares.outline[i];
+    for (std::size_t i = 0; i < shares.outline.size(); ++i)
+        plan.particles[i].mass = shares.outline[i];
+    const auto core = static_cast<std::uint32_t>(plan.particles.size());
     plan.particles.push_back({.position = shares.corePlace, .mass = shares.core});
-    for (std::uint32_t i = 0; i < outline; ++i) join(plan, i, outline, 0, spokes);
+    for (std::uint32_t i = 0; i < outline; ++i) join(plan, i, core, 0, spokes);
+}
+
+/// Gives the four corners of a box, and what else it needs, the mass and the inertia of a solid.
+void addSolid(Blueprint& plan, const BoxOptions& options, const Bracing& bracing) {
+    const Point half = options.size.cast<double>() / 2;
+    std::vector<Point> inner, corners;
+    for (const ParticleSpec& particle : plan.particles) {
+        inner.emplace_back(particle.position.cast<double>());
+        corners.emplace_back(half.cwiseProduct(inner.back().cwiseSign()));
+    }
+    const double radius = static_cast<double>(options.radius);
+    const auto solid = options.rounded ? detail::solidRounded(corners, inner, radius, options.mass)
+                                       : detail::solidRectangle(options.size, options.mass);
+    const std::vector<double> even(4, 0.25);
+    if (const auto shares = shareWithCore(solid, inner, even))
+        return addCore(plan, *shares, 4, bracing);
+    if (!options.rounded) return addOutriggers(plan, options.size, solid, bracing);
+    const auto lobes = detail::lobesOf(corners, inner, radius);
+    const auto shares = shareWithLobes(solid, inner, lobes, even);
+    if (!shares) detail::refuseThickness("radius", options.radius);
+    detail::addLobes(plan, lobes, bracing);
+    addCore(plan, *shares, 4, bracing);
 }
 
 /// A ring of `count` particles joined by capsules, around a hub, with the inertia of a disc.
@@ -81,21 +105,12 @@ Blueprint box(const BoxOptions& options) {
     Blueprint plan;
     plan.name = "box";
     plan.material = options.material;
-    std::vector<Point> places;
-    for (const Vec2& sign : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+    for (const Vec2& sign : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
         plan.particles.push_back({.position = half.cwiseProduct(sign), .mass = options.mass / 4});
-        places.emplace_back(plan.particles.back().position.cast<double>());
-    }
     for (std::uint32_t i = 0; i < 4; ++i) join(plan, i, (i + 1) % 4, options.radius, bracing);
     join(plan, 0, 2, 0, bracing);
     join(plan, 1, 3, 0, bracing);
-    if (options.solidInertia) {
-        const auto solid = detail::solidRectangle(options.size, options.mass);
-        if (const auto shares = shareWithCore(solid, places, std::vector<double>(4, 0.25)))
-            addCore(plan, *shares, 4, bracing);
-        else
-            addOutriggers(plan, options.size, solid, bracing);
-    }
+    if (options.solidInertia) addSolid(plan, options, bracing);
     plan.validate();
     return plan;
 }

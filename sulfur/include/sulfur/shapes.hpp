@@ -5,8 +5,9 @@
 /// for a solid (box, polygon, blob, wheel, jelly, cloth, wall) has the mass, the centre of mass
 /// and the moment of inertia of the uniform solid of that outer size, with sharp corners, within
 /// the rounding of Real; the capsules round its corners by their radius. Only a box without
-/// `solidInertia` differs. Where capsules are so thick that no distribution of the mass among the
-/// particles has that inertia, the shape is refused.
+/// `solidInertia` differs, and what is `rounded`: its solid has round corners too. Where capsules
+/// are so thick that no distribution of the mass among the particles has that inertia, the shape is
+/// refused.
 ///
 /// Every function throws Error when a number is not finite or not in its range.
 #pragma once
@@ -44,6 +45,9 @@ Blueprint floor(Vec2 from, Vec2 to, Real radius = Real(0.05));
 /// thick capsules keep the corners too near to the middle for that, two particles in the middle of
 /// the short sides take the place of the fifth.
 /// Without it the corners carry all (the paper's box of Table 4, three times the inertia).
+///
+/// Where a rounded box is so thick, four particles at the outermost points of its round corners do,
+/// before the core.
 struct BoxOptions {
     Vec2 size{1, 1};            ///< metres, both more than 2 radius
     Real mass = 1;              ///< kilograms, > 0
@@ -52,6 +56,7 @@ struct BoxOptions {
     Real damping = 0;           ///< N s/m of every joint
     Real strength = infinite;   ///< N of every joint
     bool solidInertia = true;   ///< false: four corner particles alone, as in the paper
+    bool rounded = false;       ///< whether the solid has its corners rounded by `radius`
     Material material = {};     ///< of the surface
 };
 /// Makes a rectangle; see BoxOptions.
@@ -62,6 +67,10 @@ Blueprint box(const BoxOptions& options = {});
 /// the radius of the capsules further inside, and joint i the edge from there to the next one. With
 /// infinite stiffness it is rigid. The core may lie outside of a concave polygon; it touches
 /// nothing.
+///
+/// A rounded polygon stands for a solid whose corners that are bent outwards are arcs of `radius`,
+/// and may be as thick as fits: where its corner particles are too near to the middle, as many
+/// particles at the outermost points of the arcs follow them, before the core.
 struct PolygonOptions {
     /// 3 to 200 corners in either sense of rotation, metres in the body's frame: the outer side of
     /// the capsules. The outline may not meet itself.
@@ -71,6 +80,7 @@ struct PolygonOptions {
     Real stiffness = infinite;  ///< N/m of every joint
     Real damping = 0;           ///< N s/m of every joint
     Real strength = infinite;   ///< N of every joint
+    bool rounded = false;       ///< whether the solid has its corners rounded by `radius`
     Material material = {};     ///< of the surface
 };
 /// Makes a polygon; see PolygonOptions. Complexity: cubic in the number of points.

@@ -192,6 +192,7 @@ class BoxOptions(Structure):
         ("damping", c_double),
         ("strength", c_double),
         ("solid_inertia", c_bool),
+        ("rounded", c_bool),
         ("material", Material),
     ]
 
@@ -205,6 +206,7 @@ class PolygonOptions(Structure):
         ("stiffness", c_double),
         ("damping", c_double),
         ("strength", c_double),
+        ("rounded", c_bool),
         ("material", Material),
     ]
 

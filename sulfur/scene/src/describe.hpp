@@ -141,6 +141,7 @@ void describe(Visitor& v, Object& o) {
     v.number("damping", o.damping, d.damping, 0, Limits::damping);
     v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
     v.flag("solidInertia", o.solidInertia, d.solidInertia);
+    v.flag("rounded", o.rounded, d.rounded);
     v.material("material", o.material);
 }
 
@@ -205,6 +206,7 @@ void describe(Visitor& v, Object& o) {
     v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
     v.number("damping", o.damping, d.damping, 0, Limits::damping);
     v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
+    v.flag("rounded", o.rounded, d.rounded);
     v.material("material", o.material);
 }
 

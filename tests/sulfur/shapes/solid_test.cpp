@@ -257,6 +257,69 @@ TEST(SolidShapes, Polygon) {
     }
 }
 
+/// What is at most `radius` from the outline of the first `count` particles, or inside of it.
+std::function<bool(const Point&)> rounded(const Blueprint& plan, std::size_t count, double radius) {
+    std::vector<Vec2> inner;
+    for (std::size_t i = 0; i < count; ++i) inner.push_back(plan.particles[i].position);
+    return [inner, radius, inside = outline(inner)](const Point& p) {
+        if (inside(p)) return true;
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            const Point a = inner[i].cast<double>();
+            const Point along = inner[(i + 1) % inner.size()].cast<double>() - a, v = p - a;
+            const double share = std::clamp(v.dot(along) / along.squaredNorm(), 0.0, 1.0);
+            if ((v - share * along).norm() < radius) return true;
+        }
+        return false;
+    };
+}
+
+TEST(SolidShapes, RoundedBox) {
+    for (const auto& [size, radius] : {std::pair(Vec2(1, 1), 0.1),
+                                       {Vec2(1, 1), 0.21},
+                                       {Vec2(1, 1), 0.3},
+                                       {Vec2(1, 1), 0.49},
+                                       {Vec2(2, 1), 0.49},
+                                       {Vec2(3, 0.4f), 0.15},
+                                       {Vec2(0.2f, 0.6f), 0.09}}) {
+        SCOPED_TRACE(std::to_string(size.x()) + ", " + std::to_string(radius));
+        const Blueprint plan = shapes::box(
+            {.size = size, .mass = 3, .radius = static_cast<Real>(radius), .rounded = true});
+        const double reach = static_cast<double>(size.maxCoeff()) / 2;
+        expectSolid(plan, integrate(rounded(plan, 4, radius), reach, 3));
+        expectOuterSize(plan, size);
+        EXPECT_EQ(freedoms(plan), 3);
+    }
+}
+
+TEST(SolidShapes, RoundedPolygon) {
+    for (const auto& [name, points, thin] : polygons()) {
+        SCOPED_TRACE(name);
+        for (const double share : {0.3, 1.0}) {
+            const double radius = share * (points.size() > 20 ? 0.35 : 0.1);
+            const Blueprint plan = shapes::polygon({.points = points,
+                                                    .mass = 3,
+                                                    .radius = static_cast<Real>(radius),
+                                                    .rounded = true});
+            double reach = 0;
+            for (const auto& point : points)
+                reach = std::max(reach, static_cast<double>(point.cwiseAbs().maxCoeff()));
+            expectSolid(plan, integrate(rounded(plan, points.size(), radius), reach, 3));
+            EXPECT_EQ(freedoms(plan), 3);
+        }
+    }
+    EXPECT_THROW(shapes::polygon({.points = {{0, 0}, {1, 0.5f}, {0, 1}, {0.4f, 0.5f}},
+                                  .radius = Real(0.15),
+                                  .rounded = true}),
+                 Error);
+    // A square as thick as fits is nearly a disc.
+    const Blueprint round = shapes::polygon({.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                             .mass = 2,
+                                             .radius = Real(0.495),
+                                             .rounded = true});
+    EXPECT_NEAR(momentsOf(round).inertia, 2 * 0.25 / 2, 3e-3);
+    EXPECT_EQ(round.particles.size(), 9u);
+}
+
 TEST(SolidShapes, SoftPolygonKeepsItsShapeAtRest) {
     World world{{.gravity = {0, 0}}};
     const auto plan = shapes::polygon({.points = polygons()[5].points, .stiffness = 500});

@@ -38,6 +38,7 @@ typedef struct SulfurBoxOptions {
     double damping;           ///< N s/m of every joint
     double strength;          ///< N of every joint
     bool solid_inertia;       ///< false: four corner particles alone, as in the paper
+    bool rounded;             ///< whether the solid has its corners rounded by `radius`
     SulfurMaterial material;  ///< of the surface
 } SulfurBoxOptions;
 /// Those of the C++ header.
@@ -55,6 +56,7 @@ typedef struct SulfurPolygonOptions {
     double stiffness;         ///< N/m of every joint
     double damping;           ///< N s/m of every joint
     double strength;          ///< N of every joint
+    bool rounded;             ///< whether the solid has its corners rounded by `radius`
     SulfurMaterial material;  ///< of the surface
 } SulfurPolygonOptions;
 /// Those of the C++ header; without points, which the caller gives.
