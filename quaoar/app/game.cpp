@@ -36,6 +36,8 @@ void Game::start(atlax::Platform& platform) {
     sounds_ = std::make_unique<Sounds>(platform.audio());
     open(level_);
     applyOptions();
+    if (options_.daily)
+        daily_ = std::make_unique<Daily>(options_.daily->first, options_.daily->second);
     if (options_.replay) {
         watch(options_.replay);
     } else if (options_.skipTitle) {
@@ -56,6 +58,7 @@ bool Game::restoreGraphics() {
     film_.reset();
     art_ = std::make_unique<Art>(platform_->canvas());
     makePictures();
+    if (story_) story_->remake(*art_);
     if (before) view_->resume(*before);
     return true;
 }
@@ -83,6 +86,10 @@ void Game::act(const atlax::ActionState& state) {
     }
     if (screen_ == Screen::playing || screen_ == Screen::capture || screen_ == Screen::countIn)
         return;
+    if (screen_ == Screen::story) {
+        if (state.wasPressed(actions_.choose) || state.wasPressed(actions_.click)) story_->next();
+        return;
+    }
     const bool again = screen_ == Screen::finished || screen_ == Screen::paused;
     if (again && state.wasPressed(actions_.restart)) {
         play();
@@ -102,6 +109,12 @@ void Game::tick() {
     const atlax::ActionState& state = actions_.all.sample(platform_->input());
     const bool played = screen_ == Screen::playing;
     act(state);
+    offerDaily();
+    if (screen_ == Screen::story) {
+        story_->tick();
+        if (story_->over()) endStory();
+        return;
+    }
     if (still()) {
         controls_.rest(platform_->input(), screen_ == Screen::countIn);
         if (screen_ == Screen::countIn && --countIn_ <= 0) show(Screen::playing);
@@ -290,6 +303,7 @@ void Game::drawWorld(atlax::Canvas& canvas, double alpha) {
     options.shake = preferences_.on(Choice::shake);
     options.flashes = preferences_.on(Choice::flashes);
     options.highContrast = preferences_.on(Choice::highContrast);
+    if (story_) return story_->draw(canvas, alpha, options);
     if (options.aim && controls_.mouseAims()) options.crosshair = platform_->input().mouse;
     view_->draw(canvas, still() ? 1 : alpha, options);
     const bool started = session_->timerTicks() > 0;

@@ -13,6 +13,7 @@
 #include <quaoar/view/sounds.hpp>
 #include <quaoar/view/texts.hpp>
 
+#include "daily.hpp"
 #include "film.hpp"
 #include "ghost.hpp"
 #include "hints.hpp"
@@ -22,6 +23,7 @@
 #include "preferences.hpp"
 #include "progress.hpp"
 #include "prompts.hpp"
+#include "story.hpp"
 
 namespace quaoar {
 
@@ -42,6 +44,10 @@ struct GameOptions {
     std::optional<std::filesystem::path> progress = std::nullopt;
     /// Every level may be played.
     bool unlockAll = false;
+    /// Tell how it began before the first level is played for the first time.
+    bool story = false;
+    /// Where levels of days are kept, and the date of today's; nothing: there is none.
+    std::optional<std::pair<std::filesystem::path, std::string>> daily = std::nullopt;
     /// The picture's quality follows the time that frames take; else it stays as at first.
     bool adapt = true;
 };
@@ -53,6 +59,7 @@ public:
         levels,
         statistics,
         credits,
+        story,
         playing,
         countIn,
         paused,
@@ -84,6 +91,8 @@ public:
     std::size_t selected() const { return menu_.selected(); }
     const PlayerActions& actions() const { return actions_; }
     const Progress& progress() const { return progress_; }
+    const LevelList& levels() const { return levels_; }
+    const Story* story() const { return story_.get(); }
 
 private:
     // game.cpp
@@ -108,13 +117,16 @@ private:
     Screen scene() const { return screen_ >= Screen::options ? below_ : screen_; }
     /// Whether the world stands still.
     bool still() const { return scene() == Screen::paused || scene() == Screen::countIn; }
-    bool ofTitle(Screen screen) const { return screen <= Screen::credits; }
+    bool ofTitle(Screen screen) const { return screen <= Screen::story; }
 
     // game_levels.cpp
     void open(std::size_t level);
     void play();
     void playLevel(std::size_t level);
     void playNext();
+    void tellStory(bool thenPlay);
+    void endStory();
+    void offerDaily();
     void watch(std::shared_ptr<const Recording> recording);
     void toTitle();
     bool unlocked(std::size_t level) const;
@@ -139,6 +151,7 @@ private:
     std::vector<TextLine> statisticsLines() const;
     std::vector<MenuItem> itemsOf(Screen screen);
     std::vector<MenuItem> titleItems();
+    std::size_t titlePlace(Screen screen) const;
     std::vector<MenuItem> pausedItems();
     std::vector<MenuItem> finishedItems();
     std::vector<MenuItem> levelItems();
@@ -191,6 +204,10 @@ private:
     FrameGovernor governor_;
     std::optional<std::chrono::steady_clock::time_point> lastFrame_;
     std::unique_ptr<Ghost> ghost_;
+    std::unique_ptr<Story> story_;
+    bool playAfterStory_ = false;
+    std::unique_ptr<Daily> daily_;
+    std::optional<std::size_t> dailyLevel_;        ///< its place, once it is proven
     std::unique_ptr<Film> film_;                   ///< that is being made
     std::vector<atlax::RenderTarget> thumbnails_;  ///< of the levels, as far as drawn
     Menu menu_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
+#include <utility>
 
 #include "game.hpp"
 #include "share.hpp"
@@ -42,16 +43,51 @@ void Game::play() {
 }
 
 void Game::playLevel(std::size_t level) {
+    const bool first = level == 0 && progress_.of(levels_.key(0)).attempts == 0;
     if (!unlocked(level)) {
         tell(texts_("Finish level {} first", {std::to_string(levels_[level - 1].number)}));
         return;
     }
     if (level != level_) open(level);
+    if (first && options_.story) return tellStory(true);
     play();
 }
 
 void Game::playNext() {
-    if (level_ + 1 < levels_.size()) playLevel(level_ + 1);
+    if (const auto next = levels_.next(level_)) playLevel(*next);
+}
+
+/// The four pictures; where they cannot be read there is no story, which the log says.
+void Game::tellStory(bool thenPlay) {
+    playAfterStory_ = thenPlay;
+    try {
+        story_ = std::make_unique<Story>(*art_, Story::levels());
+        show(Screen::story);
+    } catch (const std::runtime_error& error) {
+        atlax::log(atlax::LogLevel::Warning, error.what());
+        endStory();
+    }
+}
+
+void Game::endStory() {
+    story_.reset();
+    if (std::exchange(playAfterStory_, false)) return play();
+    show(Screen::credits);
+}
+
+/// Once it is proven it is the last one of the list, and stands in the menu.
+void Game::offerDaily() {
+    if (!daily_ || !daily_->ready() || dailyLevel_) return;
+    try {
+        dailyLevel_ = levels_.addDaily(daily_->file());
+    } catch (const std::runtime_error& error) {
+        atlax::log(atlax::LogLevel::Warning, error.what());
+        daily_.reset();
+        return;
+    }
+    if (screen_ != Screen::title) return;
+    const std::size_t selected = menu_.selected();
+    show(Screen::title, selected > 0 ? selected + 1 : 0);
 }
 
 void Game::watch(std::shared_ptr<const Recording> recording) {

@@ -55,7 +55,9 @@ void Game::leaveWithPause() {
         case Screen::finished:
             return toTitle();
         case Screen::options:
-            return show(below_, below_ == Screen::title || below_ == Screen::paused ? 2 : 0);
+            return show(below_, below_ == Screen::title    ? titlePlace(Screen::options)
+                                : below_ == Screen::paused ? 2
+                                                           : 0);
         case Screen::sound:
         case Screen::picture:
         case Screen::play:
@@ -68,6 +70,8 @@ void Game::leaveWithPause() {
             return show(Screen::controls, captured_);
         case Screen::conflict:
             return show(Screen::bindings);
+        case Screen::story:
+            return endStory();
         case Screen::title:
         case Screen::capture:
             break;
@@ -76,9 +80,7 @@ void Game::leaveWithPause() {
 
 /// Back to the menu that a screen was chosen from, to its entry.
 void Game::toMenuOf(Screen screen) {
-    if (screen == Screen::levels) return show(Screen::title, 1);
-    if (screen == Screen::statistics) return show(Screen::title, 3);
-    if (screen == Screen::credits) return show(Screen::title, 4);
+    if (ofTitle(screen)) return show(Screen::title, titlePlace(screen));
     const int place = static_cast<int>(screen) - static_cast<int>(Screen::options);
     show(Screen::options, static_cast<std::size_t>(place));
 }
@@ -99,7 +101,7 @@ std::vector<MenuItem> Game::itemsOf(Screen screen) {
             return {{texts_("Watch the replay in the clipboard"), [this] { pasteReplay(); }},
                     title};
         case Screen::credits:
-            return {title};
+            return {{texts_("The story"), [this] { tellStory(false); }}, title};
         case Screen::paused:
             return pausedItems();
         case Screen::finished:
@@ -118,6 +120,7 @@ std::vector<MenuItem> Game::itemsOf(Screen screen) {
             return bindingItems();
         case Screen::conflict:
             return conflictItems();
+        case Screen::story:
         case Screen::playing:
         case Screen::countIn:
         case Screen::capture:
@@ -132,12 +135,31 @@ std::vector<MenuItem> Game::titleItems() {
     const std::string level =
         std::to_string(levels_[last].number) + "  " + texts_(levels_[last].name);
     const std::string play = begun ? texts_("Continue: {}", {level}) : texts_("Play");
-    return {{play, [this, last] { playLevel(last); }},
-            {texts_("Levels"), [this] { show(Screen::levels, level_); }},
-            {texts_("Options"), [this] { show(Screen::options); }},
-            {texts_("Statistics"), [this] { show(Screen::statistics); }},
-            {texts_("Credits"), [this] { show(Screen::credits); }},
-            {texts_("Quit"), [this] { platform_->quit(); }}};
+    std::vector<MenuItem> items{{play, [this, last] { playLevel(last); }}};
+    if (dailyLevel_)
+        items.push_back({texts_("Level of the day"), [this] { playLevel(*dailyLevel_); }});
+    const std::vector<MenuItem> rest{{texts_("Levels"), [this] { show(Screen::levels, level_); }},
+                                     {texts_("Options"), [this] { show(Screen::options); }},
+                                     {texts_("Statistics"), [this] { show(Screen::statistics); }},
+                                     {texts_("Credits"), [this] { show(Screen::credits); }},
+                                     {texts_("Quit"), [this] { platform_->quit(); }}};
+    items.insert(items.end(), rest.begin(), rest.end());
+    return items;
+}
+
+/// Where the entry of a screen stands in the menu of the title.
+std::size_t Game::titlePlace(Screen screen) const {
+    const std::size_t before = dailyLevel_ ? 2 : 1;
+    switch (screen) {
+        case Screen::options:
+            return before + 1;
+        case Screen::statistics:
+            return before + 2;
+        case Screen::credits:
+            return before + 3;
+        default:
+            return before;  // the levels
+    }
 }
 
 std::vector<MenuItem> Game::pausedItems() {
@@ -155,7 +177,8 @@ std::vector<MenuItem> Game::pausedItems() {
 
 std::vector<MenuItem> Game::finishedItems() {
     std::vector<MenuItem> items;
-    const bool more = level_ + 1 < levels_.size() && unlocked(level_ + 1);
+    const auto next = levels_.next(level_);
+    const bool more = next && unlocked(*next);
     if (more && !watching()) items.push_back({texts_("Next level"), [this] { playNext(); }});
     items.push_back({texts_(watching() ? "Play this level" : "Play again"), [this] { play(); }});
     items.push_back({texts_("Watch replay"), [this] { watch(watching() ? watched_ : lastRun_); }});
@@ -178,7 +201,7 @@ std::vector<MenuItem> Game::levelItems() {
 
 void Game::drawScreen(atlax::Canvas& canvas) {
     const OverlayTools tools{canvas, *art_, texts_};
-    if (screen_ == Screen::playing) return;
+    if (screen_ == Screen::playing || screen_ == Screen::story) return;
     if (screen_ == Screen::countIn) return drawCountIn(tools, 1 + (countIn_ - 1) / countInStep);
     const bool news = newsTicks_ > 0;
     if (screen_ == Screen::levels) {
@@ -239,6 +262,7 @@ MenuRoom Game::drawBehindMenu(const OverlayTools& tools) {
                                 texts_(instead_ ? "Escape keeps what it is. Delete takes it away."
                                                 : "Escape keeps what it is."));
         case Screen::levels:
+        case Screen::story:
         case Screen::playing:
         case Screen::countIn:
             break;
@@ -270,6 +294,8 @@ std::string Game::levelDetails(std::size_t level) const {
     std::string text = std::to_string(it.number) + "   " + texts_(it.name);
     if (!unlocked(level)) return text + "     " + texts_("locked");
     const LevelProgress progress = progress_.of(levels_.key(level));
+    if (const auto difficulty = levels_.difficulty(level))
+        text += "     " + texts_("difficulty {}", {std::to_string(*difficulty) + "/5"});
     if (progress.finished) text += "     " + texts_("best {}", {clockText(progress.best)});
     if (!progress.finished || it.medalFor(progress.best) != Medal::gold)
         text += "     " + texts_("gold below {}", {clockText(it.medals.gold)});

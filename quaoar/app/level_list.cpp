@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
+#include <cmath>
 #include <new>
+
+#include "way_file.hpp"
 
 namespace quaoar {
 
@@ -51,9 +54,44 @@ std::filesystem::path LevelList::ownFolder() {
     return atlax::dataFolder("quaoar") / "levels";
 }
 
+std::size_t LevelList::addDaily(const std::filesystem::path& file) {
+    Entry entry{file, std::make_shared<const Level>(readLevel(file))};
+    entry.daily = true;
+    entries_.push_back(std::move(entry));
+    return entries_.size() - 1;
+}
+
+std::optional<std::size_t> LevelList::next(std::size_t index) const {
+    const std::size_t after = index + 1;
+    if (after >= size()) return {};
+    const Entry &now = entries_[index], &then = entries_[after];
+    if (now.daily || then.daily || now.own != then.own) return {};
+    if (now.own && now.file.parent_path() != then.file.parent_path()) return {};
+    return after;
+}
+
+std::optional<int> LevelList::difficulty(std::size_t index) const {
+    const Entry& entry = entries_[index];
+    if (entry.difficulty) return *entry.difficulty;
+    entry.difficulty.emplace();
+    const std::filesystem::path file = wayOf(entry.file);
+    std::error_code ignored;
+    if (entry.file.empty() || !std::filesystem::exists(file, ignored)) return {};
+    try {
+        const WayFile way = WayFile::read(file);
+        if (way.survival.games > 0 && way.levelHash == entry.level->contentHash) {
+            const int fifths = static_cast<int>(std::floor(5 * way.survival.share()));
+            *entry.difficulty = std::clamp(5 - fifths, 1, 5);
+        }
+    } catch (const WayError& error) {
+        atlax::log(atlax::LogLevel::Warning, error.what());
+    }
+    return *entry.difficulty;
+}
+
 std::string LevelList::key(std::size_t index) const {
     const Entry& entry = entries_[index];
-    if (!entry.own) return entry.level->id;
+    if (!entry.own) return entry.level->id;  // that of a day names its date
     return "own-" + entry.file.parent_path().filename().string() + "-" + entry.level->id;
 }
 

@@ -10,6 +10,7 @@
 #include <sulfur/version.hpp>
 
 #include "commands.hpp"
+#include "daily_course.hpp"
 #include "game.hpp"
 
 namespace {
@@ -103,6 +104,8 @@ quaoar::GameOptions levelsOf(const Arguments& arguments) {
     if (arguments.level.empty()) {
         options.levels = gameLevels();
         options.levels.addOwn(quaoar::LevelList::ownFolder());
+        options.story = true;
+        options.daily.emplace(quaoar::Daily::usualFolder(), quaoar::today());
         return options;
     }
     std::size_t index = 0;

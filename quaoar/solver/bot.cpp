@@ -34,7 +34,7 @@ public:
         session_.restart();
     }
 
-    Game play() {
+    PlayedGame play() {
         while (player_.seconds() < longestGame && lives_ <= options_.tries) {
             const Ending ending = decide();
             surprised_ = ending != Ending::done;
@@ -94,7 +94,7 @@ private:
         Decision decision{now, nullptr, match, place.best, {}};
         if (options_.remember) decision.snapshot = session_.snapshot();
         const double began = player_.seconds();
-        const Choice& choice = place.choices[static_cast<std::size_t>(place.best)];
+        const PolicyChoice& choice = place.choices[static_cast<std::size_t>(place.best)];
         Ending ending = player_.carryOut(choice.intention, slip);
         if (ending == Ending::done && stalled()) ending = player_.giveUp();
         decision.attempt = {ending, situationOf(session_), player_.seconds() - began};
@@ -108,7 +108,7 @@ private:
     const BotOptions& options_;
     Player player_;
     Nerves nerves_;
-    Game game_;
+    PlayedGame game_;
     double nearest_ = DistanceField::unreachable;
     double lastProgress_ = 0;
     bool surprised_ = false;
@@ -118,14 +118,14 @@ private:
 
 }  // namespace
 
-Game playGame(Session& session, const Ground& ground, const Policy& policy,
-              const BotOptions& options) {
+PlayedGame playGame(Session& session, const Ground& ground, const Policy& policy,
+                    const BotOptions& options) {
     return BotGame(session, ground, policy, options).play();
 }
 
 Survival measureSurvival(const Ground& ground, const Policy& policy, const BotOptions& options,
                          int count, int jobs, std::vector<bool>* used) {
-    std::vector<Game> games(static_cast<std::size_t>(count));
+    std::vector<PlayedGame> games(static_cast<std::size_t>(count));
     forAll(ground.level, jobs, count, [&](int i, Session& session) {
         BotOptions mine = options;
         mine.seed += static_cast<std::uint64_t>(i);
@@ -135,7 +135,7 @@ Survival measureSurvival(const Ground& ground, const Policy& policy, const BotOp
     survival.games = count;
     std::vector<double> tries, seconds;
     if (used != nullptr) used->assign(policy.places().size(), false);
-    for (const Game& game : games) {
+    for (const PlayedGame& game : games) {
         survival.finished += game.finished ? 1 : 0;
         tries.push_back(game.tries);
         if (game.finished) seconds.push_back(game.seconds);

@@ -29,7 +29,7 @@ struct Decision {
     Try attempt;
 };
 
-struct Game {
+struct PlayedGame {
     bool finished = false;
     int tries = 1;  ///< lives that were used, in all
     double seconds = 0;
@@ -37,8 +37,8 @@ struct Game {
 };
 
 /// Plays from the spawn.
-Game playGame(Session& session, const Ground& ground, const Policy& policy,
-              const BotOptions& options);
+PlayedGame playGame(Session& session, const Ground& ground, const Policy& policy,
+                    const BotOptions& options);
 
 struct Survival {
     int games = 0;

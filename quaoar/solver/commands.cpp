@@ -6,6 +6,7 @@
 
 #include "fairness.hpp"
 #include "fresh_check.hpp"
+#include "wander.hpp"
 
 namespace quaoar {
 namespace {
@@ -193,10 +194,36 @@ int checkFair(const SolverArguments& arguments, const std::string& file) {
     return report.stuck.empty() ? 0 : 1;
 }
 
+/// Random play; inputs that lead to a fault are kept beside the level.
+int wanderAbout(const SolverArguments& arguments, const std::string& file) {
+    const auto level = load(file);
+    const auto proof = knownProof(level, proofFile(arguments, file));
+    if (!proof) throw std::runtime_error(file + " has no proof that holds, from which to wander");
+    WanderOptions options;
+    options.seconds = 3600 * arguments.wander;
+    options.seed = arguments.solve.seed;
+    options.jobs = arguments.solve.jobs;
+    const WanderReport report = wander(level, *proof, options);
+    std::printf("%s  %d trips, %.3f h: %d deaths, %d times at the exit, %zu faults\n",
+                level->id.c_str(), report.trips, report.simulated / 3600, report.deaths,
+                report.finishes, report.faults.size());
+    int number = 0;
+    for (const WanderFault& fault : report.faults) {
+        fs::path kept = arguments.out.empty() ? fs::path(file) : fs::path(arguments.out);
+        kept.replace_extension(".wander" + std::to_string(++number));
+        fault.recording.write(kept);
+        std::printf("    %s: after %.3f s %s\n", kept.string().c_str(),
+                    secondsOf(fault.recording.ticks()), fault.what.c_str());
+    }
+    std::fflush(stdout);
+    return report.faults.empty() ? 0 : 1;
+}
+
 int runOne(const SolverArguments& arguments, const std::string& file) {
     if (!arguments.check.empty()) return checkProof(arguments, file);
     if (arguments.table) return printRow(arguments, file);
     if (arguments.fair > 0) return checkFair(arguments, file);
+    if (arguments.wander > 0) return wanderAbout(arguments, file);
     if (arguments.bot > 0) return playBot(arguments, file);
     if (arguments.repair) return repairLevel(arguments, file);
     return solveLevel(arguments, file);

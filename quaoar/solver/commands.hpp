@@ -18,6 +18,7 @@ struct SolverArguments {
     int fair = 0;  ///< resting states
     int bot = 0;   ///< games with the way that is known
     int skill = 3;
+    double wander = 0;  ///< hours of random play
     SolveOptions solve;
 };
 

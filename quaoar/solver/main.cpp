@@ -48,6 +48,11 @@ void describe(CLI::App& app, quaoar::SolverArguments& arguments) {
     app.add_option("--fair", arguments.fair,
                    "Only look for places without a way on, in so many states of rest")
         ->check(CLI::Range(1, 100000));
+    app.add_option(
+           "--wander", arguments.wander,
+           "Only play at random for so many simulated hours, each trip from a moment of the "
+           "proof, and look for what must never be; exit status 0 if there is none")
+        ->check(atlax::between(1e-4, 1e5), "0.0001 to 100000");
     app.add_flag("--fresh", arguments.fresh, "Search anew, even where a way is known");
     app.add_option("--check", arguments.check, "Only replay this proof; exit status 0 if it holds")
         ->type_name("PROOF");

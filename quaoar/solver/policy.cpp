@@ -52,7 +52,7 @@ int Policy::add(Place place) {
     places_.push_back(std::move(place));
     const int index = static_cast<int>(places_.size()) - 1;
     for (Place& other : places_) {
-        for (Choice& choice : other.choices) {
+        for (PolicyChoice& choice : other.choices) {
             for (Try& attempt : choice.tries) {
                 const double unlike = unlikeness(places_.back().here, attempt.after);
                 if (unlike >= attempt.unlike) continue;
@@ -79,7 +79,7 @@ void Policy::addTry(int index, int choice, const Try& attempt) {
 }
 
 int Policy::addChoice(int index, const Intention& intention) {
-    std::vector<Choice>& choices = place(index).choices;
+    std::vector<PolicyChoice>& choices = place(index).choices;
     for (std::size_t i = 0; i < choices.size(); ++i) {
         if (choices[i].intention == intention) return static_cast<int>(i);
     }
@@ -101,7 +101,7 @@ void Policy::weigh() {
         for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
             double best = 0;
             for (std::size_t i = 0; i < place->choices.size(); ++i) {
-                Choice& choice = place->choices[i];
+                PolicyChoice& choice = place->choices[i];
                 double sum = 0;
                 for (const Try& attempt : choice.tries) sum += worth(attempt);
                 // What a file says is believed until it has been tried.
@@ -125,7 +125,7 @@ Policy Policy::reduced(const std::vector<bool>& keep) const {
         Place place;
         place.here = places_[i].here;
         place.value = places_[i].value;
-        const Choice& best = places_[i].choices[static_cast<std::size_t>(places_[i].best)];
+        const PolicyChoice& best = places_[i].choices[static_cast<std::size_t>(places_[i].best)];
         place.choices.push_back({best.intention, {}, best.value});
         place.best = 0;
         policy.places_.push_back(std::move(place));

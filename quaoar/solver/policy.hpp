@@ -27,7 +27,7 @@ struct Try {
     double unlike = 1e9;  ///< and how much it is not
 };
 
-struct Choice {
+struct PolicyChoice {
     Intention intention;
     std::vector<Try> tries;
     double value = 0;
@@ -36,7 +36,7 @@ struct Choice {
 struct Place {
     Situation here;
     std::shared_ptr<const Session::Snapshot> snapshot;  ///< null when read from a file
-    std::vector<Choice> choices;
+    std::vector<PolicyChoice> choices;
     double value = 0;
     int best = -1;  ///< index of the best choice
     int studies = 0;

@@ -41,7 +41,7 @@ std::vector<Place> placesAlong(Session& session, const Way& way) {
 /// Adds them to the policy; `first` is the index of the first where that is known already.
 void addPlaces(Policy& policy, std::vector<Place> places, int first = -1) {
     for (Place& place : places) {
-        const Choice choice = place.choices.front();
+        const PolicyChoice choice = place.choices.front();
         place.choices.clear();
         const int index = first >= 0 ? first : policy.add(std::move(place));
         first = -1;
@@ -66,7 +66,7 @@ Try Practice::attempt(Lesson& lesson, Session& session, const Intention& idea,
     return policy_.known({ending, situationOf(session), player.seconds()});
 }
 
-double Practice::promise(const Choice& choice) const {
+double Practice::promise(const PolicyChoice& choice) const {
     double sum = 0;
     for (const Try& attempt : choice.tries) sum += policy_.worth(attempt);
     return choice.tries.empty() ? 0 : sum / static_cast<double>(choice.tries.size());
@@ -96,10 +96,10 @@ std::vector<Intention> Practice::ideasFor(const Lesson& lesson, Session& session
 }
 
 /// Carries an idea out without slips, and lets it end by what can be seen.
-Choice Practice::plainly(Lesson& lesson, Session& session, const Intention& idea) const {
+PolicyChoice Practice::plainly(Lesson& lesson, Session& session, const Intention& idea) const {
     session.restore(*lesson.snapshot);
     Player player(session);
-    Choice choice{idea, {}, 0};
+    PolicyChoice choice{idea, {}, 0};
     const Ending ending = player.carryOut(idea);
     if (ending == Ending::done) choice.intention = endedBySight(idea, player.trace());
     lesson.simulated += player.seconds();
@@ -112,7 +112,7 @@ void Practice::study(Lesson& lesson, Session& session, std::uint64_t seed) const
     Nerves nerves(options_.skill, seed ^ 0x5bd1e995u);
     if (lesson.place >= 0 && provesGood(lesson, session, nerves)) return;
     for (const Intention& idea : ideasFor(lesson, session, random)) {
-        Choice choice = plainly(lesson, session, idea);
+        PolicyChoice choice = plainly(lesson, session, idea);
         if (promise(choice) > 0.05) lesson.choices.push_back(std::move(choice));
     }
     keepBest(lesson, quickChoices);
@@ -128,20 +128,21 @@ void Practice::study(Lesson& lesson, Session& session, std::uint64_t seed) const
 bool Practice::provesGood(Lesson& lesson, Session& session, Nerves& nerves) const {
     const Place& place = policy_.places()[static_cast<std::size_t>(lesson.place)];
     if (place.studies > 0 || place.best < 0) return false;
-    const Choice& best = place.choices[static_cast<std::size_t>(place.best)];
+    const PolicyChoice& best = place.choices[static_cast<std::size_t>(place.best)];
     lesson.choices.push_back({best.intention, {}, 0});
     tryAll(lesson, session, nerves, quickTries + 1);
     return promise(lesson.choices.front()) > good;
 }
 
 void Practice::keepBest(Lesson& lesson, std::size_t count) const {
-    std::stable_sort(lesson.choices.begin(), lesson.choices.end(),
-                     [&](const Choice& a, const Choice& b) { return promise(a) > promise(b); });
+    std::stable_sort(
+        lesson.choices.begin(), lesson.choices.end(),
+        [&](const PolicyChoice& a, const PolicyChoice& b) { return promise(a) > promise(b); });
     if (lesson.choices.size() > count) lesson.choices.resize(count);
 }
 
 void Practice::tryAll(Lesson& lesson, Session& session, Nerves& nerves, int count) const {
-    for (Choice& choice : lesson.choices) {
+    for (PolicyChoice& choice : lesson.choices) {
         for (int n = 0; n < count; ++n) {
             choice.tries.push_back(attempt(lesson, session, choice.intention, nerves.next()));
         }
@@ -180,7 +181,7 @@ void Practice::learn(std::vector<Lesson>& lessons) {
         const int index =
             lesson.place >= 0 ? lesson.place : policy_.add({lesson.here, lesson.snapshot, {}});
         ++policy_.place(index).studies;
-        for (const Choice& choice : lesson.choices) {
+        for (const PolicyChoice& choice : lesson.choices) {
             const int at = policy_.addChoice(index, choice.intention);
             for (const Try& attempt : choice.tries) policy_.addTry(index, at, attempt);
         }
@@ -216,10 +217,10 @@ void Practice::wish(std::vector<Lesson>& lessons, const Decision& decision, bool
 }
 
 /// What preceded deaths first, then what was not foreseen.
-std::vector<Practice::Lesson> Practice::lessonsOf(const std::vector<Game>& games) const {
+std::vector<Practice::Lesson> Practice::lessonsOf(const std::vector<PlayedGame>& games) const {
     std::vector<Lesson> lessons;
     for (const bool deaths : {true, false}) {
-        for (const Game& game : games) {
+        for (const PlayedGame& game : games) {
             const auto& decisions = game.decisions;
             for (std::size_t i = 0; i < decisions.size(); ++i) {
                 bool wrong = false;
@@ -235,7 +236,7 @@ std::vector<Practice::Lesson> Practice::lessonsOf(const std::vector<Game>& games
 }
 
 Survival Practice::round() {
-    std::vector<Game> games(static_cast<std::size_t>(options_.games));
+    std::vector<PlayedGame> games(static_cast<std::size_t>(options_.games));
     forAll(ground_.level, options_.jobs, options_.games, [&](int i, Session& session) {
         BotOptions bot;
         bot.skill = options_.skill;
@@ -244,7 +245,7 @@ Survival Practice::round() {
         games[static_cast<std::size_t>(i)] = playGame(session, ground_, policy_, bot);
     });
     Survival survival;
-    for (const Game& game : games) {
+    for (const PlayedGame& game : games) {
         ++survival.games;
         survival.finished += game.finished ? 1 : 0;
         simulated_ += game.seconds;

@@ -35,23 +35,23 @@ private:
         int place = -1;  ///< -1: a new one
         Situation here;
         std::shared_ptr<const Session::Snapshot> snapshot;
-        std::vector<Choice> choices;
+        std::vector<PolicyChoice> choices;
         std::vector<Place> wayOn;  ///< places of a way that was searched for
         double simulated = 0;
     };
 
-    std::vector<Lesson> lessonsOf(const std::vector<Game>& games) const;
+    std::vector<Lesson> lessonsOf(const std::vector<PlayedGame>& games) const;
     void wish(std::vector<Lesson>& lessons, const Decision& decision, bool wentWrong) const;
     void learn(std::vector<Lesson>& lessons);
     void study(Lesson& lesson, Session& session, std::uint64_t seed) const;
     std::vector<Intention> ideasFor(const Lesson& lesson, Session& session,
                                     std::mt19937_64& random) const;
-    Choice plainly(Lesson& lesson, Session& session, const Intention& idea) const;
+    PolicyChoice plainly(Lesson& lesson, Session& session, const Intention& idea) const;
     Try attempt(Lesson& lesson, Session& session, const Intention& idea, const Slip& slip) const;
     bool provesGood(Lesson& lesson, Session& session, Nerves& nerves) const;
     void keepBest(Lesson& lesson, std::size_t count) const;
     void tryAll(Lesson& lesson, Session& session, Nerves& nerves, int count) const;
-    double promise(const Choice& choice) const;
+    double promise(const PolicyChoice& choice) const;
     void searchOn(Lesson& lesson, Session& session, std::uint64_t seed) const;
 
     const Ground& ground_;

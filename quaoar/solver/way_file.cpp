@@ -135,7 +135,7 @@ std::string WayFile::format() const {
     text += lineOf("seconds %.2f", survival.seconds);
     for (const Place& place : policy.places()) {
         if (place.best < 0) continue;
-        const Choice& best = place.choices[static_cast<std::size_t>(place.best)];
+        const PolicyChoice& best = place.choices[static_cast<std::size_t>(place.best)];
         text += situationLine(place.here);
         std::string worth = lineOf("worth %.3f: ", place.value);
         worth.pop_back();

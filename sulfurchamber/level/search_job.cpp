@@ -234,7 +234,7 @@ void SearchJob::playGames(const quaoar::Ground& ground, quaoar::WayFile& robust)
         quaoar::BotOptions bot;
         bot.skill = quaoar::Skill::level(3);
         bot.seed = options_.seed + static_cast<std::uint64_t>(n);
-        const quaoar::Game game = quaoar::playGame(session, ground, robust.policy, bot);
+        const quaoar::PlayedGame game = quaoar::playGame(session, ground, robust.policy, bot);
         tries.push_back(game.tries);
         if (game.finished) seconds.push_back(game.seconds);
     }

@@ -174,7 +174,7 @@ TEST(Solver, ASteadyWayThroughTheRoomIsFound) {
 TEST(Bot, WhoDoesNotKnowWhatToDoUsesUpHisLives) {
     const Ground ground(room());
     Session session(ground.level);
-    const Game game = playGame(session, ground, Policy(), {});
+    const PlayedGame game = playGame(session, ground, Policy(), {});
     EXPECT_FALSE(game.finished);
     EXPECT_EQ(game.tries, 3);
 }

@@ -109,6 +109,7 @@ std::vector<std::string> allTexts() {
         for (const char* call : {"texts_(", "texts(", " toggle(", " volume("})
             collectTexts(source, call, texts);
     }
+    texts.push_back("Level of the day");
     const LevelList levels = LevelList::ofFolder(levelsFolder());
     for (std::size_t i = 0; i < levels.size(); ++i) {
         texts.push_back(levels[i].name);
@@ -306,6 +307,44 @@ TEST(LevelList, isInTheOrderOfNumbersAndLeavesOutWhatIsNone) {
     EXPECT_TRUE(all.own(2));
     EXPECT_EQ((std::set<std::string>{all.key(0), all.key(1), all.key(2), all.key(3)}.size()), 4u)
         << "each has a progress of its own";
+}
+
+TEST(LevelList, afterTheLastLevelNoneOfThePlayersOwnFollows) {
+    const Folder folder("next");
+    writeEasyLevels(folder, 2);
+    std::filesystem::create_directories(folder / "own/pack");
+    writeText(folder / "own/a.json", roomText);
+    writeText(folder / "own/b.json", replaced(roomText, "\"number\": 1", "\"number\": 2"));
+    writeText(folder / "own/pack/c.json", roomText);
+    LevelList all = LevelList::ofFolder(folder.path());
+    all.addOwn(folder / "own");
+    writeText(folder / "daily-1.json", roomText);
+    const std::size_t daily = all.addDaily(folder / "daily-1.json");
+    ASSERT_EQ(all.size(), 6u);
+    EXPECT_EQ(daily, 5u);
+    EXPECT_TRUE(all.own(daily)) << "nothing need be finished before";
+    EXPECT_EQ(all.key(daily), "daily-1");
+    EXPECT_EQ(all.next(0), std::optional<std::size_t>(1));
+    EXPECT_FALSE(all.next(1)) << "the last of the game";
+    EXPECT_EQ(all.next(2), std::optional<std::size_t>(3)) << "of the same folder";
+    EXPECT_FALSE(all.next(3)) << "another pack";
+    EXPECT_FALSE(all.next(4)) << "the day's";
+    EXPECT_FALSE(all.next(5));
+}
+
+TEST(LevelList, tellsHowHardALevelIsWhereThatWasMeasured) {
+    const LevelList levels = LevelList::ofFolder(levelsFolder());
+    ASSERT_EQ(levels[0].id, "01-cold-wake");
+    EXPECT_EQ(levels.difficulty(0), std::optional<int>(1)) << "97.5 % of the bot's games";
+    EXPECT_EQ(levels.difficulty(2), std::optional<int>(3)) << "48 %";
+    const Folder folder("difficulty");
+    writeEasyLevels(folder, 1);
+    EXPECT_FALSE(LevelList::ofFolder(folder.path()).difficulty(0)) << "nobody has played it";
+    // What was measured of another version is worth nothing.
+    std::filesystem::copy_file(levelsFolder() / "01-cold-wake.way", folder / "room-1.way");
+    EXPECT_FALSE(LevelList::ofFolder(folder.path()).difficulty(0));
+    writeText(folder / "room-1.way", "rubbish");
+    EXPECT_FALSE(LevelList::ofFolder(folder.path()).difficulty(0));
 }
 
 TEST(Hints, comeOneAtATimeAndGoWhenDone) {
