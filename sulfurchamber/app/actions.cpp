@@ -96,6 +96,7 @@ void MainFrame::addEditActions() {
              bench_.select({});
          }});
     addTransformActions();
+    addArrangeActions();
     const auto left = [this] { return strays_ > 0; };
     add({"bring-back", m, "&Bring back what has left", 0,
          "Put what fell out of the world's bounds back to its place", "",
@@ -109,19 +110,24 @@ void MainFrame::addEditActions() {
 void MainFrame::addTransformActions() {
     const auto m = MenuId::edit;
     const auto any = [this] { return !bench_.selection().empty(); };
+    const auto under = [this](Action action) -> Action& {
+        Action& made = add(std::move(action));
+        made.under = "Transform";
+        return made;
+    };
     constexpr double step = 3.14159265358979 / 12;
-    add({"turn-left", m, wxString::FromUTF8("&Turn left by 15\xC2\xB0"), '[',
-         "Turn the selection anticlockwise", "", [this] { bench_.turn(step); }, any})
+    under({"turn-left", m, wxString::FromUTF8("&Turn left by 15\xC2\xB0"), '[',
+           "Turn the selection anticlockwise", "", [this] { bench_.turn(step); }, any})
         .separatorBefore = true;
-    add({"turn-right", m, wxString::FromUTF8("Turn &right by 15\xC2\xB0"), ']',
-         "Turn the selection clockwise", "", [this] { bench_.turn(-step); }, any});
-    add({"larger", m, "&Larger by a tenth\tCtrl++", 0,
-         "Scale the selection, its mass with its area", "", [this] { bench_.scale(1.1); }, any});
-    add({"smaller", m, "S&maller by a tenth\tCtrl+-", 0,
-         "Scale the selection, its mass with its area", "", [this] { bench_.scale(1 / 1.1); },
-         any});
-    add({"mirror", m, "M&irror\tCtrl+M", 0, "Left becomes right", "", [this] { bench_.mirror(); },
-         any});
+    under({"turn-right", m, wxString::FromUTF8("Turn &right by 15\xC2\xB0"), ']',
+           "Turn the selection clockwise", "", [this] { bench_.turn(-step); }, any});
+    under({"larger", m, "&Larger by a tenth\tCtrl++", 0,
+           "Scale the selection, its mass with its area", "", [this] { bench_.scale(1.1); }, any});
+    under({"smaller", m, "S&maller by a tenth\tCtrl+-", 0,
+           "Scale the selection, its mass with its area", "", [this] { bench_.scale(1 / 1.1); },
+           any});
+    under({"mirror", m, "M&irror\tCtrl+M", 0, "Left becomes right", "", [this] { bench_.mirror(); },
+           any});
     struct Way {
         const char* name;
         const char* label;
@@ -133,9 +139,9 @@ void MainFrame::addTransformActions() {
                                    {"nudge-up", "Nudge up", WXK_UP, 0, 1},
                                    {"nudge-down", "Nudge down", WXK_DOWN, 0, -1}};
     for (const Way& way : ways)
-        add({way.name, m, way.label, way.key, "Move the selection by a line of the fine grid", "",
-             [this, way] { bench_.nudge(sulfur::Point(way.x, way.y) * view_.fineStep()); },
-             [this] { return bench_.anythingSelected(); }});
+        under({way.name, m, way.label, way.key, "Move the selection by a line of the fine grid", "",
+               [this, way] { bench_.nudge(sulfur::Point(way.x, way.y) * view_.fineStep()); },
+               [this] { return bench_.anythingSelected(); }});
 }
 
 void MainFrame::addToolActions() {
@@ -228,15 +234,7 @@ void MainFrame::addViewActions() {
     add({"zoom-out", m, "Zoom &out", '-', "Smaller", "", [this] { view_.zoom(0.8f); }});
     toggle("grid", "&Grid", '#', "Lines at round metres", "grid", o.grid).separatorBefore = true;
     toggle("rulers", "R&ulers", 0, "Metres at the edges", "", o.rulers);
-    add({"snap",
-         m,
-         "&Snap to grid",
-         'S',
-         "New things begin and end on the fine grid",
-         "",
-         [this] { view_.setSnapping(!view_.snapping()); },
-         {},
-         [this] { return view_.snapping(); }});
+    addSnapActions();
     toggle("velocities", "&Velocity arrows", 'A', "Arrows as long as the way of 0.12 s", "arrows",
            o.velocities)
         .separatorBefore = true;
@@ -265,19 +263,16 @@ void MainFrame::addViewActions() {
     toggle("skeleton", "S&keleton", 'K',
            "What the physics sees: particles, joints under load, surfaces, contacts, fields", "",
            o.skeleton);
-    for (const char* page : {"scene", "object", "history", "measure"})
+    int number = 0;
+    for (const char* page : {"scene", "object", "history", "measure", "outline"})
         add({"page-" + std::string(page), m,
-             wxString("Page of the ") + page +
-                 (page[0] == 's'   ? "\tCtrl+1"
-                  : page[0] == 'o' ? "\tCtrl+2"
-                  : page[0] == 'h' ? "\tCtrl+3"
-                                   : "\tCtrl+4"),
-             0, "Bring this page of the side panel to the front", "",
+             wxString("Page of the ") + page + wxString::Format("\tCtrl+%d", ++number), 0,
+             "Bring this page of the side panel to the front", "",
              [this, page] {
                  showSide(true);
                  side_->showPage(page);
              }})
-            .separatorBefore = page[0] == 's';
+            .under = "Page";
     add({"panel",
          m,
          "Side &panel\tF9",
@@ -338,54 +333,64 @@ void MainFrame::addSpeedActions() {
                                        {"speed-tenth", "A &tenth of the speed", 100},
                                        {"speed-hundredth", "A h&undredth of the speed", 10},
                                        {"speed-thousandth", "A th&ousandth of the speed", 1}};
+    const auto under = [this](Action action) -> Action& {
+        Action& made = add(std::move(action));
+        made.under = "Speed";
+        return made;
+    };
     for (const Speed& speed : speeds)
-        add({speed.name,
-             m,
-             speed.label,
-             0,
-             "How fast time runs changes no result",
-             "",
-             [this, speed] { view_.setSpeedPermille(speed.permille); },
-             {},
-             [this, speed] { return view_.speedPermille() == speed.permille; }})
+        under({speed.name,
+               m,
+               speed.label,
+               0,
+               "How fast time runs changes no result",
+               "",
+               [this, speed] { view_.setSpeedPermille(speed.permille); },
+               {},
+               [this, speed] { return view_.speedPermille() == speed.permille; }})
             .separatorBefore = speed.permille == 4000;
-    add({"slow",
-         m,
-         "&Slow motion",
-         'M',
-         "A quarter of the speed, and back",
-         "slow",
-         [this] { view_.setSpeedPermille(view_.speedPermille() == 250 ? 1000 : 250); },
-         {},
-         [this] { return view_.speedPermille() == 250; }});
-    add({"faster", m, "Fas&ter\tCtrl+Up", 0, "The next higher speed, up to four times", "",
-         [this] { changeSpeed(1); }, [this] { return view_.speedPermille() < 4000; }});
-    add({"slower", m, "Slo&wer\tCtrl+Down", 0, "The next lower speed, down to a thousandth", "",
-         [this] { changeSpeed(-1); }, [this] { return view_.speedPermille() > 1; }});
+    under({"slow",
+           m,
+           "&Slow motion",
+           'M',
+           "A quarter of the speed, and back",
+           "slow",
+           [this] { view_.setSpeedPermille(view_.speedPermille() == 250 ? 1000 : 250); },
+           {},
+           [this] { return view_.speedPermille() == 250; }});
+    under({"faster", m, "Fas&ter\tCtrl+Up", 0, "The next higher speed, up to four times", "",
+           [this] { changeSpeed(1); }, [this] { return view_.speedPermille() < 4000; }});
+    under({"slower", m, "Slo&wer\tCtrl+Down", 0, "The next lower speed, down to a thousandth", "",
+           [this] { changeSpeed(-1); }, [this] { return view_.speedPermille() > 1; }});
 }
 
 void MainFrame::addRewindActions() {
     const auto m = MenuId::simulation;
     const auto any = [this] { return !bench_.document().timeline().empty(); };
     const auto some = [this] { return !bench_.document().timeline().others().empty(); };
-    add({"tick-back", m, "Single tick &back", ',', "Back by one tick", "back",
-         [this] { seekBy(-static_cast<double>(bench_.document().world().tickDuration())); }, any})
+    const auto under = [this](Action action) -> Action& {
+        Action& made = add(std::move(action));
+        made.under = "Rewind";
+        return made;
+    };
+    under({"tick-back", m, "Single tick &back", ',', "Back by one tick", "back",
+           [this] { seekBy(-static_cast<double>(bench_.document().world().tickDuration())); }, any})
         .separatorBefore = true;
-    add({"second-back", m, "A &second back", WXK_PAGEUP, "Rewind by a second", "",
-         [this] { seekBy(-1); }, any});
-    add({"second-on", m, "A second &on", WXK_PAGEDOWN, "Towards the end by a second", "",
-         [this] { seekBy(1); }, any});
-    add({"mark-back", m, "&Previous mark\tCtrl+PgUp", 0,
-         "Back to an edit, a break or a first contact", "", [this] { seekMark(false); }, any});
-    add({"mark-on", m, "Ne&xt mark\tCtrl+PgDn", 0, "On to an edit, a break or a first contact", "",
-         [this] { seekMark(true); }, any});
-    add({"oldest", m, "To the &oldest moment", WXK_HOME, "As far back as is recorded", "",
-         [this] { seekBy(-1e9); }, any});
-    add({"newest", m, "To the &end", WXK_END, "The latest moment of this line", "",
-         [this] { seekBy(1e9); }, any});
-    add({"other-future", m, "Another f&uture", 'Z',
-         "The end of the next branch that was left by going on from an earlier moment", "",
-         [this] { showOtherFuture(); }, some});
+    under({"second-back", m, "A &second back", WXK_PAGEUP, "Rewind by a second", "",
+           [this] { seekBy(-1); }, any});
+    under({"second-on", m, "A second &on", WXK_PAGEDOWN, "Towards the end by a second", "",
+           [this] { seekBy(1); }, any});
+    under({"mark-back", m, "&Previous mark\tCtrl+PgUp", 0,
+           "Back to an edit, a break or a first contact", "", [this] { seekMark(false); }, any});
+    under({"mark-on", m, "Ne&xt mark\tCtrl+PgDn", 0, "On to an edit, a break or a first contact",
+           "", [this] { seekMark(true); }, any});
+    under({"oldest", m, "To the &oldest moment", WXK_HOME, "As far back as is recorded", "",
+           [this] { seekBy(-1e9); }, any});
+    under({"newest", m, "To the &end", WXK_END, "The latest moment of this line", "",
+           [this] { seekBy(1e9); }, any});
+    under({"other-future", m, "Another f&uture", 'Z',
+           "The end of the next branch that was left by going on from an earlier moment", "",
+           [this] { showOtherFuture(); }, some});
 }
 
 void MainFrame::addHelpActions() {

@@ -12,7 +12,7 @@ namespace {
 using Icon = std::pair<std::string_view, std::string_view>;
 
 // Shapes in a box of 24 by 24. They inherit the stroke; "ACCENT" and "INK" become colours.
-constexpr std::array<Icon, 71> icons{
+constexpr std::array<Icon, 77> icons{
     {
         {"new", R"(<path d="M6 3h8l5 5v13H6z"/><path d="M14 3v5h5"/>)"},
         {"open",
@@ -146,6 +146,17 @@ constexpr std::array<Icon, 71> icons{
          R"(<circle cx="12" cy="12" r="8.5" fill="ACCENT" fill-opacity="0.2"/><path d="M12 12l5-5" stroke="#FF5E57" stroke-width="2.2"/><path d="M5.8 15.5l1.6-.9M6.5 8l1.4 1M12 5.2v1.8M18.2 15.5l-1.6-.9"/>)"},
         {"gun",
          R"(<path d="M3 9h9l3 2v2l-3 2H3z" fill="ACCENT" fill-opacity="0.3"/><path d="M5 15l-1 5h4l1-5"/><path d="M17 12h5" stroke="#FF5E57" stroke-dasharray="2 1.6"/>)"},
+        {"group",
+         R"(<rect x="3" y="3" width="18" height="18" stroke-dasharray="3 3"/><rect x="6.5" y="6.5" width="6" height="6" fill="ACCENT" fill-opacity="0.5"/><circle cx="15" cy="15" r="3" fill="ACCENT" fill-opacity="0.5"/>)"},
+        {"field", R"(<path d="M3 7h13l-3-3M3 12h16l-3-3M3 17h11l-3-3" stroke="ACCENT"/>)"},
+        {"eye",
+         R"(<path d="M2 12c5-8 15-8 20 0-5 8-15 8-20 0z"/><circle cx="12" cy="12" r="3.2" fill="INK"/>)"},
+        {"hidden",
+         R"(<path d="M2 10c5 7 15 7 20 0M5 13l-2 3M12 15.500v3.500M19 13l2 3" stroke-opacity="0.6"/>)"},
+        {"lock",
+         R"(<rect x="5" y="11" width="14" height="10" rx="1.500" fill="ACCENT" fill-opacity="0.7"/><path d="M8 11V8a4 4 0 0 1 8 0v3"/>)"},
+        {"unlock",
+         R"(<rect x="5" y="11" width="14" height="10" rx="1.500" stroke-opacity="0.7"/><path d="M8 11V7a4 4 0 0 1 7-2.500" stroke-opacity="0.45"/>)"},
         {"revert", R"(<path d="M6 4v6h6"/><path d="M6.5 10A7 7 0 1 1 6 15"/>)"},
     }};
 
@@ -165,7 +176,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 
 }  // namespace
 
-wxBitmapBundle icon(std::string_view name) {
+wxBitmapBundle icon(std::string_view name, int size) {
     const bool dark = wxSystemSettings::GetAppearance().IsUsingDarkBackground();
     for (const auto& [key, shapes] : icons) {
         if (key != name) continue;
@@ -176,7 +187,7 @@ wxBitmapBundle icon(std::string_view name) {
         svg += "</g></svg>";
         svg = replaced(svg, "INK", dark ? "#E8F4FF" : "#1F3A5F");
         svg = replaced(svg, "ACCENT", dark ? "#6FA8DC" : "#2F6FB0");
-        return wxBitmapBundle::FromSVG(svg.c_str(), wxSize(24, 24));
+        return wxBitmapBundle::FromSVG(svg.c_str(), wxSize(size, size));
     }
     return {};
 }

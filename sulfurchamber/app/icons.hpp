@@ -7,9 +7,9 @@
 
 namespace sulfurchamber {
 
-/// A picture of 24 by 24 logical pixels that fits the theme (light strokes on dark panels or the
-/// other way round). An unknown name gives an empty bundle.
-wxBitmapBundle icon(std::string_view name);
+/// A picture of `size` by `size` logical pixels that fits the theme (light strokes on dark panels
+/// or the other way round). An unknown name gives an empty bundle.
+wxBitmapBundle icon(std::string_view name, int size = 24);
 
 /// The program's own picture.
 wxBitmapBundle programIcon();

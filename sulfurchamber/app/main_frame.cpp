@@ -3,6 +3,7 @@
 #include <wx/aboutdlg.h>
 #include <wx/app.h>
 #include <wx/arrstr.h>
+#include <wx/gdicmn.h>
 #include <wx/image.h>
 #include <wx/menu.h>
 #include <wx/msgdlg.h>
@@ -198,8 +199,28 @@ void addCutTexts(const wxWindow& window, std::vector<std::string>& cut) {
 
 }  // namespace
 
+namespace {
+
+// Menus that are higher than the screen, with those in them. An entry is a line of text with room.
+void addHighMenus(const wxWindow& window, const wxMenu& menu, const wxString& title,
+                  std::vector<std::string>& cut) {
+    int height = 0;
+    for (const wxMenuItem* item : menu.GetMenuItems()) {
+        height +=
+            item->IsSeparator() ? window.FromDIP(7) : window.GetCharHeight() + window.FromDIP(9);
+        if (const wxMenu* inner = item->GetSubMenu())
+            addHighMenus(window, *inner, item->GetItemLabelText(), cut);
+    }
+    if (height > wxGetDisplaySize().GetHeight() - window.FromDIP(28))
+        cut.push_back("the menu " + title.utf8_string());
+}
+
+}  // namespace
+
 std::vector<std::string> MainFrame::cutTexts() const {
     std::vector<std::string> cut;
+    for (std::size_t i = 0; i < GetMenuBar()->GetMenuCount(); ++i)
+        addHighMenus(*this, *GetMenuBar()->GetMenu(i), GetMenuBar()->GetMenuLabelText(i), cut);
     addCutTexts(*centre_, cut);
     for (int i = 0; i < GetStatusBar()->GetFieldsCount(); ++i) {
         wxRect place;

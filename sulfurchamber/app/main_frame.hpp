@@ -68,6 +68,7 @@ public:
     SidePanel& side() { return *side_; }
     /// The experiment that is open, or null.
     Table4Window* table4() { return table4_.get(); }
+    OutlinePanel& outline() { return side_->outline(); }
     /// The measurements as a picture (.png) or a table; the reason of a failure is shown.
     bool savePlot(const std::filesystem::path& file);
 
@@ -108,6 +109,9 @@ private:
     void addFileActions();
     void addEditActions();
     void addTransformActions();
+    void addArrangeActions();
+    void addAlignActions();
+    void addSnapActions();
     void addToolActions();
     void addViewActions();
     void addSimulationActions();

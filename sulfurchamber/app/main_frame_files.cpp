@@ -202,7 +202,7 @@ void MainFrame::loadPreferences() {
     CallAfter([this] { offerRecovery(); });
     preferences_.emplace(Preferences::settingsFile());
     view_.options() = preferences_->viewOptions();
-    view_.setSnapping(preferences_->snapping());
+    view_.snapping() = preferences_->snapping();
     const auto files = preferences_->recentFiles();
     for (auto file = files.rbegin(); file != files.rend(); ++file)
         recent_.AddFileToHistory(wxString::FromUTF8(file->string()));

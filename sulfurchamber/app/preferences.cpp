@@ -23,6 +23,18 @@ constexpr Switch switches[] = {
     {"view.skeleton", &ViewOptions::skeleton},
 };
 
+/// The same of what things snap to.
+struct SnapSwitch {
+    const char* key;
+    bool SnapSwitches::*flag;
+};
+constexpr SnapSwitch snapSwitches[] = {
+    {"view.snapping", &SnapSwitches::grid},
+    {"view.snap-corners", &SnapSwitches::corners},
+    {"view.snap-centres", &SnapSwitches::centres},
+    {"view.snap-angles", &SnapSwitches::angles},
+};
+
 }  // namespace
 
 Preferences::Preferences(const std::filesystem::path& file) : settings_({.file = file}) {
@@ -52,6 +64,17 @@ ViewOptions Preferences::viewOptions() const {
 
 void Preferences::setViewOptions(const ViewOptions& options) {
     for (const Switch& one : switches) settings_.set(one.key, options.*one.flag);
+}
+
+SnapSwitches Preferences::snapping() const {
+    SnapSwitches switches{false, true, true, true};
+    for (const SnapSwitch& one : snapSwitches)
+        switches.*one.flag = settings_.get(one.key, switches.*one.flag);
+    return switches;
+}
+
+void Preferences::setSnapping(const SnapSwitches& switches) {
+    for (const SnapSwitch& one : snapSwitches) settings_.set(one.key, switches.*one.flag);
 }
 
 std::vector<std::filesystem::path> Preferences::recentFiles() const {

@@ -27,8 +27,9 @@ public:
 
     ViewOptions viewOptions() const;
     void setViewOptions(const ViewOptions& options);
-    bool snapping() const { return settings_.get("view.snapping", false); }
-    void setSnapping(bool on) { settings_.set("view.snapping", on); }
+    /// At first things snap to all but the grid.
+    SnapSwitches snapping() const;
+    void setSnapping(const SnapSwitches& switches);
 
     /// The latest first, nine at most.
     std::vector<std::filesystem::path> recentFiles() const;

@@ -8,8 +8,6 @@
 namespace sulfurchamber {
 namespace {
 
-constexpr double degrees = 180 / 3.14159265358979;
-
 wxString utf8(std::string_view text) {
     return wxString::FromUTF8(text.data(), text.size());
 }
@@ -28,19 +26,12 @@ PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
     body_ = new wxBoxSizer(wxVERTICAL);
     makeHead(body_);
     for (const NumberProperty& property : numberProperties()) {
+        // These are the frame's, which all bodies have.
+        if (property.key == "width" || property.key == "height") continue;
         addNumber(body_, property);
         if (property.key == "strength") makeLayers(body_);
     }
-    addPlace(
-        body_, "x", "m", 1000, [](const sulfur::Pose& pose) { return pose.position.x(); },
-        [](sulfur::Pose& pose, double value) { pose.position.x() = value; });
-    addPlace(
-        body_, "y", "m", 1000, [](const sulfur::Pose& pose) { return pose.position.y(); },
-        [](sulfur::Pose& pose, double value) { pose.position.y() = value; });
-    addPlace(
-        body_, "Angle", utf8("\xC2\xB0"), 180,
-        [](const sulfur::Pose& pose) { return pose.angle * degrees; },
-        [](sulfur::Pose& pose, double value) { pose.angle = value / degrees; });
+    for (const PlaceProperty& property : placeProperties()) addPlace(body_, property);
     auto* fittingSizer = new wxBoxSizer(wxVERTICAL);
     fitting_ = std::make_unique<FittingRows>(this, fittingSizer, bench_, refuse_);
     all->Add(fittingSizer, wxSizerFlags(0).Expand());
@@ -72,6 +63,19 @@ void PropertiesPanel::makeHead(wxSizer* sizer) {
     preset_ = new wxChoice(this, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(60, -1)), names);
     preset_->SetToolTip("Sets density, friction, bounce and stiffness at once");
     add("Material", preset_);
+    makeLook(table);
+    sizer->Add(table, wxSizerFlags(0).Expand());
+    held_ = new wxCheckBox(this, wxID_ANY, "Held in place", wxDefaultPosition, wxDefaultSize,
+                           wxCHK_3STATE);
+    held_->SetToolTip("Nothing moves it, as the ground");
+    sizer->Add(held_, wxSizerFlags(0).Border(wxTOP | wxBOTTOM, FromDIP(4)));
+
+    makeSwitches(sizer);
+    bindHead();
+}
+
+// Colour, and the skin that the game shows.
+void PropertiesPanel::makeLook(wxSizer* table) {
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     colour_ = new wxColourPickerCtrl(this, wxID_ANY, *wxWHITE, wxDefaultPosition,
                                      FromDIP(wxSize(52, -1)));
@@ -80,14 +84,45 @@ void PropertiesPanel::makeHead(wxSizer* sizer) {
     ownColour_->SetToolTip("Back to the colour that the scene gives it");
     row->Add(colour_, wxSizerFlags(1).Expand());
     row->Add(ownColour_, wxSizerFlags(0).Expand().Border(wxLEFT, FromDIP(4)));
-    table->Add(new wxStaticText(this, wxID_ANY, "Colour"), wxSizerFlags(0).CentreVertical());
+    colourName_ = new wxStaticText(this, wxID_ANY, "Colour");
+    table->Add(colourName_, wxSizerFlags(0).CentreVertical());
     table->Add(row, wxSizerFlags(1).Expand());
-    sizer->Add(table, wxSizerFlags(0).Expand());
-    held_ = new wxCheckBox(this, wxID_ANY, "Held in place", wxDefaultPosition, wxDefaultSize,
-                           wxCHK_3STATE);
-    held_->SetToolTip("Nothing moves it, as the ground");
-    sizer->Add(held_, wxSizerFlags(0).Border(wxTOP | wxBOTTOM, FromDIP(4)));
+    skin_ = new wxTextCtrl(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(60, -1)),
+                           wxTE_PROCESS_ENTER);
+    skin_->SetToolTip(
+        "The texture that the game shows on it, such as skins/crate.png; empty for none");
+    table->Add(new wxStaticText(this, wxID_ANY, "Skin"), wxSizerFlags(0).CentreVertical());
+    table->Add(skin_, wxSizerFlags(1).Expand());
+}
 
+void PropertiesPanel::makeSwitches(wxSizer* sizer) {
+    for (const SwitchProperty& property : switchProperties()) {
+        auto* box = new wxCheckBox(this, wxID_ANY, utf8(property.name), wxDefaultPosition,
+                                   wxDefaultSize, wxCHK_3STATE);
+        box->SetToolTip(utf8(property.help));
+        box->Bind(wxEVT_CHECKBOX, [this, box, &property](wxCommandEvent&) {
+            const bool on = box->Get3StateValue() == wxCHK_CHECKED;
+            change("Change " + utf8(property.name).Lower().utf8_string(),
+                   [&] { setSwitch(bench_.document(), bench_.selection(), property, on); });
+        });
+        switches_.push_back(box);
+        sizer->Add(box, wxSizerFlags(0).Border(wxBOTTOM, FromDIP(4)));
+    }
+}
+
+void PropertiesPanel::bindHead() {
+    const auto dress = [this] {
+        const std::string wanted = skin_->GetValue().Strip(wxString::both).utf8_string();
+        skin_->DiscardEdits();
+        if (skinOf(bench_.document(), bench_.selection()) != wanted)
+            change(wanted.empty() ? "Take the skin off" : "Change skin",
+                   [&] { setSkin(bench_.document(), bench_.selection(), wanted); });
+    };
+    skin_->Bind(wxEVT_TEXT_ENTER, [dress](wxCommandEvent&) { dress(); });
+    skin_->Bind(wxEVT_KILL_FOCUS, [this, dress](wxFocusEvent& event) {
+        if (skin_->IsModified()) dress();
+        event.Skip();
+    });
     name_->Bind(wxEVT_TEXT_ENTER, [this](wxCommandEvent&) { rename(); });
     name_->Bind(wxEVT_KILL_FOCUS, [this](wxFocusEvent& event) {
         if (name_->IsModified()) rename();
@@ -122,13 +157,12 @@ void PropertiesPanel::makeLayers(wxSizer* sizer) {
     sizer->Add(label);
     auto* grid = new wxGridSizer(4, 0, 0);
     for (int i = 0; i < layerCount; ++i) {
-        auto* box = new wxCheckBox(this, wxID_ANY, wxString::Format("%d", i + 1));
-        box->Bind(wxEVT_CHECKBOX, [this](wxCommandEvent&) {
-            std::uint32_t bits = 0;
-            for (int k = 0; k < layerCount; ++k)
-                if (layers_[static_cast<std::size_t>(k)]->GetValue()) bits |= 1u << k;
+        auto* box = new wxCheckBox(this, wxID_ANY, wxString::Format("%d", i + 1), wxDefaultPosition,
+                                   wxDefaultSize, wxCHK_3STATE);
+        box->Bind(wxEVT_CHECKBOX, [this, i, box](wxCommandEvent&) {
+            const bool on = box->Get3StateValue() == wxCHK_CHECKED;
             change("Change layers",
-                   [&] { setLayers(bench_.document(), bench_.selection(), bits); });
+                   [&] { setInLayer(bench_.document(), bench_.selection(), i, on); });
         });
         layers_[static_cast<std::size_t>(i)] = box;
         grid->Add(box);
@@ -169,34 +203,40 @@ void PropertiesPanel::addNumber(wxSizer* sizer, const NumberProperty& property) 
     number.row = std::make_unique<ValueRow>(this, sizer, std::move(spec));
 }
 
-void PropertiesPanel::addPlace(wxSizer* sizer, const wxString& name, const wxString& unit,
-                               double limit, double (*get)(const sulfur::Pose&),
-                               void (*set)(sulfur::Pose&, double)) {
+void PropertiesPanel::addPlace(wxSizer* sizer, const PlaceProperty& property) {
     ValueSpec spec;
-    spec.name = name;
-    spec.unit = unit;
-    spec.help = "Of its blueprint's frame, in the world";
-    spec.low = -limit;
-    spec.high = limit;
+    spec.name = utf8(property.name);
+    spec.unit = utf8(property.unit);
+    spec.help = utf8(property.help);
+    spec.low = property.low;
+    spec.high = property.high;
+    spec.scale = property.low > 0 ? Scale::logarithmic : Scale::linear;
     spec.moves = true;
-    spec.get = [this, get]() -> std::optional<double> {
-        std::optional<double> same;
-        for (const sulfur::BodyId body : bench_.selection()) {
-            const double own = get(bench_.document().world().pose(body));
-            if (same && std::abs(*same - own) > 1e-6) return std::nullopt;
-            same = own;
-        }
-        return same;
+    const std::string label = "Change " + utf8(property.name).Lower().utf8_string();
+    const bool turns = property.key == "angle";
+    const auto isOpen = [this, label] {
+        return bench_.document().editing() && bench_.document().undoLabel() == label;
     };
-    const std::string label = "Place by number";
-    spec.set = [this, set, label](double value) {
+    spec.get = [this, &property, turns, isOpen]() -> std::optional<double> {
+        const auto frame = selectionFrame(bench_);
+        if (!frame) return std::nullopt;
+        // The frame of many stands upright again once they are turned.
+        return turns && bench_.selection().size() > 1 ? (isOpen() ? turned_ : 0)
+                                                      : property.get(*frame);
+    };
+    spec.set = [this, &property, turns, label, isOpen](double value) {
         Document& document = bench_.document();
-        if (!document.editing() || document.undoLabel() != label) document.begin(label);
-        const auto bodies = bench_.selection();
-        for (const sulfur::BodyId body : bodies) {
-            sulfur::Pose pose = document.world().pose(body);
-            set(pose, value);
-            document.placeWithPegs(body, pose);
+        if (!isOpen()) {
+            document.begin(label);
+            turned_ = 0;
+        }
+        try {
+            const bool many = turns && bench_.selection().size() > 1;
+            setPlace(bench_, property, many ? std::remainder(value - turned_, 360) : value);
+            turned_ = value;
+        } catch (const std::exception& problem) {
+            document.rollback();
+            refuse_(problem.what());
         }
     };
     spec.finish = [this] { bench_.document().commit(); };
@@ -259,9 +299,26 @@ void PropertiesPanel::showHead() {
     const wxColour usual = soft ? wxColour(0xFF, 0xB3, 0x47) : wxColour(0x6F, 0xA8, 0xDC);
     colour_->SetColour(own && !own->empty() ? wxColour(wxString::FromUTF8(*own)) : usual);
     ownColour_->Enable(!own || !own->empty());
-    const auto bits = layers(document, bodies).value_or(0);
+    colourName_->SetLabel(own ? "Colour" : "Colours");
+    colourName_->SetToolTip(own ? "" : "They have several");
+    const auto skin = skinOf(document, bodies);
+    skin_->ChangeValue(wxString::FromUTF8(skin.value_or("")));
+    skin_->SetHint(skin || bodies.empty() ? "" : "mixed");
+    skin_->DiscardEdits();
+    showSwitches();
+}
+
+void PropertiesPanel::showSwitches() {
+    const Document& document = bench_.document();
+    const auto& bodies = bench_.selection();
+    const auto show = [](wxCheckBox& box, std::optional<bool> on) {
+        box.Set3StateValue(!on ? wxCHK_UNDETERMINED : *on ? wxCHK_CHECKED : wxCHK_UNCHECKED);
+    };
     for (int i = 0; i < layerCount; ++i)
-        layers_[static_cast<std::size_t>(i)]->SetValue((bits >> i & 1u) != 0);
+        show(*layers_[static_cast<std::size_t>(i)], inLayer(document, bodies, i));
+    const auto properties = switchProperties();
+    for (std::size_t i = 0; i < properties.size(); ++i)
+        show(*switches_[i], common(document, bodies, properties[i]).on);
 }
 
 void PropertiesPanel::refresh() {
@@ -277,6 +334,8 @@ void PropertiesPanel::refresh() {
         showHead();
         body_->ShowItems(!bodies.empty());
         for (Number& number : numbers_) number.row->show(!bodies.empty() && number.now.applies);
+        for (std::size_t i = 0; i < switches_.size(); ++i)
+            switches_[i]->Show(common(document, bodies, switchProperties()[i]).applies);
         shownIds_ = std::move(ids);
         shownRevision_ = document.revision();
         fresh_ = false;

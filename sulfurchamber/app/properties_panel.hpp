@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "../model/properties.hpp"
+#include "../model/switches.hpp"
+#include "../model/transform.hpp"
 #include "../model/workbench.hpp"
 #include "fitting_rows.hpp"
 #include "value_row.hpp"
@@ -34,12 +36,13 @@ public:
     void refresh();
 
 private:
-    static constexpr int layerCount = 8;
-
     void makeHead(wxSizer* sizer);
+    void makeLook(wxSizer* table);
+    void bindHead();
     void makeLayers(wxSizer* sizer);
-    void addPlace(wxSizer* sizer, const wxString& name, const wxString& unit, double limit,
-                  double (*get)(const sulfur::Pose&), void (*set)(sulfur::Pose&, double));
+    void makeSwitches(wxSizer* sizer);
+    void showSwitches();
+    void addPlace(wxSizer* sizer, const PlaceProperty& property);
     void addNumber(wxSizer* sizer, const NumberProperty& property);
     /// Runs a change of the selection as one step; what is wrong is told.
     void change(const std::string& label, const std::function<void()>& what);
@@ -55,10 +58,14 @@ private:
     wxCheckBox* held_ = nullptr;
     wxColourPickerCtrl* colour_ = nullptr;
     wxButton* ownColour_ = nullptr;
+    wxStaticText* colourName_ = nullptr;
+    wxTextCtrl* skin_ = nullptr;
+    std::vector<wxCheckBox*> switches_;  ///< in the order of switchProperties()
     std::array<wxCheckBox*, layerCount> layers_{};
     wxSizer* body_ = nullptr;               ///< all below the title
     std::unique_ptr<FittingRows> fitting_;  ///< instead of what bodies have
     std::vector<std::unique_ptr<ValueRow>> places_;
+    double turned_ = 0;  ///< degrees by which many have been turned in the open step
 
     /// A row, what the selection has in common, and what it had when it was selected.
     struct Number {

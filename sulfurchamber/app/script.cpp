@@ -6,13 +6,17 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "../model/fitting_properties.hpp"
 #include "../model/properties.hpp"
+#include "../model/switches.hpp"
+#include "../model/transform.hpp"
 #include "chamber_app.hpp"
+#include "outline_panel.hpp"
 #include "screen_picture.hpp"
 
 namespace sulfurchamber {
@@ -85,6 +89,8 @@ std::string scriptHelp() {
            "  name NAME               of the body that is selected\n"
            "  title WORDS, describe WORDS  of the scene\n"
            "  material NAME           makes what is selected of ice, rubber, wood, steel, ...\n"
+           "  outline WHAT ROW        clicks the page Outline: name double eye lock arrow, or\n"
+           "                          search with a word, - for all\n"
            "  open FILE, save FILE    without questions\n"
            "  drop FILE X Y [USE]     drop a file on the scene; uses: open, add, outline\n"
            "  import FILE KIND METRES bodies from outlines: rigid, soft or fixed, so large\n"
@@ -98,6 +104,7 @@ std::string scriptHelp() {
            "                          fittings strays steps property.KEY branches speed fps\n"
            "                          meters meter.ID (what it shows) table4.cells\n"
            "                          measured difference (of the textbook's first formula)\n"
+           "                          hidden locked outline-rows zoom (metres of a pixel)\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "                          level.things level.problems level.checked level.proof\n"
@@ -215,7 +222,7 @@ void Script::start(const Words& words) {
     } else if (words[0] == "plot-wheel" && words.size() == 3) {
         frame_.plot().turnWheel(number(words[1]), static_cast<int>(number(words[2])));
     } else if (!startPointer(words) && !startWorld(words) && !startFile(words) &&
-               !startLevel(words)) {
+               !startLevel(words) && !startOutline(words)) {
         fail("\"" + words[0] + "\" with " + std::to_string(words.size() - 1) +
              " words is no command; see --script-help");
     }
@@ -383,17 +390,12 @@ void Script::setOfSelection(const std::string& key, double value) {
         document.edit(label, [&] { setFittingProperty(document, *ref, *property, value); });
         return;
     }
-    if (key == "x" || key == "y" || key == "angle") {
-        document.edit("Place by number", [&] {
-            const auto bodies = bench.selection();
-            for (const sulfur::BodyId body : bodies) {
-                sulfur::Pose pose = document.world().pose(body);
-                if (key == "x") pose.position.x() = value;
-                if (key == "y") pose.position.y() = value;
-                if (key == "angle") pose.angle = value * 3.14159265358979 / 180;
-                document.placeWithPegs(body, pose);
-            }
-        });
+    if (const PlaceProperty* place = placeProperty(key)) {
+        document.edit(label, [&] { setPlace(bench, *place, value); });
+        return;
+    }
+    if (const SwitchProperty* toggled = switchProperty(key)) {
+        document.edit(label, [&] { setSwitch(document, bench.selection(), *toggled, value != 0); });
         return;
     }
     const NumberProperty* property = numberProperty(key);
@@ -457,14 +459,16 @@ bool Script::startWorld(const Words& words) {
         document.edit("Colour",
                       [&] { setColour(document, frame_.bench().selection(), "#" + words[1]); });
     } else if (words[0] == "layers" && words.size() > 1) {
-        std::uint32_t bits = 0;
+        std::set<int> wanted;
         for (std::size_t i = 1; i < words.size(); ++i) {
             const int layer = static_cast<int>(number(words[i]));
-            if (layer < 1 || layer > 8) fail("there are layers 1 to 8");
-            bits |= 1u << (layer - 1);
+            if (layer < 1 || layer > layerCount) fail("there are layers 1 to 8");
+            wanted.insert(layer - 1);
         }
-        document.edit("Change layers",
-                      [&] { setLayers(document, frame_.bench().selection(), bits); });
+        document.edit("Change layers", [&] {
+            for (int layer = 0; layer < layerCount; ++layer)
+                setInLayer(document, frame_.bench().selection(), layer, wanted.contains(layer));
+        });
     } else if (words[0] == "select" && words.size() > 1) {
         std::vector<sulfur::BodyId> bodies;
         for (std::size_t i = 1; i < words.size(); ++i) {
@@ -494,6 +498,38 @@ bool Script::startWorld(const Words& words) {
         return false;
     }
     return true;
+}
+
+// Real clicks on rows of the page, counted from 1.
+bool Script::startOutline(const Words& words) {
+    if (words.size() != 3 || words[0] != "outline") return false;
+    OutlinePanel& outline = frame_.outline();
+    if (words[1] == "search") {
+        outline.search(words[2] == "-" ? "" : words[2]);
+        waitForFrames(4, {});
+        return true;
+    }
+    const double row = number(words[2]);
+    if (!(row >= 1 && row <= static_cast<double>(outline.rowCount())))
+        fail("the outline has no row " + words[2]);
+    const auto place = static_cast<std::size_t>(row) - 1;
+    const bool twice = words[1] == "double";
+    const bool known = twice || words[1] == "name" || words[1] == "eye" || words[1] == "lock" ||
+                       words[1] == "arrow";
+    if (!known) fail("\"" + words[1] + "\" is not one of search name double eye lock arrow");
+    clickScreen(outline.placeOnScreen(place, twice ? "name" : words[1]), twice);
+    return true;
+}
+
+void Script::clickScreen(const wxPoint& place, bool twice) {
+    simulator_.MouseMove(place.x, place.y);
+    waitForFrames(4, [this, twice] {
+        if (twice)
+            simulator_.MouseDblClick();
+        else
+            simulator_.MouseClick();
+        waitForFrames(20, {});
+    });
 }
 
 bool Script::startFile(const Words& words) {
@@ -579,6 +615,10 @@ double Script::quantity(const std::string& name) const {
     }
     if (name == "selected")
         return static_cast<double>(bench.selection().size() + bench.selectedMeters().size());
+    if (name == "hidden") return static_cast<double>(hiddenCount(document));
+    if (name == "locked") return static_cast<double>(lockedCount(document));
+    if (name == "outline-rows") return static_cast<double>(frame_.outline().rowCount());
+    if (name == "zoom") return frame_.sceneView().metresPerPixel();
     if (name == "modified") return document.modified() ? 1 : 0;
     if (name == "playing") return document.playing() ? 1 : 0;
     if (name == "problem") return frame_.lastProblem().empty() ? 0 : 1;
@@ -593,6 +633,10 @@ double Script::quantity(const std::string& name) const {
         return *property->get(fitting);
     }
     if (name.starts_with("property.")) {
+        if (const PlaceProperty* place = placeProperty(name.substr(9))) {
+            const auto frame = selectionFrame(bench);
+            return frame ? place->get(*frame) : std::numeric_limits<double>::quiet_NaN();
+        }
         const NumberProperty* property = numberProperty(name.substr(9));
         if (property == nullptr) fail("there is no " + name);
         return common(document, bench.selection(), *property)

@@ -45,6 +45,8 @@ private:
     bool startLevel(const Words& words);
     std::optional<double> levelQuantity(const std::string& name) const;
     bool holds(const Words& words) const;
+    bool startOutline(const Words& words);
+    void clickScreen(const wxPoint& place, bool twice);
     void expect(const Words& words);
     double quantity(const std::string& name) const;
     /// Goes on with `then` once `done` says so.

@@ -4,20 +4,23 @@
 
 #include "constants_panel.hpp"
 #include "measure_panel.hpp"
+#include "outline_panel.hpp"
 #include "properties_panel.hpp"
 
 namespace sulfurchamber {
 
 SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
                      std::function<void(const std::string&)> refuse)
-    : wxNotebook(parent, wxID_ANY), bench_(bench) {
+    : wxChoicebook(parent, wxID_ANY), bench_(bench) {
     constants_ = new ConstantsPanel(this, bench, view, refuse);
-    properties_ = new PropertiesPanel(this, bench, std::move(refuse));
+    properties_ = new PropertiesPanel(this, bench, refuse);
+    outline_ = new OutlinePanel(this, bench, view, std::move(refuse));
     AddPage(constants_, "Scene");
     AddPage(properties_, "Object");
     makeHistory();
     measures_ = new MeasurePanel(this, bench, view);
     AddPage(measures_, "Measure");
+    AddPage(outline_, "Outline");
 }
 
 // A click goes to the moment after a step.
@@ -61,6 +64,7 @@ void SidePanel::refresh() {
     const bool looking = GetCurrentPage() == measures_ && IsShownOnScreen();
     measures_->watch(looking);
     if (looking) measures_->refresh();
+    if (GetCurrentPage() == outline_) outline_->refresh();
 }
 
 bool SidePanel::showPage(const std::string& name) {

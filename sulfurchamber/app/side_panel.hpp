@@ -2,7 +2,7 @@
 #pragma once
 
 #include <wx/listbox.h>
-#include <wx/notebook.h>
+#include <wx/choicebk.h>
 
 #include <functional>
 #include <string>
@@ -14,9 +14,10 @@ namespace sulfurchamber {
 
 class ConstantsPanel;
 class MeasurePanel;
+class OutlinePanel;
 class PropertiesPanel;
 
-class SidePanel final : public wxNotebook {
+class SidePanel final : public wxChoicebook {
 public:
     /// `refuse` tells the user in one sentence why something was not taken.
     SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
@@ -24,10 +25,11 @@ public:
 
     /// Shows what the document and the simulation say now. Cheap; may be called often.
     void refresh();
-    /// Brings a page to the front: "scene", "object", "history" or "measure". False when there is
-    /// no such page.
+    /// Brings a page to the front: "scene", "object", "history", "measure" or "outline". False
+    /// when there is no such page.
     bool showPage(const std::string& name);
     MeasurePanel& measures() { return *measures_; }
+    OutlinePanel& outline() { return *outline_; }
 
 private:
     void makeHistory();
@@ -37,6 +39,7 @@ private:
     ConstantsPanel* constants_ = nullptr;
     PropertiesPanel* properties_ = nullptr;
     MeasurePanel* measures_ = nullptr;
+    OutlinePanel* outline_ = nullptr;
     wxListBox* history_ = nullptr;
     std::vector<std::string> shownHistory_;
     std::size_t shownPlace_ = 0;

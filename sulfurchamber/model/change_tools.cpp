@@ -101,7 +101,7 @@ public:
 private:
     void erase(const Pointer& pointer) {
         const auto fitting = fittingAt(document(), pointer.position, pointer.reach);
-        const sulfur::BodyId body = bodyAt(world(), pointer.position, pointer.reach);
+        const sulfur::BodyId body = bench().bodyUnder(pointer);
         if (!body && !fitting) return;
         if (!changed_) document().begin("Erase");
         changed_ = true;

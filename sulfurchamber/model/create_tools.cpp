@@ -1,6 +1,8 @@
 // Tools that make bodies: a click makes one of the usual size, a drag says how large.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "drag_tool.hpp"
 #include "geometry.hpp"
@@ -26,6 +28,19 @@ Real real(double value) {
     return static_cast<Real>(value);
 }
 
+double discMass(double radius) {
+    return std::numbers::pi * radius * radius * massPerArea;
+}
+
+// A ball or a wheel while it is drawn.
+Preview circleOf(const Point& middle, const Point& rim) {
+    const double radius = (rim - middle).norm();
+    Preview shown{Preview::Kind::circle, middle, rim, radius};
+    shown.labels = {{(middle + rim) / 2, "radius " + metresText(radius)},
+                    {middle - Point(0, radius), kilogramsText(discMass(radius))}};
+    return shown;
+}
+
 // Boxes and jellies.
 class RectangleTool final : public FrameTool {
 public:
@@ -33,11 +48,11 @@ public:
 
     std::string hint() const override {
         return sizeOr(soft_ ? "Click to drop a jelly, or drag its size"
-                            : "Click to drop a box, or drag its size",
-                      massPerArea);
+                            : "Click to drop a box, or drag its size");
     }
 
 private:
+    std::optional<double> massOfArea() const override { return massPerArea; }
     void make(const Pointer&) override {
         const double usual = soft_ ? 0.8 : 0.5;
         Point drawn = clicked() ? Point(usual, usual) : size();
@@ -74,20 +89,18 @@ class BallTool final : public DragTool {
 public:
     using DragTool::DragTool;
     Preview preview() const override {
-        if (!dragging() || clicked()) return {};
-        return {Preview::Kind::circle, from(), to(), length()};
+        return dragging() && !clicked() ? circleOf(from(), to()) : Preview{};
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "Radius " + metres(length()) + ", " +
-                   kilograms(3.14159265 * length() * length() * massPerArea);
+            return "Radius " + metresText(length()) + ", " + kilogramsText(discMass(length()));
         return "Click to drop a ball, or drag from its centre to its rim";
     }
 
 private:
     void make(const Pointer&) override {
         const double radius = clicked() ? 0.25 : std::min(length(), 50.0);
-        const double mass = 3.14159265 * radius * radius * massPerArea;
+        const double mass = discMass(radius);
         sulfur::shapes::BallOptions options{
             .radius = real(radius), .mass = real(mass), .material = {}};
         options.material.restitution = Real(0.4);
@@ -100,17 +113,21 @@ public:
     using DragTool::DragTool;
     Preview preview() const override {
         if (!dragging()) return {};
-        return {Preview::Kind::line, from(), to(), length()};
+        Preview shown{Preview::Kind::line, from(), to(), length()};
+        shown.labels = lineLabels(from(), to(), length() * massPerMetre);
+        return shown;
     }
     std::string hint() const override {
         return dragging()
-                   ? metres(length()) +
+                   ? metresText(length()) +
                          " of rope; release where it ends, with Shift both free ends are pinned"
                    : "Drag to span a rope: it ties itself to what its ends touch, a free "
                      "start is pinned";
     }
 
 private:
+    bool isLine() const override { return true; }
+
     // A rope's end is tied by one more link to a particle near it, if there is one.
     struct Tie {
         std::optional<ParticlePick> pick;
@@ -177,16 +194,23 @@ public:
     LineTool(Workbench& bench, ToolKind kind) : DragTool(bench), kind_(kind) {}
     Preview preview() const override {
         if (!dragging()) return {};
-        return {Preview::Kind::line, from(), to(), length()};
+        Preview shown{Preview::Kind::line, from(), to(), length()};
+        std::optional<double> mass;
+        if (kind_ == ToolKind::chain) mass = length() * chainMassPerMetre;
+        if (kind_ == ToolKind::bridge) mass = length() * bridgeMassPerMetre;
+        shown.labels = lineLabels(from(), to(), mass);
+        return shown;
     }
     std::string hint() const override {
-        if (dragging() && !clicked()) return metres(length()) + ", " + degreesOf(to() - from());
+        if (dragging() && !clicked())
+            return metresText(length()) + ", " + degreesText(directionOf(to() - from()));
         if (kind_ == ToolKind::chain) return "Drag a chain of rigid links; its start is pinned";
         if (kind_ == ToolKind::bridge) return "Drag a bridge of planks between two pins";
         return "Drag a line of fixed ground";
     }
 
 private:
+    bool isLine() const override { return true; }
     void make(const Pointer& pointer) override {
         if (clicked()) return;
         const Vec2 span = (to() - from()).cast<Real>();
@@ -222,11 +246,13 @@ public:
     GridTool(Workbench& bench, bool cloth) : FrameTool(bench), cloth_(cloth) {}
     std::string hint() const override {
         return sizeOr(cloth_ ? "Click to hang a cloth by its corners, or drag its size"
-                             : "Click to build a wall that crumbles, or drag its size",
-                      cloth_ ? clothMassPerArea : wallMassPerArea);
+                             : "Click to build a wall that crumbles, or drag its size");
     }
 
 private:
+    std::optional<double> massOfArea() const override {
+        return cloth_ ? clothMassPerArea : wallMassPerArea;
+    }
     void make(const Pointer&) override {
         Point drawn = !clicked() ? size() : cloth_ ? Point(1.5, 1.5) : Point(2, 1.5);
         drawn = drawn.cwiseMax(4 * smallest).cwiseMin(20.0);
@@ -260,13 +286,11 @@ class WheelTool final : public DragTool {
 public:
     using DragTool::DragTool;
     Preview preview() const override {
-        if (!dragging() || clicked()) return {};
-        return {Preview::Kind::circle, from(), to(), length()};
+        return dragging() && !clicked() ? circleOf(from(), to()) : Preview{};
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "Radius " + metres(length()) + ", " +
-                   kilograms(3.14159265 * length() * length() * massPerArea);
+            return "Radius " + metresText(length()) + ", " + kilogramsText(discMass(length()));
         return "Click to put a wheel, or drag from its hub to its rim; on a body its hub is an "
                "axle";
     }
@@ -278,7 +302,7 @@ private:
         options.radius = real(radius);
         options.rimRadius = real(std::min(0.03, radius / 4));
         options.segments = std::clamp(static_cast<int>(std::lround(radius * 40)), 12, 48);
-        options.mass = real(3.14159265 * radius * radius * massPerArea);
+        options.mass = real(discMass(radius));
         // The body under the hub bears it.
         const BodyId under = bodyAt(world(), from(), pointer.reach);
         document().edit("Add wheel", [&] {

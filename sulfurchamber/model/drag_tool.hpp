@@ -1,32 +1,12 @@
 // Tools that are dragged from one place to another, and what they say meanwhile.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <optional>
 #include <string>
 
 #include "tool.hpp"
 
 namespace sulfurchamber {
-
-// "1.20 m", for hints while one draws.
-inline std::string metres(double length) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f m", length);
-    return text.data();
-}
-
-inline std::string kilograms(double mass) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), mass < 10 ? "%.2f kg" : "%.0f kg", mass);
-    return text.data();
-}
-
-inline std::string degreesOf(const sulfur::Point& way) {
-    const double angle = std::atan2(way.y(), way.x()) * 180 / 3.14159265;
-    return std::to_string(std::lround(angle)) + " degrees";
-}
 
 // Press, drag, release between two points.
 class DragTool : public Tool {
@@ -34,11 +14,13 @@ public:
     using Tool::Tool;
 
     void press(const Pointer& pointer) override {
-        from_ = to_ = bench().snapped(pointer.position);
+        from_ = to_ = bench().snapped(pointer);
         dragging_ = true;
     }
     void move(const Pointer& pointer) override {
-        if (dragging_) to_ = bench().snapped(pointer.position);
+        const sulfur::Point at = bench().snapped(
+            pointer, dragging_ && isLine() ? std::optional<sulfur::Point>(from_) : std::nullopt);
+        if (dragging_) to_ = at;
     }
     void release(const Pointer& pointer) override {
         if (!dragging_) return;
@@ -52,6 +34,8 @@ protected:
     static constexpr double smallest = 0.08;  ///< metres; a shorter drag is a click
 
     virtual void make(const Pointer& pointer) = 0;
+    /// Whether the direction matters, which then snaps to angles.
+    virtual bool isLine() const { return false; }
 
     bool dragging() const { return dragging_; }
     const sulfur::Point& from() const { return from_; }
@@ -76,17 +60,27 @@ public:
     using DragTool::DragTool;
     Preview preview() const override {
         if (!dragging() || clicked()) return {};
-        return {Preview::Kind::rectangle, from(), to(), 0};
+        Preview shown{Preview::Kind::rectangle, from(), to(), 0};
+        const sulfur::Point low = from().cwiseMin(to());
+        const sulfur::Point high = from().cwiseMax(to());
+        const std::optional<double> density = massOfArea();
+        shown.labels = sizeLabels({low, {high.x(), low.y()}, high, {low.x(), high.y()}},
+                                  density ? std::optional(size().prod() * *density) : density);
+        return shown;
     }
 
 protected:
+    /// kg/m^2 of what will be made; nothing where it has no mass.
+    virtual std::optional<double> massOfArea() const { return std::nullopt; }
     sulfur::Point size() const { return (to() - from()).cwiseAbs(); }
     sulfur::Point centre() const { return clicked() ? to() : sulfur::Point((from() + to()) / 2); }
     /// While it is drawn; else what a click does.
-    std::string sizeOr(const char* click, double kilogramsPerArea) const {
+    std::string sizeOr(const char* click) const {
         if (!dragging() || clicked()) return click;
-        return metres(size().x()) + " wide, " + metres(size().y()) + " high, " +
-               kilograms(size().x() * size().y() * kilogramsPerArea);
+        std::string text = metresText(size().x()) + " wide, " + metresText(size().y()) + " high";
+        if (const auto density = massOfArea())
+            text += ", " + kilogramsText(size().prod() * *density);
+        return text;
     }
 };
 

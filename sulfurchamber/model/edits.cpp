@@ -350,9 +350,10 @@ void Document::change(std::span<const BodyId> bodies, const std::function<void(P
         sulfur::Blueprint before = scaled(plan_.blueprint(id), constants_);
         changed.push_back({body, std::move(id), std::move(before)});
     }
-    plan_.change(idsOf(bodies), change);
-    touched();
+    const auto ids = idsOf(bodies);
     takeOver([&] {
+        plan_.change(ids, change);
+        touched();
         for (const Changed& one : changed)
             follow(*world_, one.body, one.before, scaled(plan_.blueprint(one.id), constants_));
         for (const BodyId piece : pieces) changePiece(piece, change);

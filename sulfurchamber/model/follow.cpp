@@ -1,6 +1,8 @@
 #include "follow.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 namespace sulfurchamber {
 namespace {
@@ -95,8 +97,78 @@ std::vector<Tie> tiesOf(const World& world, BodyId body) {
     return ties;
 }
 
+// Something that is held at a point of a body, by the shares of particles that bear it.
+struct Axle {
+    ParticleId held;  // null: the one at `place` of this body
+    std::size_t place = 0;
+    std::uint32_t count = 0;
+    std::array<ParticleId, 3> supports = {};  // null ones are those at `places` of this body
+    std::array<std::size_t, 3> places = {};
+    std::array<double, 3> weights = {};
+};
+
+std::vector<Axle> axlesOf(const World& world, BodyId body) {
+    const auto particles = world.particles(body);
+    std::vector<Axle> axles;
+    for (const auto attachment : world.attachments()) {
+        const auto info = world.info(attachment);
+        bool own = false;
+        const auto take = [&](ParticleId particle, ParticleId& end, std::size_t& place) {
+            const auto found = std::find(particles.begin(), particles.end(), particle);
+            place = static_cast<std::size_t>(found - particles.begin());
+            if (found == particles.end())
+                end = particle;
+            else
+                own = true;
+        };
+        Axle axle;
+        axle.count = info.count;
+        take(info.particle, axle.held, axle.place);
+        for (std::size_t i = 0; i < info.count; ++i) {
+            take(info.supports[i], axle.supports[i], axle.places[i]);
+            axle.weights[i] = static_cast<double>(info.weights[i]);
+        }
+        if (own) axles.push_back(axle);
+    }
+    return axles;
+}
+
+// The same with what has taken the body's place; left out where particles are gone.
+void holdAgain(World& world, BodyId made, const std::vector<Axle>& axles) {
+    const auto particles = world.particles(made);
+    for (const Axle& axle : axles) {
+        const auto now = [&](ParticleId kept, std::size_t place) {
+            return kept ? kept : place < particles.size() ? particles[place] : ParticleId{};
+        };
+        const ParticleId held = now(axle.held, axle.place);
+        Point point(0, 0);
+        BodyId bearer;
+        bool whole = world.contains(held);
+        for (std::size_t i = 0; i < axle.count && whole; ++i) {
+            const ParticleId support = now(axle.supports[i], axle.places[i]);
+            whole = world.contains(support);
+            if (!whole) break;
+            point += axle.weights[i] * world.position(support);
+            bearer = world.info(support).body;
+        }
+        if (!whole || !bearer) continue;
+        const auto pose = world.pose(bearer);
+        const Point local = Eigen::Rotation2Dd(-pose.angle) * (point - pose.position);
+        world.attach(held, bearer, local.cast<sulfur::Real>());
+    }
+}
+
+std::vector<BodyId> passersOf(const World& world, BodyId body) {
+    std::vector<BodyId> passers;
+    for (const auto& [a, b] : world.vetoes())
+        if (a == body || b == body) passers.push_back(a == body ? b : a);
+    return passers;
+}
+
 BodyId replace(World& world, BodyId body, const Blueprint& after) {
     const auto ties = tiesOf(world, body);
+    const auto axles = axlesOf(world, body);
+    const auto passers = passersOf(world, body);
     const auto pose = world.pose(body);
     const auto velocity = world.meanVelocity(body);
     const double spin = world.angularVelocity(body);
@@ -120,6 +192,8 @@ BodyId replace(World& world, BodyId body, const Blueprint& after) {
         const ParticleId own = particles[tie.place];
         world.connect(tie.first ? own : tie.other, tie.first ? tie.other : own, tie.options);
     }
+    holdAgain(world, made, axles);
+    for (const BodyId passer : passers) world.setCollision(made, passer, false);
     return made;
 }
 

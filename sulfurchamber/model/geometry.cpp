@@ -150,21 +150,72 @@ std::optional<JointPick> jointAt(const World& world, const Point& point, double 
     return best;
 }
 
-BodyId bodyAt(const World& world, const Point& point, double reach) {
-    if (const auto joint = jointAt(world, point, reach); joint && joint->body) return joint->body;
-    if (const auto particle = particleAt(world, point, reach)) return particle->body;
-    const auto bodies = world.bodies();
-    for (auto body = bodies.rbegin(); body != bodies.rend(); ++body) {
-        if (world.kind(*body) == sulfur::BodyKind::fixed) continue;
-        const auto particles = world.particles(*body);
-        for (const auto& loop : outlines(world, *body)) {
-            std::vector<Point> polygon;
-            for (const std::uint32_t index : loop)
-                polygon.push_back(world.position(particles[index]));
-            if (inside(polygon, point)) return *body;
+namespace {
+
+// What a point is to a body: how far from its surface (metres, not beyond a reach), or within it,
+// and in none of its holes.
+struct Nearness {
+    std::optional<double> surface;
+    bool within = false;
+};
+
+Nearness nearnessOf(const World& world, BodyId body, const Point& point, double reach) {
+    Nearness found;
+    const auto loops = outlines(world, body);
+    const auto particles = world.particles(body);
+    for (const auto& loop : loops) {
+        std::vector<Point> polygon;
+        for (const std::uint32_t index : loop) polygon.push_back(world.position(particles[index]));
+        if (inside(polygon, point)) found.within = !found.within;
+    }
+    const auto take = [&](double distance, sulfur::Real radius) {
+        // Inside of an outline, what touches nothing is no surface.
+        if (!(radius > 0) && !loops.empty()) return;
+        distance = std::max(0.0, distance - static_cast<double>(radius));
+        if (distance <= reach && (!found.surface || distance < *found.surface))
+            found.surface = distance;
+    };
+    for (const JointId joint : world.joints(body)) {
+        const auto info = world.info(joint);
+        const Point a = world.position(info.a);
+        const Point b = world.position(info.b);
+        take((a + alongSegment(a, b, point) * (b - a) - point).norm(), info.radius);
+    }
+    for (const ParticleId particle : particles) {
+        const auto info = world.info(particle);
+        take((info.position - point).norm(), info.radius);
+    }
+    return found;
+}
+
+}  // namespace
+
+BodyId bodyAt(const World& world, const Point& point, double reach, const Picking& picking) {
+    struct Found {
+        BodyId body;
+        int order = 0;
+        double distance = 0;
+    };
+    std::optional<Found> surface;
+    std::optional<Found> within;
+    for (const BodyId body : world.bodies()) {
+        const auto bounds = world.bounds(body);
+        const bool near = (point.array() >= bounds.low.array() - reach).all() &&
+                          (point.array() <= bounds.high.array() + reach).all();
+        if (!near || (picking.counts && !picking.counts(body))) continue;
+        const int order = picking.order ? picking.order(body) : 0;
+        const Nearness nearness = nearnessOf(world, body, point, reach);
+        if (const auto& distance = nearness.surface) {
+            if (!surface || order > surface->order ||
+                (order == surface->order && *distance <= surface->distance))
+                surface = Found{body, order, *distance};
+        } else if (world.kind(body) != sulfur::BodyKind::fixed && nearness.within &&
+                   (!within || order >= within->order)) {
+            within = Found{body, order, 0};
         }
     }
-    return {};
+    if (surface && (!within || surface->order >= within->order)) return surface->body;
+    return within ? within->body : BodyId{};
 }
 
 std::vector<BodyId> movingBodiesAt(const World& world, const Point& point, double reach) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <sulfur/world.hpp>
 #include <vector>
@@ -38,10 +39,16 @@ std::optional<ParticlePick> particleAt(const sulfur::World& world, const sulfur:
 /// The joint nearest to `point` within `reach`.
 std::optional<JointPick> jointAt(const sulfur::World& world, const sulfur::Point& point,
                                  double reach);
+/// Which bodies are looked for, and which of them are in front. Nothing: all, and the newer ones.
+struct Picking {
+    std::function<bool(sulfur::BodyId)> counts = {};
+    std::function<int(sulfur::BodyId)> order = {};  ///< higher is in front
+};
 /// The body whose surface is within `reach` of `point`, or else inside of which the point lies; the
-/// newer one where several do. The inside of a fixed body does not count: it may be the cave in
-/// which everything happens. Null when there is none.
-sulfur::BodyId bodyAt(const sulfur::World& world, const sulfur::Point& point, double reach);
+/// one in front where several do. The inside of a fixed body does not count: it may be the cave in
+/// which everything happens, and neither does a hole. Null when there is none.
+sulfur::BodyId bodyAt(const sulfur::World& world, const sulfur::Point& point, double reach,
+                      const Picking& picking = {});
 /// Dynamic bodies whose surface is within `reach` of `point`, or inside of which it lies; the
 /// newest first.
 std::vector<sulfur::BodyId> movingBodiesAt(const sulfur::World& world, const sulfur::Point& point,

@@ -23,17 +23,21 @@ bool movable(const World& world, sulfur::BodyId body) {
 
 }  // namespace
 
-std::optional<Grip> Grip::take(const World& world, const Point& point, double reach) {
+std::optional<Grip> Grip::take(const World& world, const Point& point, double reach,
+                               const std::function<bool(sulfur::BodyId)>& counts) {
     Grip grip;
     grip.target_ = point;
     const auto particle = particleAt(world, point, reach);
-    if (particle && movable(world, particle->body)) {
+    const auto may = [&](sulfur::BodyId body) {
+        return movable(world, body) && (!counts || counts(body));
+    };
+    if (particle && may(particle->body)) {
         grip.ends_[0] = {particle->particle, 1};
         grip.count_ = 1;
     } else {
         // The inside of a body counts as its nearest joint.
-        const sulfur::BodyId body = bodyAt(world, point, reach);
-        if (!movable(world, body)) return std::nullopt;
+        const sulfur::BodyId body = bodyAt(world, point, reach, {.counts = counts});
+        if (!may(body)) return std::nullopt;
         double nearest = 0;
         for (const sulfur::JointId joint : world.joints(body)) {
             const auto info = world.info(joint);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <sulfur/world.hpp>
 #include <vector>
@@ -17,8 +18,10 @@ class Grip {
 public:
     /// Takes hold of what is at `point`, or within `reach` metres of it; nothing where there is
     /// nothing that moves.
+    /// `counts` says which bodies do; nothing: all.
     static std::optional<Grip> take(const sulfur::World& world, const sulfur::Point& point,
-                                    double reach);
+                                    double reach,
+                                    const std::function<bool(sulfur::BodyId)>& counts = {});
 
     void moveTo(const sulfur::Point& target) { target_ = target; }
     /// The forces of the next tick.

@@ -142,7 +142,7 @@ public:
         return {Preview::Kind::line, from(), to(), length()};
     }
     std::string hint() const override {
-        if (dragging() && !clicked()) return metres(length()) + "; release on another body";
+        if (dragging() && !clicked()) return metresText(length()) + "; release on another body";
         switch (kind_) {
             case ToolKind::spring:
                 return "Drag a spring from body to body, or to the background";
@@ -204,7 +204,7 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "A rail of " + metres(length()) + ", " + degreesOf(to() - from());
+            return "A rail of " + metresText(length()) + ", " + degreesText(directionOf(to() - from()));
         return "Drag from a body along its rail; on two bodies the lower one bears the rail";
     }
 

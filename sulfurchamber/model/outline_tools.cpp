@@ -1,7 +1,12 @@
 // Tools that draw outlines: polygons corner by corner, soft bodies freehand.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "lattice.hpp"
+#include "plate.hpp"
 #include "region.hpp"
 #include "tool.hpp"
 
@@ -22,12 +27,18 @@ Point centred(Outline& outline) {
     return middle;
 }
 
+// What an outline will weigh, in its middle.
+Label massLabel(Outline outline) {
+    const double mass = areaWithin(outline) * outlineMassPerArea;
+    return {centred(outline), kilogramsText(mass)};
+}
+
 class PolygonTool final : public Tool {
 public:
     using Tool::Tool;
 
     void press(const Pointer& pointer) override {
-        const Point at = bench().snapped(pointer.position);
+        const Point at = placeOf(pointer);
         if (corners_.size() > 2 && (at - corners_.front()).norm() <= pointer.reach) {
             finish();
             return;
@@ -40,7 +51,7 @@ public:
         corners_.push_back(at);
         to_ = at;
     }
-    void move(const Pointer& pointer) override { to_ = bench().snapped(pointer.position); }
+    void move(const Pointer& pointer) override { to_ = placeOf(pointer); }
     void cancel() override { corners_.clear(); }
 
     void finish() override {
@@ -49,7 +60,7 @@ public:
         if (meetsItself(outline))
             throw std::runtime_error("this polygon crosses itself; go round it once");
         const double area = areaWithin(outline);
-        if (area < leastArea) return;
+        if (area < leastArea || cutHole(outline)) return;
         const Point middle = centred(outline);
         sulfur::shapes::PolygonOptions options;
         for (const Point& point : outline) options.points.push_back(point.cast<Real>());
@@ -63,15 +74,42 @@ public:
         if (corners_.empty()) return {};
         Preview shown{Preview::Kind::outline, corners_.front(), to_, 0, corners_};
         shown.points.push_back(to_);
+        if (to_ != corners_.back()) shown.labels = lineLabels(corners_.back(), to_);
+        if (corners_.size() > 1) shown.labels.push_back(massLabel(shown.points));
         return shown;
     }
     std::string hint() const override {
         return corners_.size() < 3
-                   ? "Click the corners of a polygon, one after the other"
+                   ? "Click the corners of a polygon, one after the other; inside of a selected "
+                     "box or polygon it is a hole"
                    : "Click the next corner, or the first one (or Enter) to close; Escape drops it";
     }
 
 private:
+    // What is drawn inside of the one selected body becomes its hole.
+    bool cutHole(Outline outline) {
+        const auto& chosen = bench().selection();
+        if (chosen.size() != 1 || document().idOf(chosen[0]).empty()) return false;
+        const auto& prefab = document().plan().dressed(document().idOf(chosen[0]));
+        auto plate = plateOf(prefab);
+        if (!plate) return false;
+        const sulfur::Pose pose = world().pose(chosen[0]);
+        const Eigen::Rotation2Dd back(-pose.angle);
+        for (Point& point : outline) point = back * (point - pose.position);
+        const double room = 2.5 * static_cast<double>(prefab.blueprint.joints[0].radius);
+        if (!fits(*plate, outline, room)) return false;
+        plate->holes.push_back(outline);
+        document().edit("Cut a hole", [&] {
+            document().change(chosen, [&](sulfur::scene::Prefab& own) { setPlate(own, *plate); });
+        });
+        return true;
+    }
+
+    Point placeOf(const Pointer& pointer) {
+        return bench().snapped(pointer,
+                               corners_.empty() ? std::nullopt : std::optional(corners_.back()));
+    }
+
     Outline corners_;
     Point to_{0, 0};
 };
@@ -114,7 +152,9 @@ public:
 
     Preview preview() const override {
         if (!drawing_) return {};
-        return {Preview::Kind::outline, line_.front(), line_.back(), 0, line_};
+        Preview shown{Preview::Kind::outline, line_.front(), line_.back(), 0, line_};
+        if (line_.size() > 2) shown.labels = {massLabel(line_)};
+        return shown;
     }
     std::string hint() const override {
         return drawing_ ? "Go round once; let go where you began"

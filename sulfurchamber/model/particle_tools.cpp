@@ -20,7 +20,11 @@ constexpr double elasticDamping = 2;     // N s/m
 class ParticleTool final : public Tool {
 public:
     using Tool::Tool;
-    void press(const Pointer&) override { pressed_ = true; }
+    void press(const Pointer& pointer) override {
+        pressed_ = true;
+        move(pointer);
+    }
+    void move(const Pointer& pointer) override { bench().snapped(pointer); }
     void cancel() override { pressed_ = false; }
     void release(const Pointer& pointer) override {
         if (!std::exchange(pressed_, false)) return;
@@ -29,7 +33,7 @@ public:
         prefab.blueprint.particles.push_back(
             {.mass = Real(particleMass), .radius = Real(particleRadius), .pinned = pointer.shift});
         sulfur::scene::Placement placement;
-        placement.pose.position = bench().snapped(pointer.position);
+        placement.pose.position = bench().snapped(pointer);
         document().edit("Add particle", [&] { document().add(prefab, placement); });
     }
     std::string hint() const override {

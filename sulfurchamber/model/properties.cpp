@@ -7,6 +7,8 @@
 #include <set>
 
 #include "geometry.hpp"
+#include "recipe_access.hpp"
+#include "loop_region.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -22,35 +24,6 @@ constexpr double softDamping = 0.15;  // of critical, for what has become elasti
 
 Real toReal(double value) {
     return static_cast<Real>(value);
-}
-
-// Numbers of recipes: asks them for a member, by a function that names it. Where the recipe has no
-// such member, `with` is not called and the answer is false.
-template <class Access, class With>
-bool inRecipe(Prefab& prefab, const Access& access, const With& with) {
-    bool had = false;
-    std::visit(
-        [&](auto& options) {
-            if constexpr (requires { access(options); }) {
-                with(access(options));
-                had = true;
-            }
-        },
-        prefab.generator);
-    if (had) rebuild(prefab);
-    return had;
-}
-
-template <class Access>
-std::optional<double> ofRecipe(const Prefab& prefab, const Access& access) {
-    std::optional<double> value;
-    std::visit(
-        [&](const auto& options) {
-            if constexpr (requires { access(options); })
-                value = static_cast<double>(access(options));
-        },
-        prefab.generator);
-    return value;
 }
 
 // A number of all joints that `counts` chooses: the same one, or that they differ.
@@ -105,7 +78,7 @@ void setDensity(Prefab& prefab, double value) {
 // --- joints ----------------------------------------------------------------------------------
 
 std::optional<double> stiffness(const Prefab& prefab) {
-    const auto spokes = ofRecipe(
+    const auto spokes = ofRecipe<double>(
         prefab, [](const auto& o) -> decltype((o.spokeStiffness)) { return o.spokeStiffness; });
     if (spokes) return spokes;
     if (prefab.blueprint.kind == sulfur::BodyKind::fixed) return std::nullopt;
@@ -231,7 +204,8 @@ void setSurfaceSpeed(Prefab& prefab, double value) {
 
 #define SULFURCHAMBER_RECIPE(NAME, MEMBER)                                                       \
     std::optional<double> get##NAME(const Prefab& prefab) {                                      \
-        return ofRecipe(prefab, [](const auto& o) -> decltype((o.MEMBER)) { return o.MEMBER; }); \
+        return ofRecipe<double>(prefab,                                                          \
+                                [](const auto& o) -> decltype((o.MEMBER)) { return o.MEMBER; }); \
     }                                                                                            \
     void set##NAME(Prefab& prefab, double value) {                                               \
         inRecipe(                                                                                \
@@ -248,8 +222,25 @@ SULFURCHAMBER_RECIPE(Segments, segments)
 SULFURCHAMBER_RECIPE(Planks, planks)
 SULFURCHAMBER_RECIPE(Links, links)
 SULFURCHAMBER_RECIPE(Bending, bending)
+SULFURCHAMBER_RECIPE(Sag, sag)
+SULFURCHAMBER_RECIPE(Rim, rimRadius)
+SULFURCHAMBER_RECIPE(SkinRadius, skinRadius)
 
 #undef SULFURCHAMBER_RECIPE
+
+std::optional<double> slack(const Prefab& prefab) {
+    const auto* rope = std::get_if<sulfur::shapes::RopeOptions>(&prefab.generator);
+    if (rope == nullptr) return std::nullopt;
+    // What the recipe leaves open is what it makes of it.
+    const double usual = rope->pinFirst && rope->pinLast ? 0.02 : 0;
+    return rope->slack ? static_cast<double>(*rope->slack) : usual;
+}
+void setSlack(Prefab& prefab, double value) {
+    if (auto* rope = std::get_if<sulfur::shapes::RopeOptions>(&prefab.generator)) {
+        rope->slack = toReal(value);
+        rebuild(prefab);
+    }
+}
 
 constexpr std::array properties{
     NumberProperty{"mass", "Mass", "kg", "Of the whole body", 1e-3, 1e6, Scale::logarithmic, "",
@@ -288,6 +279,14 @@ constexpr std::array properties{
                    getLinks, setLinks},
     NumberProperty{"bending", "Bending", "", "How stiff a rope is against bending", 0, 100,
                    Scale::cubic, "", false, getBending, setBending},
+    NumberProperty{"slack", "Slack", "", "The share by which a rope is longer than its way", 0, 10,
+                   Scale::cubic, "", false, slack, setSlack},
+    NumberProperty{"sag", "Sag", "m", "How far the middle of a bridge hangs", 0, 50, Scale::cubic,
+                   "", false, getSag, setSag},
+    NumberProperty{"rim", "Rim", "m", "Half the thickness of a wheel's rim", 1e-3, 10,
+                   Scale::logarithmic, "", false, getRim, setRim},
+    NumberProperty{"skin-radius", "Outline", "m", "Half the thickness of a soft disc's outline",
+                   1e-3, 10, Scale::logarithmic, "", false, getSkinRadius, setSkinRadius},
 };
 
 constexpr std::array presets{
@@ -398,20 +397,6 @@ void holdInPlace(Document& document, std::span<const BodyId> bodies, bool on) {
     });
 }
 
-std::optional<std::uint32_t> layers(const Document& document, std::span<const BodyId> bodies) {
-    return sameOf<std::uint32_t>(document, bodies, [](const Prefab& prefab) {
-        return prefab.blueprint.filter.category & 0xffu;
-    });
-}
-
-void setLayers(Document& document, std::span<const BodyId> bodies, std::uint32_t bits) {
-    document.change(bodies, [&](Prefab& prefab) {
-        auto& filter = prefab.blueprint.filter;
-        filter.category = (filter.category & ~0xffu) | bits;
-        filter.mask = (filter.mask & ~0xffu) | bits;
-    });
-}
-
 std::string colourOf(const sulfur::scene::Placement& body) {
     const auto own = body.extra.find("");
     if (own == body.extra.end()) return "";
@@ -453,20 +438,21 @@ double areaOf(const Blueprint& blueprint) {
         const auto r = static_cast<double>(particle.radius);
         area += pi * r * r;
     }
-    for (const auto& loop : outlines(blueprint)) {
-        double twice = 0;
-        double around = 0;
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const auto a = blueprint.particles[loop[i]].position.cast<double>().eval();
-            const auto b =
-                blueprint.particles[loop[(i + 1) % loop.size()]].position.cast<double>().eval();
-            twice += sulfur::cross(a, b);
-            around += (b - a).norm();
-        }
-        double radius = 0;
-        for (const auto& joint : blueprint.joints)
-            radius = std::max(radius, static_cast<double>(joint.radius));
-        area += std::abs(twice) / 2 + around * radius + 4 * radius * radius;
+    std::vector<sulfur::Point> points;
+    for (const auto& particle : blueprint.particles)
+        points.emplace_back(particle.position.cast<double>());
+    double radius = 0;
+    for (const auto& joint : blueprint.joints)
+        radius = std::max(radius, static_cast<double>(joint.radius));
+    const auto around = [&](const std::vector<std::uint32_t>& loop) {
+        double length = 0;
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
+        return length * radius + 4 * radius * radius;
+    };
+    for (const LoopRegion& region : regionsOfLoops(outlines(blueprint), points)) {
+        area += areaOf(region, points) + around(region.outer);
+        for (const auto& hole : region.holes) area += around(hole) - 8 * radius * radius;
     }
     return area;
 }

@@ -67,11 +67,6 @@ void applyPreset(Document& document, std::span<const sulfur::BodyId> bodies,
 std::optional<bool> heldInPlace(const Document& document, std::span<const sulfur::BodyId> bodies);
 void holdInPlace(Document& document, std::span<const sulfur::BodyId> bodies, bool on);
 
-/// The layers 1 to 8 of a body, as bits. Bodies collide when they have one in common.
-std::optional<std::uint32_t> layers(const Document& document,
-                                    std::span<const sulfur::BodyId> bodies);
-void setLayers(Document& document, std::span<const sulfur::BodyId> bodies, std::uint32_t bits);
-
 /// "#rrggbb", "" where a body has none of its own; nothing where they differ. Files keep it as a
 /// member "color" of the body, which means nothing to the physics.
 std::optional<std::string> colour(const Document& document, std::span<const sulfur::BodyId> bodies);

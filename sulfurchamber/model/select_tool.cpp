@@ -1,5 +1,5 @@
 // Selects and drags: bodies are put elsewhere while time stands still, and pulled by a spring
-// while it runs.
+// while it runs. Handles of the selection stretch, scale and turn it at any time.
 #include <algorithm>
 #include <cmath>
 
@@ -16,8 +16,8 @@ namespace {
 using sulfur::BodyId;
 using sulfur::Point;
 
-constexpr double degrees = 180 / 3.14159265358979;
-constexpr double turnStep = 15 / degrees;  // with the grid
+constexpr double turnCatch = 0.05;          // radians about a step that count as the step
+constexpr std::size_t mostOwnPlaces = 200;  // of what is moved, that snap to others
 
 class SelectTool final : public Tool {
 public:
@@ -30,7 +30,7 @@ public:
         if (pressHandle(pointer)) return;
         // While time runs what moves is caught, not the meters on it.
         if (!document().playing() && (meter_ = MeterGrip::take(bench(), pointer))) return;
-        const BodyId body = bodyAt(world(), pointer.position, pointer.reach);
+        const BodyId body = bench().bodyUnder(pointer);
         // Marks lie on bodies. While time runs these are what one wants to pull.
         if (!body || !document().playing()) {
             if (const auto ref = fittingAt(document(), pointer.position, pointer.reach)) {
@@ -39,19 +39,23 @@ public:
                 return;
             }
         }
+        const bool additive = pointer.shift || pointer.control;
         if (!body) {
-            additive_ = pointer.shift || pointer.control;
+            additive_ = additive;
             doing_ = Doing::band;
             return;
         }
-        if (pointer.shift || pointer.control) {
-            bench().toggle(body);
+        const bool single = pointer.alt || pointer.clicks > 1;
+        clicked_ = single ? std::vector<BodyId>{body} : bench().withGroup(body);
+        if (additive) {
+            toggle(clicked_);
             return;
         }
-        if (!bench().selected(body)) bench().select({body});
-        pressed_ = body;
+        if (!bench().selected(body) || pointer.clicks > 1) bench().select(clicked_);
+        copies_ = pointer.alt;
         if (document().playing()) {
-            grip_ = Grip::take(world(), pointer.position, pointer.reach);
+            grip_ = Grip::take(world(), pointer.position, pointer.reach,
+                               [this](BodyId one) { return bench().pickable(one); });
             if (grip_) doing_ = Doing::pull;
         } else {
             doing_ = Doing::move;
@@ -61,11 +65,11 @@ public:
     void move(const Pointer& pointer) override {
         level_.move(pointer);
         if (meter_) meter_->moveTo(bench(), pointer);
-        if (doing_ == Doing::pull) grip_->moveTo(pointer.position);
-        if (doing_ == Doing::move) moveSelection(pointer.position - to_);
-        if (doing_ == Doing::turn) turnTo(pointer.position);
-        if (doing_ == Doing::scale) scaleTo(pointer.position);
         to_ = pointer.position;
+        if (doing_ == Doing::pull) grip_->moveTo(to_);
+        if (doing_ == Doing::move) moveSelection(pointer);
+        if (doing_ == Doing::turn) turnTo(pointer);
+        if (doing_ == Doing::stretch) stretchTo(pointer);
     }
 
     void release(const Pointer& pointer) override {
@@ -77,16 +81,19 @@ public:
         }
         if (doing_ == Doing::idle) return;
         move(pointer);
-        if (doing_ == Doing::band) selectBand();
-        if (doing_ == Doing::fitting) moveChosen(pointer);
-        if (doing_ == Doing::scale && factor_ != 1) {
-            doing_ = Doing::idle;
-            document().edit("Scale", [&] { scaleSelection(bench(), about_, factor_); });
-        }
+        const Doing done = doing_;
+        doing_ = Doing::idle;
+        if (done == Doing::band) selectBand();
+        if (done == Doing::fitting) moveChosen(pointer);
+        if (done == Doing::stretch && stretch_.factors != Point(1, 1))
+            document().edit(stretch_.isUniform() ? "Scale" : "Stretch",
+                            [&] { stretchSelection(bench(), stretch_); });
+        if (done == Doing::turn && !moved_ && turned_ != 0)
+            document().edit("Turn", [&] { turnSelection(bench(), frameNow().middle, turned_); });
         // A click without a drag means this one of several.
-        const bool clicked = doing_ == Doing::move && !moved_;
+        const bool clicked = done == Doing::move && !moved_;
         if (moved_) document().commit();
-        if (clicked && world().contains(pressed_)) bench().select({pressed_});
+        if (clicked) bench().select(clicked_);
         toIdle();
     }
 
@@ -99,22 +106,35 @@ public:
     }
 
     void tick() override {
+        if (doing_ == Doing::stretch) stretch_ = stretchNow();  // what falls takes its frame along
         if (doing_ != Doing::pull) return;
         for (const Push& push : grip_->pushes(world())) document().push(push);
         if (!grip_->holds(world())) toIdle();
     }
 
     Preview preview() const override {
-        if (doing_ == Doing::band) return {Preview::Kind::band, from_, to_, 0};
-        if (doing_ == Doing::fitting && (to_ - from_).norm() > 0)
-            return {Preview::Kind::arrow, from_, to_, 0};
-        if (doing_ == Doing::pull && grip_->holds(world()))
-            return {Preview::Kind::spring, grip_->anchor(world()), grip_->target(), 0};
-        if (doing_ == Doing::scale && bounds_)
-            return {Preview::Kind::rectangle, about_ + factor_ * (bounds_->low - about_),
-                    about_ + factor_ * (bounds_->high - about_), 0};
+        switch (doing_) {
+            case Doing::band:
+                return {Preview::Kind::band, from_, to_, 0};
+            case Doing::pull:
+                if (!grip_->holds(world())) return {};
+                return {Preview::Kind::spring, grip_->anchor(world()), grip_->target(), 0};
+            case Doing::stretch:
+                return stretchPreview();
+            case Doing::turn:
+                return turnPreview();
+            case Doing::move:
+                return movePreview();
+            case Doing::fitting:
+                if ((to_ - from_).norm() == 0) return {};
+                return {Preview::Kind::arrow, from_, to_, 0};
+            case Doing::idle:
+                break;
+        }
         return {};
     }
+
+    bool showsFrame() const override { return doing_ == Doing::stretch || doing_ == Doing::turn; }
 
     std::string hint() const override {
         if (level_.holds()) return level_.hint();
@@ -122,87 +142,207 @@ public:
             case Doing::pull:
                 return "Pulling with a spring: let go to release";
             case Doing::move:
-                return "Moving the selection: Escape puts it back";
+                return copies_ && moved_ ? "Moving a copy: Escape takes it back"
+                                         : "Moving the selection: Escape puts it back";
             case Doing::fitting:
                 return "Release where it is to be; Escape leaves it where it is";
             case Doing::band:
                 return "Release to select what lies wholly in the frame";
             case Doing::turn:
-                return "Turning by " + std::to_string(std::lround(turned_ * degrees)) +
-                       " degrees, with the grid in steps of 15; Escape takes it back";
-            case Doing::scale:
-                return "Scaling to " + std::to_string(std::lround(factor_ * 100)) +
-                       " %, mass with the area; Escape takes it back";
+                return "Turning by " + degreesText(turned_) +
+                       ", with Shift in steps of 15 degrees; Escape takes it back";
+            case Doing::stretch:
+                return stretchHint();
             case Doing::idle:
                 break;
         }
-        return document().playing()
-                   ? "Drag a body to pull it with a spring, or drag a frame to select"
-                   : "Click to select, drag to move, drag the handles to turn and scale; Delete "
-                     "removes";
+        return idleHint();
     }
 
 private:
-    enum class Doing { idle, band, move, pull, turn, scale, fitting };
+    enum class Doing { idle, band, move, pull, turn, stretch, fitting };
 
-    // The handles of what is selected, while time stands still.
-    bool pressHandle(const Pointer& pointer) {
-        bounds_ = selectionBounds(bench());
-        if (document().playing() || !bounds_) return false;
-        const Handles handles = handlesOf(*bounds_, pointer.reach);
-        const auto hit = [&](const Point& place) {
-            return (place - pointer.position).norm() <= pointer.reach;
-        };
-        about_ = handles.middle;
-        factor_ = 1;
-        turned_ = 0;
-        if (hit(handles.turn))
-            doing_ = Doing::turn;
-        else if (std::any_of(handles.corners.begin(), handles.corners.end(), hit))
-            doing_ = Doing::scale;
-        return doing_ != Doing::idle;
+    std::string idleHint() const {
+        std::string hint =
+            document().playing()
+                ? "Drag a body to pull it with a spring, or drag a frame to select"
+                : "Click to select, drag to move, with Alt a copy; handles stretch, scale and turn";
+        if (const std::size_t hidden = hiddenCount(document()); hidden > 0)
+            hint = std::to_string(hidden) + (hidden == 1 ? " body is" : " bodies are") +
+                   " hidden and still simulated; " + hint;
+        return hint;
     }
 
     // Less than the reach is a click.
     void moveChosen(const Pointer& pointer) {
         const auto ref = bench().fitting();
         const Point by = to_ - from_;
-        doing_ = Doing::idle;
         if (!ref || by.norm() <= pointer.reach) return;
         document().edit("Move", [&] { moveFitting(document(), *ref, from_, by); });
     }
 
-    void turnTo(const Point& place) {
-        const Point before = from_ - about_;
-        const Point now = place - about_;
-        double angle = std::atan2(sulfur::cross(before, now), before.dot(now));
-        if (bench().snap() > 0) angle = std::round(angle / turnStep) * turnStep;
-        if (angle == turned_) return;
-        if (!moved_) {
-            document().begin("Turn");
-            moved_ = true;
+    std::string stretchHint() const {
+        const auto percent = [](double factor) {
+            return std::to_string(std::lround(factor * 100)) + " %";
+        };
+        const Point& f = stretch_.factors;
+        if (stretch_.isUniform())
+            return "Scaling to " + percent(f.x()) +
+                   ", mass with the area; with Ctrl the middle stays; Escape takes it back";
+        return "Stretching to " + percent(f.x() != 1 ? f.x() : f.y()) +
+               "; with Ctrl the middle stays; Escape takes it back";
+    }
+
+    void toggle(const std::vector<BodyId>& bodies) {
+        const bool all = std::all_of(bodies.begin(), bodies.end(),
+                                     [&](BodyId body) { return bench().selected(body); });
+        auto chosen = bench().selection();
+        if (all)
+            std::erase_if(chosen, [&](BodyId body) {
+                return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+            });
+        else
+            chosen.insert(chosen.end(), bodies.begin(), bodies.end());
+        bench().select(std::move(chosen));
+    }
+
+    // --- handles ---
+
+    Frame frameNow() const { return selectionFrame(bench()).value_or(Frame{}); }
+
+    bool pressHandle(const Pointer& pointer) {
+        const auto frame = selectionFrame(bench());
+        if (!frame) return false;
+        for (const Handle& handle : handlesOf(*frame, pointer.reach)) {
+            if ((handle.at - pointer.position).norm() > pointer.reach) continue;
+            handle_ = handle;
+            about_ = frame->middle;
+            turned_ = 0;
+            stretch_ = {};
+            way_ = {0, 0};
+            freely_ = canStretch(bench());
+            doing_ = handle.kind == Handle::Kind::turn ? Doing::turn : Doing::stretch;
+            return true;
         }
-        turnSelection(bench(), about_, angle - turned_);
+        return false;
+    }
+
+    Stretch stretchNow() const {
+        return stretchBy(frameNow(), handle_, way_, freely_, aboutMiddle_);
+    }
+
+    // What is dragged is the corner or side itself: the handle stands a little outside of it.
+    void stretchTo(const Pointer& pointer) {
+        aboutMiddle_ = pointer.control;
+        way_ = pointer.position - from_;
+        const Point dragged = frameNow().at(handle_.x, handle_.y);
+        const Snapped snapped = snapPoint(
+            world(), dragged + way_, pointer.reach, bench().snapping(), {},
+            [this](BodyId body) { return !bench().selected(body) && !bench().marks(body).hidden; });
+        bench().showSnap(snapped.place);
+        way_ = snapped.point - dragged;
+        stretch_ = stretchNow();
+    }
+
+    void turnTo(const Pointer& pointer) {
+        const Point before = from_ - about_;
+        const Point now = pointer.position - about_;
+        double angle = std::atan2(sulfur::cross(before, now), before.dot(now));
+        const double begun = handleAngle();
+        if (pointer.shift)
+            angle = std::round(angle / snapAngleStep) * snapAngleStep;
+        else if (bench().snapping().angles)
+            angle = snapAngle(begun + angle, turnCatch) - begun;
+        if (angle == turned_) return;
+        if (!document().playing()) {
+            if (!moved_) document().begin("Turn");
+            moved_ = true;
+            turnSelection(bench(), about_, angle - turned_);
+        }
         turned_ = angle;
     }
 
-    void scaleTo(const Point& place) {
-        const double before = (from_ - about_).norm();
-        factor_ = std::clamp((place - about_).norm() / std::max(before, 1e-6), 0.05, 20.0);
-        if (bench().snap() > 0) factor_ = std::max(0.1, std::round(factor_ * 10) / 10);
+    // Of the frame when it was taken, so that steps are those of the world.
+    double handleAngle() const { return std::atan2(-(from_ - about_).x(), (from_ - about_).y()); }
+
+    Preview framePreview(const Frame& frame) const {
+        Preview shown{Preview::Kind::frame, frame.middle, frame.middle, 0};
+        for (const Point& corner : frame.corners()) shown.points.push_back(corner);
+        return shown;
     }
 
-    void moveSelection(const Point& by) {
-        if (by.x() == 0 && by.y() == 0) return;
+    Preview stretchPreview() const {
+        const Frame frame = stretched(frameNow(), stretch_);
+        Preview shown = framePreview(frame);
+        shown.labels = sizeLabels(frame.corners(), massAfter(bench(), stretch_));
+        return shown;
+    }
+
+    Preview turnPreview() const {
+        Frame frame = frameNow();
+        if (!moved_) frame.angle += turned_;
+        Preview shown = framePreview(frame);
+        shown.labels = {{about_, degreesText(turned_)}};
+        return shown;
+    }
+
+    // --- moving ---
+
+    void moveSelection(const Pointer& pointer) {
+        const Point by = pointer.position - from_;
         if (!moved_) {
-            document().begin("Move");
-            moved_ = true;
+            if (by.norm() == 0) return;
+            beginMove();
         }
-        document().translate(bench().selection(), by);
+        const Snapped snapped = snapMove(own_, others_, by, pointer.reach, bench().snapping());
+        bench().showSnap(snapped.place);
+        if (snapped.point == way_) return;
+        document().translate(bench().selection(), snapped.point - way_);
+        way_ = snapped.point;
+    }
+
+    void beginMove() {
+        document().begin(copies_ ? "Copy" : "Move");
+        moved_ = true;
+        way_ = {0, 0};
+        if (copies_) bench().insertCopy();
+        gatherPlaces();
+    }
+
+    void gatherPlaces() {
+        own_.clear();
+        others_.clear();
+        const SnapOptions& options = bench().snapping();
+        const auto bounds = selectionBounds(bench());
+        if (!bounds) return;
+        if (options.grid > 0) own_.push_back({bounds->low, SnapPlace::Kind::grid});
+        if (!options.corners && !options.centres) return;
+        for (const BodyId body : world().bodies()) {
+            const bool mine = bench().selected(body);
+            if (bench().marks(body).hidden || (mine && own_.size() > mostOwnPlaces)) continue;
+            const auto places = snapPlaces(world(), body, options);
+            auto& into = mine ? own_ : others_;
+            into.insert(into.end(), places.begin(), places.end());
+        }
+    }
+
+    Preview movePreview() const {
+        if (!moved_) return {};
+        Preview shown;
+        const auto bounds = selectionBounds(bench());
+        if (!bounds) return shown;
+        shown.labels = {{{bounds->centre().x(), bounds->high.y()},
+                         metresText(way_.x()) + " right, " + metresText(way_.y()) + " up"}};
+        return shown;
     }
 
     void selectBand() {
-        auto found = bodiesIn(world(), from_, to_);
+        std::vector<BodyId> found;
+        for (const BodyId body : bodiesIn(world(), from_, to_)) {
+            if (!bench().pickable(body)) continue;
+            const auto whole = bench().withGroup(body);
+            found.insert(found.end(), whole.begin(), whole.end());
+        }
         if (additive_)
             found.insert(found.end(), bench().selection().begin(), bench().selection().end());
         bench().select(std::move(found));
@@ -217,14 +357,20 @@ private:
     LevelHand level_;
     Doing doing_ = Doing::idle;
     bool additive_ = false;
-    bool moved_ = false;
-    BodyId pressed_;
-    Point about_{0, 0};
-    std::optional<Bounds> bounds_;
-    double turned_ = 0;  // radians so far
-    double factor_ = 1;
+    bool copies_ = false;
+    bool moved_ = false;  // a step of the history is open
+    std::vector<BodyId> clicked_;
     Point from_{0, 0};
     Point to_{0, 0};
+    Point way_{0, 0};  // of what moves, or of the handle, so far
+    Handle handle_;
+    Stretch stretch_;
+    Point about_{0, 0};
+    bool freely_ = false;
+    bool aboutMiddle_ = false;
+    double turned_ = 0;  // radians so far
+    std::vector<SnapPlace> own_;
+    std::vector<SnapPlace> others_;
     std::optional<Grip> grip_;
     std::optional<MeterGrip> meter_;
 };

@@ -26,6 +26,8 @@ public:
     /// Enter: ends what takes several clicks.
     virtual void finish() {}
     virtual Preview preview() const { return {}; }
+    /// Whether it shows the selection's frame itself.
+    virtual bool showsFrame() const { return false; }
     virtual std::string hint() const = 0;
 
 protected:

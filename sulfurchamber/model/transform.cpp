@@ -1,9 +1,15 @@
 #include "transform.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <stdexcept>
 #include <type_traits>
+
+#include "stretch.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -20,39 +26,6 @@ constexpr double pi = 3.14159265358979;
 
 double wrapped(double angle) {
     return std::remainder(angle, 2 * pi);
-}
-
-// Every length of a recipe. Its mass goes with the area.
-template <class Options>
-void scaleRecipe(Options& o, Real f) {
-    if constexpr (requires { o.size; }) o.size *= f;
-    if constexpr (requires { o.from; }) o.from *= f;
-    if constexpr (requires { o.to; }) o.to *= f;
-    if constexpr (requires { o.radius; }) o.radius *= f;
-    if constexpr (requires { o.rimRadius; }) o.rimRadius *= f;
-    if constexpr (requires { o.skinRadius; }) o.skinRadius *= f;
-    if constexpr (requires { o.sag; }) o.sag *= f;
-    if constexpr (requires { o.points; })
-        for (Vec2& point : o.points) point *= f;
-    if constexpr (requires { o.mass; }) o.mass *= f * f;
-}
-
-void scalePlan(Prefab& prefab, double factor) {
-    const auto f = static_cast<Real>(factor);
-    if (prefab.generator.index() != 0) {
-        std::visit([f](auto& options) { scaleRecipe(options, f); }, prefab.generator);
-        rebuild(prefab);
-        return;
-    }
-    for (auto& particle : prefab.blueprint.particles) {
-        particle.position *= f;
-        particle.radius *= f;
-        particle.mass *= f * f;
-    }
-    for (auto& joint : prefab.blueprint.joints) {
-        joint.radius *= f;
-        if (joint.restLength) *joint.restLength *= f;
-    }
 }
 
 // What looks the same from both sides needs no change.
@@ -98,29 +71,42 @@ Drive mirroredDrive(Drive drive) {
 }
 
 struct Scaling {
-    Point about;
-    double factor;
+    Stretch stretch;
 
-    Point point(const Point& p) const { return about + factor * (p - about); }
-    Vec2 direction(const Vec2& d) const { return d; }
+    // Of lengths that have no direction of their own.
+    double factor() const { return std::sqrt(stretch.factors.x() * stretch.factors.y()); }
+    // Of lengths along an axis.
+    double factor(const Vec2& axis) const {
+        const Point way = axis.cast<double>().normalized();
+        return (stretch(stretch.about + way) - stretch.about).norm();
+    }
+    Point point(const Point& p) const { return stretch(p); }
+    Vec2 direction(const Vec2& d) const {
+        if (stretch.isUniform()) return d;
+        const Point way = stretch(stretch.about + d.cast<double>()) - stretch.about;
+        return way.normalized().cast<Real>();
+    }
     double turn(double) const { return 0; }
-    double value(bool isAngle) const { return isAngle ? 1 : factor; }
+    double value(bool isAngle) const { return isAngle ? 1 : factor(); }
     template <class Spec>
     void operator()(Spec& spec) const {
-        const auto f = static_cast<Real>(factor);
+        const auto f = static_cast<Real>(factor());
         using namespace sulfur::scene;
         if constexpr (std::is_same_v<Spec, Slider>) {
-            spec.options.value *= factor;
-            spec.options.drive = scaledDrive(spec.options.drive, f);
+            const double own = factor(spec.axis);
+            spec.options.value *= own;
+            spec.options.drive = scaledDrive(spec.options.drive, static_cast<Real>(own));
         }
         if constexpr (std::is_same_v<Spec, Distance>)
             spec.options.drive = scaledDrive(spec.options.drive, f);
         if constexpr (std::is_same_v<Spec, Wheel>)
-            spec.options.spring = scaledDrive(spec.options.spring, f);
+            spec.options.spring =
+                scaledDrive(spec.options.spring, static_cast<Real>(factor(spec.axis)));
         if constexpr (std::is_same_v<Spec, Pulley>) {
             if (spec.options.length) *spec.options.length *= f;
             if (spec.drive) spec.drive = scaledDrive(*spec.drive, f);
         }
+        if constexpr (requires { spec.axis; }) spec.axis = direction(spec.axis);
     }
 };
 
@@ -250,49 +236,109 @@ void placeAll(Workbench& bench, Pose (*where)(const Pose&, const Point&, double)
         document.place(body, where(document.world().pose(body), about, value));
 }
 
-// Joints between bodies that are scaled are scaled too.
-void scaleTies(Workbench& bench, double factor) {
-    Document& document = bench.document();
-    auto& world = document.world();
+// Bodies stand along the frame of a stretch, or across it: then its factors change places.
+bool standsAcross(double angle, const Stretch& stretch) {
+    return std::abs(std::cos(angle - stretch.angle)) < std::sqrt(0.5);
+}
+
+Point localFactors(double angle, const Stretch& stretch) {
+    const Point& f = stretch.factors;
+    return standsAcross(angle, stretch) ? Point(f.y(), f.x()) : f;
+}
+
+// Joints and axles between bodies that are scaled follow. `lengths` has what joints were long.
+struct Tied {
+    sulfur::JointId joint;
+    Point a{0, 0};
+    Point b{0, 0};
+};
+
+std::vector<Tied> tiesWithin(const Workbench& bench) {
+    const auto& world = bench.document().world();
+    std::vector<Tied> ties;
     for (const auto joint : world.connections()) {
         const auto info = world.info(joint);
         if (bench.selected(world.info(info.a).body) && bench.selected(world.info(info.b).body))
-            world.setRestLength(joint,
-                                static_cast<Real>(static_cast<double>(info.restLength) * factor));
+            ties.push_back({joint, world.position(info.a), world.position(info.b)});
     }
-    std::vector<std::string> ids;
-    for (const BodyId body : bench.selection()) ids.push_back(document.idOf(body));
-    const auto chosen = [&](const std::string& id) {
-        return std::find(ids.begin(), ids.end(), id) != ids.end();
+    return ties;
+}
+
+double lengthFactor(const Point& a, const Point& b, const Stretch& stretch) {
+    const double before = (a - b).norm();
+    if (stretch.isUniform() || !(before > 0)) return stretch.factors.x();
+    return (stretch(a) - stretch(b)).norm() / before;
+}
+
+// In the world, which may be a moment of its own.
+void scaleTies(Workbench& bench, const Stretch& stretch) {
+    auto& world = bench.document().world();
+    for (const Tied& tie : tiesWithin(bench)) {
+        const auto rest = static_cast<double>(world.info(tie.joint).restLength);
+        world.setRestLength(tie.joint,
+                            static_cast<Real>(rest * lengthFactor(tie.a, tie.b, stretch)));
+    }
+}
+
+// In the plan: bodies by id, with the angle of each.
+void scaleTies(sulfur::scene::Scene& plan, const std::map<std::string, double>& angles,
+               const Stretch& stretch) {
+    const auto placeOf = [&](const sulfur::scene::ParticleRef& ref) -> Point {
+        const auto& body = *plan.body(ref.body);
+        return body.pose.position +
+               Eigen::Rotation2Dd(body.pose.angle) * plan.prefab(body.blueprint)
+                                                         ->blueprint.particles[ref.particle]
+                                                         .position.cast<double>();
     };
-    for (auto& connection : document.planForEditing().connections)
-        if (connection.options.restLength && chosen(connection.a.body) && chosen(connection.b.body))
-            *connection.options.restLength *= static_cast<Real>(factor);
+    for (auto& connection : plan.connections)
+        if (connection.options.restLength && angles.contains(connection.a.body) &&
+            angles.contains(connection.b.body))
+            *connection.options.restLength *= static_cast<Real>(
+                lengthFactor(placeOf(connection.a), placeOf(connection.b), stretch));
+    for (auto& attachment : plan.attachments)
+        if (const auto body = angles.find(attachment.body); body != angles.end())
+            attachment.point =
+                attachment.point.cwiseProduct(localFactors(body->second, stretch).cast<Real>());
+}
+
+// Blueprints of those that stand along the frame, and of those across it.
+void stretchPlans(Workbench& bench, const std::map<std::string, double>& angles,
+                  const Stretch& stretch) {
+    Document& document = bench.document();
+    if (stretch.isUniform()) {
+        document.change(document.withPegs(bench.selection()),
+                        [&](Prefab& prefab) { stretchPlan(prefab, stretch.factors); });
+        return;
+    }
+    for (const bool across : {false, true}) {
+        std::vector<BodyId> bodies;
+        for (const BodyId body : bench.selection())
+            if (standsAcross(angles.at(document.idOf(body)), stretch) == across)
+                bodies.push_back(body);
+        if (bodies.empty()) continue;
+        const Point& f = stretch.factors;
+        const Point own = across ? Point(f.y(), f.x()) : f;
+        document.change(bodies, [&](Prefab& prefab) { stretchPlan(prefab, own); });
+    }
+}
+
+std::map<std::string, double> anglesOf(const Workbench& bench) {
+    std::map<std::string, double> angles;
+    const Document& document = bench.document();
+    for (const BodyId body : bench.selection())
+        if (std::string id = document.idOf(body); !id.empty())
+            angles.emplace(std::move(id), document.world().pose(body).angle);
+    return angles;
+}
+
+void forgetStates(Workbench& bench) {
+    Document& document = bench.document();
+    for (const BodyId body : bench.selection())
+        if (const std::string id = document.idOf(body); !id.empty())
+            document.placementForEditing(id).state.reset();
 }
 
 }  // namespace
-
-std::optional<Bounds> selectionBounds(const Workbench& bench) {
-    std::optional<Bounds> all;
-    for (const BodyId body : bench.selection()) {
-        const auto own = bench.document().world().bounds(body);
-        if (!all) all = Bounds{own.low, own.high};
-        all->include(own.low);
-        all->include(own.high);
-    }
-    return all;
-}
-
-Handles handlesOf(const Bounds& bounds, double reach) {
-    const Point room(reach, reach);
-    const Point low = bounds.low - room;
-    const Point high = bounds.high + room;
-    Handles handles;
-    handles.corners = {low, Point(high.x(), low.y()), high, Point(low.x(), high.y())};
-    handles.middle = bounds.centre();
-    handles.turn = {handles.middle.x(), high.y() + 2.2 * reach};
-    return handles;
-}
 
 void turnSelection(Workbench& bench, const Point& about, double angle) {
     placeAll(
@@ -309,32 +355,77 @@ void turnSelection(Workbench& bench, const Point& about, double angle) {
 
 void scaleSelection(Workbench& bench, const Point& about, double factor) {
     if (!(factor > 0)) throw std::runtime_error("a size must be above 0");
+    stretchSelection(bench, {about, {factor, factor}, 0});
+}
+
+bool canStretch(const Workbench& bench) {
+    constexpr double aslant = 1e-3;  // radians
+    const Document& document = bench.document();
+    const auto frame = selectionFrame(bench);
+    if (!frame) return false;
+    std::set<std::string> seen;
+    for (const BodyId body : bench.selection()) {
+        const std::string id = document.idOf(body);
+        if (id.empty()) return false;
+        const double off = document.world().pose(body).angle - frame->angle;
+        if (std::abs(std::remainder(off, pi / 2)) > aslant) return false;
+        const std::string& blueprint = document.plan().body(id).blueprint;
+        if (seen.insert(blueprint).second && !canStretch(document.plan().prefab(blueprint)))
+            return false;
+    }
+    return true;
+}
+
+void stretchSelection(Workbench& bench, const Stretch& stretch) {
+    if (!(stretch.factors.minCoeff() > 0)) throw std::runtime_error("a size must be above 0");
     Document& document = bench.document();
-    for (const BodyId body : bench.selection())
-        if (const std::string id = document.idOf(body); !id.empty())
-            document.placementForEditing(id).state.reset();
-    const auto pegs = document.withPegs(bench.selection());
-    document.change(pegs, [&](Prefab& prefab) { scalePlan(prefab, factor); });
-    scaleTies(bench, factor);
+    const auto angles = anglesOf(bench);
+    forgetStates(bench);
+    scaleTies(bench, stretch);
+    scaleTies(document.planForEditing(), angles, stretch);
+    stretchPlans(bench, angles, stretch);
     mapThrusters(bench, [&](Thruster& thruster) {
-        thruster.at *= static_cast<Real>(factor);
-        thruster.force *= static_cast<Real>(factor * factor);
+        const auto angle = angles.find(thruster.body);
+        if (angle == angles.end()) return;
+        thruster.at = thruster.at.cwiseProduct(localFactors(angle->second, stretch).cast<Real>());
+        thruster.force *= static_cast<Real>(stretch.factors.prod());
     });
-    auto mechanisms = mapped(bench, Scaling{about, factor});
-    placeAll(
-        bench,
-        [](const Pose& pose, const Point& around, double f) {
-            return Pose{around + f * (pose.position - around), pose.angle};
-        },
-        about, factor);
+    auto mechanisms = mapped(bench, Scaling{stretch});
+    const auto bodies = document.withPegs(bench.selection());
+    for (const BodyId body : bodies) {
+        const Pose pose = document.world().pose(body);
+        document.place(body, {stretch(pose.position), pose.angle});
+    }
     if (!document.canReset()) document.planForEditing().mechanisms = std::move(mechanisms);
+}
+
+double massAfter(const Workbench& bench, const Stretch& stretch) {
+    const Document& document = bench.document();
+    std::map<std::pair<std::string, bool>, double> known;  // of blueprints
+    double sum = 0;
+    for (const BodyId body : bench.selection()) {
+        if (document.world().kind(body) == sulfur::BodyKind::fixed) continue;
+        const std::string id = document.idOf(body);
+        if (id.empty()) {
+            sum += static_cast<double>(document.world().mass(body)) * stretch.factors.prod();
+            continue;
+        }
+        const double angle = document.world().pose(body).angle;
+        const auto& name = document.plan().body(id).blueprint;
+        const auto [found, isNew] = known.try_emplace({name, standsAcross(angle, stretch)}, 0);
+        if (isNew) {
+            Prefab prefab = document.plan().prefab(name);
+            stretchPlan(prefab, localFactors(angle, stretch));
+            found->second = static_cast<double>(prefab.blueprint.mass());
+        }
+        sum += found->second;
+    }
+    return sum;
 }
 
 void mirrorSelection(Workbench& bench, const Point& about) {
     Document& document = bench.document();
-    for (const BodyId body : bench.selection())
-        if (const std::string id = document.idOf(body); !id.empty())
-            document.placementForEditing(id).state.reset();
+    forgetStates(bench);
     document.change(document.withPegs(bench.selection()), mirrorPlan);
     mapThrusters(bench, [](Thruster& thruster) {
         thruster.at.x() = -thruster.at.x();
@@ -349,6 +440,71 @@ void mirrorSelection(Workbench& bench, const Point& about) {
         },
         about, 0);
     if (!document.canReset()) document.planForEditing().mechanisms = std::move(mechanisms);
+}
+
+// --- in numbers ------------------------------------------------------------------------------
+
+namespace {
+
+void moveFrame(Workbench& bench, const Point& by) {
+    bench.document().translate(bench.selection(), by);
+}
+
+void resizeFrame(Workbench& bench, const Frame& frame, const Point& factors) {
+    if (!factors.allFinite()) return;  // what has no extent has none to change
+    Stretch stretch{frame.middle, factors, frame.angle};
+    if (!canStretch(bench)) stretch.factors = Point::Constant(factors.prod());
+    stretchSelection(bench, stretch);
+}
+
+constexpr double oneDegree = pi / 180;
+
+constexpr std::array places{
+    PlaceProperty{"x", "x", "m", "Of the middle", -1000, 1000,
+                  [](const Frame& frame) { return frame.middle.x(); },
+                  [](Workbench& bench, const Frame& frame, double value) {
+                      moveFrame(bench, {value - frame.middle.x(), 0});
+                  }},
+    PlaceProperty{"y", "y", "m", "Of the middle", -1000, 1000,
+                  [](const Frame& frame) { return frame.middle.y(); },
+                  [](Workbench& bench, const Frame& frame, double value) {
+                      moveFrame(bench, {0, value - frame.middle.y()});
+                  }},
+    PlaceProperty{"angle", "Angle", "\xC2\xB0", "Anticlockwise; of many together from now on", -180,
+                  180, [](const Frame& frame) { return wrapped(frame.angle) / oneDegree; },
+                  [](Workbench& bench, const Frame& frame, double value) {
+                      turnSelection(bench, frame.middle, value * oneDegree - frame.angle);
+                  }},
+    PlaceProperty{"frame-width", "Width", "m", "Outer width; what cannot be stretched is scaled",
+                  0.02, 1000, [](const Frame& frame) { return 2 * frame.half.x(); },
+                  [](Workbench& bench, const Frame& frame, double value) {
+                      resizeFrame(bench, frame, {value / (2 * frame.half.x()), 1});
+                  }},
+    PlaceProperty{"frame-height", "Height", "m", "Outer height; what cannot be stretched is scaled",
+                  0.02, 1000, [](const Frame& frame) { return 2 * frame.half.y(); },
+                  [](Workbench& bench, const Frame& frame, double value) {
+                      resizeFrame(bench, frame, {1, value / (2 * frame.half.y())});
+                  }},
+};
+
+}  // namespace
+
+std::span<const PlaceProperty> placeProperties() {
+    return places;
+}
+
+const PlaceProperty* placeProperty(std::string_view key) {
+    const auto* found = std::find_if(places.begin(), places.end(),
+                                     [&](const auto& property) { return property.key == key; });
+    return found == places.end() ? nullptr : found;
+}
+
+void setPlace(Workbench& bench, const PlaceProperty& property, double value) {
+    const auto frame = selectionFrame(bench);
+    if (!frame) throw std::runtime_error("nothing is selected");
+    if (!(value >= property.low && value <= property.high))
+        throw std::runtime_error(std::string(property.name) + " is out of range");
+    property.set(bench, *frame, value);
 }
 
 }  // namespace sulfurchamber

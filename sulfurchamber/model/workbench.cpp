@@ -98,6 +98,7 @@ Workbench::~Workbench() = default;
 
 void Workbench::setTool(ToolKind tool) {
     tool_->cancel();
+    snapMark_.reset();
     tool_ = makeTool(*this, tool);
     toolKind_ = tool;
 }
@@ -129,13 +130,16 @@ std::optional<LevelPiece> Workbench::placing() const {
 }
 
 void Workbench::press(const Pointer& pointer) {
+    snapMark_.reset();
     making([&] { tool_->press(pointer); });
 }
 void Workbench::move(const Pointer& pointer) {
+    snapMark_.reset();
     tool_->move(pointer);
 }
 void Workbench::release(const Pointer& pointer) {
     making([&] { tool_->release(pointer); });
+    snapMark_.reset();
     forgetRemoved();
 }
 void Workbench::finish() {
@@ -143,6 +147,7 @@ void Workbench::finish() {
 }
 void Workbench::cancel() {
     tool_->cancel();
+    snapMark_.reset();
 }
 Preview Workbench::preview() const {
     return tool_->preview();
@@ -150,10 +155,21 @@ Preview Workbench::preview() const {
 std::string Workbench::hint() const {
     return tool_->hint();
 }
+bool Workbench::stretching() const {
+    return tool_->showsFrame();
+}
 
 Point Workbench::snapped(const Point& point) const {
-    if (!(snap_ > 0)) return point;
-    return {std::round(point.x() / snap_) * snap_, std::round(point.y() / snap_) * snap_};
+    const double grid = snapping_.grid;
+    if (!(grid > 0)) return point;
+    return {std::round(point.x() / grid) * grid, std::round(point.y() / grid) * grid};
+}
+
+Point Workbench::snapped(const Pointer& pointer, std::optional<Point> from) {
+    const Snapped found = snapPoint(document_.world(), pointer.position, pointer.reach, snapping_,
+                                    from, [this](BodyId body) { return !marks(body).hidden; });
+    snapMark_ = found.place;
+    return found.point;
 }
 
 void Workbench::documentChanged() {
@@ -265,6 +281,37 @@ void Workbench::setSelection(std::vector<BodyId> bodies) {
     watchSelection();
 }
 
+const BodyMarks& Workbench::marks(BodyId body) const {
+    return markBook_.of(document_, body);
+}
+
+bool Workbench::pickable(BodyId body) const {
+    const BodyMarks& own = marks(body);
+    // A peg is not seen: what is fitted to it has a mark.
+    return !own.locked && !own.hidden && !document_.isPeg(document_.idOf(body));
+}
+
+BodyId Workbench::bodyUnder(const Pointer& pointer) const {
+    return bodyAt(document_.world(), pointer.position, pointer.reach,
+                  {.counts = [this](BodyId body) { return pickable(body); },
+                   .order = [this](BodyId body) { return marks(body).order; }});
+}
+
+void Workbench::deselectUnpickable() {
+    auto kept = selection_;
+    std::erase_if(kept, [&](BodyId body) { return !pickable(body); });
+    select(std::move(kept));
+}
+
+std::vector<BodyId> Workbench::withGroup(BodyId body) const {
+    const std::string group = outermost(marks(body).group);
+    if (group.empty()) return {body};
+    std::vector<BodyId> bodies;
+    for (const BodyId other : document_.world().bodies())
+        if (outermost(marks(other).group) == group && pickable(other)) bodies.push_back(other);
+    return bodies;
+}
+
 void Workbench::toggle(BodyId body) {
     auto bodies = selection_;
     if (selected(body))
@@ -348,8 +395,10 @@ void Workbench::setTrails(bool on) {
 }
 
 void Workbench::selectAll() {
-    const auto bodies = document_.world().bodies();
-    select({bodies.begin(), bodies.end()});
+    std::vector<BodyId> all;
+    for (const BodyId body : document_.world().bodies())
+        if (pickable(body)) all.push_back(body);
+    select(std::move(all));
 }
 
 void Workbench::selectThings(std::vector<LevelThing> things) {
@@ -429,13 +478,16 @@ std::string Workbench::cppSource() const {
 }
 
 void Workbench::paste(const std::string& text, const Point& by) {
-    const auto scene = pastedScene(text);
-    std::vector<BodyId> made;
+    auto scene = pastedScene(text);
+    freshenGroups(scene, document_.scene());
     tool_->cancel();
-    document_.edit("Paste", [&] {
-        made = document_.insert(scene, by);
-        select(made);
-    });
+    document_.edit("Paste", [&] { select(document_.insert(scene, by)); });
+}
+
+void Workbench::insertCopy() {
+    auto scene = sulfur::scene::parse(copy(), "the selection");
+    freshenGroups(scene, document_.scene());
+    select(document_.insert(scene, {0, 0}));
 }
 
 void Workbench::pasteAt(const std::string& text, const Point& place) {

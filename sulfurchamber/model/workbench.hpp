@@ -11,12 +11,15 @@
 #include <string_view>
 #include <vector>
 
+#include "arrange.hpp"
 #include "controls.hpp"
+#include "dimensions.hpp"
 #include "document.hpp"
 #include "grip.hpp"
 #include "level_pieces.hpp"
 #include "measurement.hpp"
 #include "meters.hpp"
+#include "snapping.hpp"
 #include "stage_times.hpp"
 #include "textbook.hpp"
 
@@ -98,6 +101,8 @@ struct Pointer {
     double reach = 0.1;            ///< metres within which something counts as hit
     bool shift = false;
     bool control = false;
+    bool alt = false;
+    int clicks = 1;  ///< 2 for the second press of a double click
 };
 
 /// What a tool shows while it is at work.
@@ -113,13 +118,15 @@ struct Preview {
         outline,
         ruler,
         path,
-        arrow
+        arrow,
+        frame
     };
     Kind kind = Kind::none;
     sulfur::Point from{0, 0};
     sulfur::Point to{0, 0};
     double size = 0;  ///< radius of the circle, or the length in metres that is shown
-    std::vector<sulfur::Point> points = {};  ///< of the outline
+    std::vector<sulfur::Point> points = {};  ///< of the outline, corners of the frame
+    std::vector<Label> labels = {};          ///< how large it is
 };
 
 class Tool;
@@ -142,9 +149,14 @@ public:
     void setPlacing(LevelPiece piece);
     /// The piece that is being placed; nothing with another tool.
     std::optional<LevelPiece> placing() const;
+    /// To what creating tools and moved things go.
+    void setSnapping(const SnapOptions& options) { snapping_ = options; }
+    const SnapOptions& snapping() const { return snapping_; }
     /// Distance to which creating tools round their points, metres; 0: not at all.
-    void setSnap(double metres) { snap_ = metres; }
-    double snap() const { return snap_; }
+    void setSnap(double metres) { snapping_.grid = metres; }
+    double snap() const { return snapping_.grid; }
+    /// To what the tool's point has gone; nothing where it is free.
+    const std::optional<SnapPlace>& snapMark() const { return snapMark_; }
     void press(const Pointer& pointer);
     void move(const Pointer& pointer);
     void release(const Pointer& pointer);
@@ -155,6 +167,8 @@ public:
     Preview preview() const;
     /// One sentence: what the mouse does now.
     std::string hint() const;
+    /// While a handle is dragged.
+    bool stretching() const;
 
     // -- time --
 
@@ -175,6 +189,16 @@ public:
     const std::vector<sulfur::BodyId>& selection() const { return selection_; }
     bool selected(sulfur::BodyId body) const;
     void select(std::vector<sulfur::BodyId> bodies);
+    /// Whether a click may mean this body: neither locked nor hidden.
+    bool pickable(sulfur::BodyId body) const;
+    /// What the scene keeps of a body beside its physics.
+    const BodyMarks& marks(sulfur::BodyId body) const;
+    /// The body under the pointer, in front of others; null where there is none.
+    sulfur::BodyId bodyUnder(const Pointer& pointer) const;
+    /// Takes what is locked or hidden out of the selection.
+    void deselectUnpickable();
+    /// A body with all of its outermost group.
+    std::vector<sulfur::BodyId> withGroup(sulfur::BodyId body) const;
     void toggle(sulfur::BodyId body);
     void selectAll();
     /// The fitting that is selected, if one is: then no body is.
@@ -249,7 +273,13 @@ public:
 
     // -- for tools --
 
+    /// On the grid.
     sulfur::Point snapped(const sulfur::Point& point) const;
+    /// To whatever it snaps to, with a mark; `from` is where a line began that ends there.
+    sulfur::Point snapped(const Pointer& pointer, std::optional<sulfur::Point> from = {});
+    void showSnap(std::optional<SnapPlace> place) { snapMark_ = place; }
+    /// A copy of the selection where it is, which is selected then; a part of the open edit.
+    void insertCopy();
     /// Everything else that opens, undoes or resets documents calls this first.
     void documentChanged();
 
@@ -288,7 +318,9 @@ private:
     StageTimes stageTimes_;
     bool timing_ = false;
     bool trailing_ = false;
-    double snap_ = 0;
+    SnapOptions snapping_;
+    std::optional<SnapPlace> snapMark_;
+    mutable MarkBook markBook_;
     double rain_ = 0;
     double rainDue_ = 0;
     std::uint64_t dropped_ = 0;

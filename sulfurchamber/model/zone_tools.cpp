@@ -42,7 +42,7 @@ public:
     }
     std::string hint() const override {
         if (dragging() && body_ && !clicked())
-            return newtons(force().norm()) + ", " + degreesOf(to() - from());
+            return newtons(force().norm()) + ", " + degreesText(directionOf(to() - from()));
         return "Drag from a body in the direction in which it is pushed; Up switches it on";
     }
 
@@ -73,7 +73,7 @@ public:
     ZoneTool(Workbench& bench, bool wind) : FrameTool(bench), wind_(wind) {}
     std::string hint() const override {
         if (dragging() && !clicked())
-            return metres(size().x()) + " wide, " + metres(size().y()) + " high";
+            return metresText(size().x()) + " wide, " + metresText(size().y()) + " high";
         return wind_ ? "Drag a zone in which wind blows to the right"
                      : "Drag a zone without weight; its properties make it pull anywhere";
     }
@@ -105,7 +105,7 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "A belt of " + metres(length()) + " that runs at 1.5 m/s";
+            return "A belt of " + metresText(length()) + " that runs at 1.5 m/s";
         return "Drag a belt in the direction in which it runs, or click a body: its surface runs, "
                "or turns round";
     }

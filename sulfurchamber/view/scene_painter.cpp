@@ -95,16 +95,25 @@ Color strainColour(float strain) {
                     : atlax::mix(palette::amber, palette::hot, t * 2 - 1);
 }
 
-const ScenePainter::Look& ScenePainter::lookOf(const Document& document, BodyId body) {
+const ScenePainter::Look& ScenePainter::lookOf(const Workbench& bench, BodyId body) {
+    const Document& document = bench.document();
     const World& world = document.world();
     const auto joints = world.joints(body);
     const auto found = looks_.find(body);
     if (found != looks_.end() && found->second.jointCount == joints.size()) return found->second;
     Look look;
     look.jointCount = joints.size();
-    look.outlines = outlines(world, body);
-    look.filled =
-        world.kind(body) != sulfur::BodyKind::fixed || !holdsOthers(world, look.outlines, body);
+    look.marks = bench.marks(body);
+    const auto loops = outlines(world, body);
+    look.filled = world.kind(body) != sulfur::BodyKind::fixed || !holdsOthers(world, loops, body);
+    std::vector<sulfur::Point> points;
+    for (const ParticleId particle : world.particles(body))
+        points.push_back(world.position(particle));
+    for (LoopRegion& region : regionsOfLoops(loops, points)) {
+        auto triangles =
+            region.holes.empty() ? std::vector<CornerTriple>{} : trianglesOf(region, points);
+        look.fills.push_back({std::move(region), std::move(triangles)});
+    }
     std::vector<ParticleId> tied;
     for (const JointId joint : joints) {
         const auto info = world.info(joint);
@@ -123,11 +132,11 @@ const ScenePainter::Look& ScenePainter::lookOf(const Document& document, BodyId 
     return looks_.insert_or_assign(body, std::move(look)).first->second;
 }
 
-ScenePainter::Posed ScenePainter::pose(const Document& document, BodyId body) {
-    const World& world = document.world();
+ScenePainter::Posed ScenePainter::pose(const Workbench& bench, BodyId body) {
+    const World& world = bench.document().world();
     Posed posed;
     posed.id = body;
-    posed.look = &lookOf(document, body);
+    posed.look = &lookOf(bench, body);
     posed.kind = world.kind(body);
     for (const ParticleId particle : world.particles(body)) posed.points.push_back(place(particle));
     const float light = shade(body);
@@ -150,6 +159,11 @@ ScenePainter::Posed ScenePainter::pose(const Document& document, BodyId body) {
     return posed;
 }
 
+bool ScenePainter::isHidden(BodyId body) const {
+    const auto look = looks_.find(body);
+    return look != looks_.end() && look->second.marks.hidden;
+}
+
 Vec2 ScenePainter::place(ParticleId particle) const {
     return world_->interpolated(particle, alpha_);
 }
@@ -168,12 +182,8 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
 
     FittingPainter fittings(canvas, bench, pixel_);
     fittings.paintZones();
-    std::vector<Posed> bodies;
-    for (const BodyId body : world_->bodies()) bodies.push_back(pose(document, body));
-    for (const bool fixed : {true, false})
-        for (const Posed& body : bodies)
-            if ((body.kind == sulfur::BodyKind::fixed) == fixed)
-                paintBody(body, options.tools && bench.selected(body.id));
+    for (const Posed& body : posedInOrder(bench))
+        paintBody(body, options.tools && bench.selected(body.id));
     if (options.bodies) paintConnections();
     paintMechanisms();
     fittings.paintMarks();
@@ -182,35 +192,91 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     paintPins();
     if (options.contacts) paintContacts();
     if (options.velocities) paintVelocities();
-    const bool handles = bench.tool() == ToolKind::select && !document.playing();
+    const bool handles = bench.tool() == ToolKind::select && !bench.stretching();
     if (options.tools && handles) paintHandles(bench);
     if (bench.trails()) paintTrails(bench);
     if (options.tools) paintPreview(bench.preview());
+    if (options.tools && bench.snapMark()) paintSnap(*bench.snapMark());
+}
+
+// What is visible, the hindmost first: by their order, and of the same what is fixed.
+std::vector<ScenePainter::Posed> ScenePainter::posedInOrder(const Workbench& bench) {
+    std::vector<Posed> bodies;
+    for (const BodyId body : world_->bodies())
+        if (!lookOf(bench, body).marks.hidden) bodies.push_back(pose(bench, body));
+    const auto key = [](const Posed& body) {
+        return std::pair(body.look->marks.order, body.kind != sulfur::BodyKind::fixed);
+    };
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [&](const Posed& a, const Posed& b) { return key(a) < key(b); });
+    return bodies;
 }
 
 void ScenePainter::paintHandles(const Workbench& bench) {
-    const auto bounds = selectionBounds(bench);
-    if (!bounds) return;
-    const Handles handles = handlesOf(*bounds, static_cast<double>(reachPixels * pixel_));
-    const std::array<Vec2, 4> corners{Vec2(handles.corners[0]), Vec2(handles.corners[1]),
-                                      Vec2(handles.corners[2]), Vec2(handles.corners[3])};
-    canvas_->polygonOutline(corners, pixel_, palette::sky.withAlpha(0.5f));
-    const Vec2 turn(handles.turn);
-    canvas_->line({turn.x, corners[2].y}, turn, pixel_, palette::sky.withAlpha(0.5f));
-    const float half = 4 * pixel_;
-    for (const Vec2& corner : corners) {
-        canvas_->rect({corner - Vec2{half, half}, {2 * half, 2 * half}}, palette::ice);
-        canvas_->rect({corner - Vec2{half, half} * 0.6f, Vec2{2 * half, 2 * half} * 0.6f},
-                      palette::steel);
+    const auto frame = selectionFrame(bench);
+    if (!frame) return;
+    const auto handles = handlesOf(*frame, static_cast<double>(reachPixels * pixel_));
+    const Color faint = palette::sky.withAlpha(0.5f);
+    std::vector<Vec2> corners;
+    for (const Handle& handle : handles)
+        if (handle.kind == Handle::Kind::corner) corners.emplace_back(handle.at);
+    canvas_->polygonOutline(corners, pixel_, faint);
+    canvas_->line(Vec2(handles[6].at), Vec2(handles[8].at), pixel_, faint);
+    for (const Handle& handle : handles) {
+        const Vec2 at(handle.at);
+        const bool corner = handle.kind == Handle::Kind::corner;
+        if (handle.kind == Handle::Kind::turn) {
+            canvas_->circle(at, 5 * pixel_, palette::ice);
+            canvas_->circle(at, 3 * pixel_, palette::amber);
+            continue;
+        }
+        const float half = (corner ? 4.0f : 3.2f) * pixel_;
+        const Color inner = corner ? palette::steel : palette::cold;
+        canvas_->rect({at - Vec2{half, half}, {2 * half, 2 * half}}, palette::ice);
+        canvas_->rect({at - Vec2{half, half} * 0.6f, Vec2{2 * half, 2 * half} * 0.6f}, inner);
     }
-    canvas_->circle(turn, 5 * pixel_, palette::ice);
-    canvas_->circle(turn, 3 * pixel_, palette::amber);
+}
+
+void ScenePainter::paintFrame(const std::vector<sulfur::Point>& corners) {
+    std::vector<Vec2> places;
+    for (const sulfur::Point& corner : corners) places.emplace_back(corner);
+    canvas_->polygon(places, palette::amber.withAlpha(0.14f));
+    canvas_->polygonOutline(places, 1.6f * pixel_, palette::amber);
+}
+
+// A cross on the grid, a square at a corner, a circle at a centre, the line of an angle.
+void ScenePainter::paintSnap(const SnapPlace& place) {
+    const Vec2 at(place.at);
+    const float size = 6 * pixel_;
+    const float width = 1.6f * pixel_;
+    const Color color = palette::hot;
+    const std::array<Vec2, 4> square{at + Vec2{-size, -size}, at + Vec2{size, -size},
+                                     at + Vec2{size, size}, at + Vec2{-size, size}};
+    switch (place.kind) {
+        case SnapPlace::Kind::grid:
+            canvas_->line(at - Vec2{size, 0}, at + Vec2{size, 0}, width, color);
+            canvas_->line(at - Vec2{0, size}, at + Vec2{0, size}, width, color);
+            break;
+        case SnapPlace::Kind::corner:
+            canvas_->polygonOutline(square, width, color);
+            break;
+        case SnapPlace::Kind::centre:
+            canvas_->circleOutline(at, size, width, color);
+            canvas_->circle(at, 1.6f * pixel_, color);
+            break;
+        case SnapPlace::Kind::angle: {
+            const Vec2 way = at - Vec2(place.from);
+            canvas_->dashedLine(Vec2(place.from), at + way * 0.4f, pixel_, 4 * pixel_, 4 * pixel_,
+                                color);
+            break;
+        }
+    }
 }
 
 // A body of a few pixels is its outline, filled: its rim would be as wide as it is, and thousands
 // of them cost more than all else.
 bool ScenePainter::paintedSmall(const Posed& body, bool selected) {
-    if (body.look->outlines.empty() || !body.look->filled || !body.look->lone.empty()) return false;
+    if (body.look->fills.empty() || !body.look->filled || !body.look->lone.empty()) return false;
     Vec2 low = body.points[0];
     Vec2 high = low;
     for (const Vec2& point : body.points) {
@@ -221,7 +287,8 @@ bool ScenePainter::paintedSmall(const Posed& body, bool selected) {
     if (size > smallBodyPixels * pixel_) return false;
     const Color color = selected ? palette::ice : atlax::mix(body.fill, body.rim, 0.25f);
     std::vector<Vec2> polygon;
-    for (const auto& loop : body.look->outlines) {
+    for (const auto& fill : body.look->fills) {
+        const auto& loop = fill.region.outer;
         polygon.clear();
         for (const std::uint32_t index : loop) polygon.push_back(body.points[index]);
         canvas_->polygon(polygon, color);
@@ -237,7 +304,7 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
         for (const JointId joint : world_->joints(body.id)) {
             const auto info = world_->info(joint);
             const bool thin = !(info.radius > 0);
-            if (thin && !body.look->outlines.empty()) continue;
+            if (thin && !body.look->fills.empty()) continue;
             const float radius = std::max(toFloat(info.radius), (thin ? 0.8f : 1.1f) * pixel_);
             canvas_->capsule(place(info.a), place(info.b), radius + grow, color);
         }
@@ -250,16 +317,28 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
     if (selected) capsules(3 * pixel_, palette::ice.withAlpha(drawn ? 0.5f : 0.9f));
     if (drawn) return;
     capsules(0, body.rim);
-    std::vector<Vec2> polygon;
-    for (const auto& loop : body.look->outlines) {
-        if (!body.look->filled) break;
-        polygon.clear();
-        for (const std::uint32_t index : loop) polygon.push_back(body.points[index]);
-        canvas_->polygon(polygon, body.fill);
-    }
-    if (options_->joints && !body.look->outlines.empty()) paintJoints(body);
+    if (body.look->filled) paintFill(body);
+    if (options_->joints && !body.look->fills.empty()) paintJoints(body);
     paintDiscs(body);
     paintBelt(body);
+}
+
+void ScenePainter::paintFill(const Posed& body) {
+    std::vector<Vec2> polygon;
+    for (const auto& [region, triangles] : body.look->fills) {
+        // Lines between triangles cover the seams.
+        for (const auto& [a, b, c] : triangles) {
+            const Vec2 p = body.points[a], q = body.points[b], r = body.points[c];
+            canvas_->triangle(p, q, r, body.fill);
+            canvas_->line(p, q, 1.5f * pixel_, body.fill);
+            canvas_->line(q, r, 1.5f * pixel_, body.fill);
+            canvas_->line(r, p, 1.5f * pixel_, body.fill);
+        }
+        if (!triangles.empty()) continue;
+        polygon.clear();
+        for (const std::uint32_t index : region.outer) polygon.push_back(body.points[index]);
+        canvas_->polygon(polygon, body.fill);
+    }
 }
 
 void ScenePainter::paintJoints(const Posed& body) {
@@ -301,6 +380,7 @@ void ScenePainter::paintDiscs(const Posed& body) {
 void ScenePainter::paintConnections() {
     for (const JointId joint : world_->connections()) {
         const auto info = world_->info(joint);
+        if (isHidden(world_->info(info.a).body) || isHidden(world_->info(info.b).body)) continue;
         const Color color = std::isfinite(info.stiffness) ? palette::amber : palette::ice;
         canvas_->capsule(place(info.a), place(info.b),
                          std::max(toFloat(info.radius), 1.2f * pixel_), color);
@@ -348,7 +428,7 @@ void ScenePainter::paintBelt(const Posed& body) {
 
 void ScenePainter::paintPins() {
     for (const BodyId body : world_->bodies()) {
-        if (world_->kind(body) != sulfur::BodyKind::dynamic) continue;
+        if (world_->kind(body) != sulfur::BodyKind::dynamic || isHidden(body)) continue;
         for (const ParticleId particle : world_->particles(body)) {
             if (!world_->info(particle).pinned) continue;
             const Vec2 at = place(particle);
@@ -368,7 +448,7 @@ void ScenePainter::paintStrain() {
         canvas_->line(a, b, 2.4f * pixel_, strainColour(atlax::length(b - a) / rest - 1));
     };
     for (const BodyId body : world_->bodies()) {
-        if (world_->kind(body) == sulfur::BodyKind::fixed) continue;
+        if (world_->kind(body) == sulfur::BodyKind::fixed || isHidden(body)) continue;
         for (const JointId joint : world_->joints(body)) paintOne(joint);
     }
     for (const JointId joint : world_->connections()) paintOne(joint);
@@ -387,10 +467,10 @@ void ScenePainter::arrow(Vec2 from, Vec2 to, Color color) {
 
 void ScenePainter::paintVelocities() {
     for (const BodyId body : world_->bodies()) {
-        if (world_->kind(body) == sulfur::BodyKind::fixed) continue;
+        if (world_->kind(body) == sulfur::BodyKind::fixed || isHidden(body)) continue;
         const auto particles = world_->particles(body);
         // A rope swings in itself: its particles tell more than their mean.
-        const bool each = lookOf(*document_, body).outlines.empty() && particles.size() > 2;
+        const bool each = looks_.at(body).fills.empty() && particles.size() > 2;
         if (!each) {
             Vec2 middle;
             for (const ParticleId particle : particles) middle += place(particle);
@@ -493,6 +573,9 @@ void ScenePainter::paintPreview(const Preview& preview) {
                                 palette::amber.withAlpha(0.6f));
             break;
         }
+        case Preview::Kind::frame:
+            paintFrame(preview.points);
+            break;
         case Preview::Kind::stroke:
             canvas_->dashedLine(from, to, 2 * pixel_, 8 * pixel_, 5 * pixel_, palette::hot);
             break;

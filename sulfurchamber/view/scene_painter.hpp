@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "../model/loop_region.hpp"
 #include "../model/workbench.hpp"
 
 namespace sulfurchamber {
@@ -48,7 +49,13 @@ private:
         std::size_t jointCount = 0;
         bool soft = false;
         bool filled = true;
-        std::vector<std::vector<std::uint32_t>> outlines;
+        BodyMarks marks;
+        /// What is filled; those with holes as triangles of particles.
+        struct Fill {
+            LoopRegion region;
+            std::vector<CornerTriple> triangles;
+        };
+        std::vector<Fill> fills;
         std::vector<std::uint32_t> lone;     // particles without joints
         std::optional<atlax::Color> colour;  // of its own
     };
@@ -62,8 +69,9 @@ private:
         atlax::Color rim;
     };
 
-    const Look& lookOf(const Document& document, sulfur::BodyId body);
-    Posed pose(const Document& document, sulfur::BodyId body);
+    const Look& lookOf(const Workbench& bench, sulfur::BodyId body);
+    Posed pose(const Workbench& bench, sulfur::BodyId body);
+    std::vector<Posed> posedInOrder(const Workbench& bench);
     bool paintedSmall(const Posed& body, bool selected);
     void paintBody(const Posed& body, bool selected);
     void paintJoints(const Posed& body);
@@ -78,7 +86,11 @@ private:
     void paintContacts();
     void paintPreview(const Preview& preview);
     void paintHandles(const Workbench& bench);
+    void paintFrame(const std::vector<sulfur::Point>& corners);
+    void paintSnap(const SnapPlace& place);
+    void paintFill(const Posed& body);
     void arrow(atlax::Vec2 from, atlax::Vec2 to, atlax::Color color);
+    bool isHidden(sulfur::BodyId body) const;
     atlax::Vec2 place(sulfur::ParticleId particle) const;
 
     std::map<sulfur::BodyId, Look> looks_;

@@ -160,7 +160,8 @@ void SceneView::event(const atlax::Event& event) {
         guest_->event(event);
         return;
     }
-    if (const auto* moved = std::get_if<atlax::MouseMoved>(&event)) mouseMoved(moved->position);
+    if (const auto* moved = std::get_if<atlax::MouseMoved>(&event))
+        mouseMoved(moved->position, moved->modifiers);
     if (const auto* button = std::get_if<atlax::MouseButtonEvent>(&event)) mouseButton(*button);
     if (const auto* turned = std::get_if<atlax::WheelEvent>(&event)) wheel(*turned);
     if (const auto* focus = std::get_if<atlax::FocusChanged>(&event); focus && !focus->focused) {
@@ -179,6 +180,7 @@ Pointer SceneView::pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) c
     pointer.reach = static_cast<double>(reachPixels * scale / camera_.pixelsPerMetre);
     pointer.shift = has(modifiers, atlax::Modifiers::Shift);
     pointer.control = has(modifiers, atlax::Modifiers::Control);
+    pointer.alt = has(modifiers, atlax::Modifiers::Alt);
     return pointer;
 }
 
@@ -190,9 +192,15 @@ void SceneView::mouseButton(const atlax::MouseButtonEvent& event) {
         return;
     }
     if (event.button != atlax::MouseButton::Left) return;
-    const Pointer pointer = pointerAt(event.position, event.modifiers);
-    bench_.setSnap(snapping_ ? fineStep() : 0);
+    Pointer pointer = pointerAt(event.position, event.modifiers);
+    pointer.clicks = event.clicks;
+    bench_.setSnapping(snapOptions());
     guarded([&] { event.down ? bench_.press(pointer) : bench_.release(pointer); });
+}
+
+SnapOptions SceneView::snapOptions() const {
+    return {snapping_.grid ? fineStep() : 0, snapping_.corners, snapping_.centres,
+            snapping_.angles};
 }
 
 double SceneView::fineStep() const {
@@ -200,14 +208,15 @@ double SceneView::fineStep() const {
     return gridSteps(camera_.pixelsPerMetre, scale).fine;
 }
 
-void SceneView::mouseMoved(atlax::Vec2 position) {
+void SceneView::mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers) {
     mouse_ = position;
     if (panFrom_) {
         const atlax::Vec2 by = (position - *panFrom_) / camera_.pixelsPerMetre;
         camera_.centre += {-by.x, by.y};
         panFrom_ = position;
     }
-    guarded([&] { bench_.move(pointerAt(position, atlax::Modifiers::None)); });
+    bench_.setSnapping(snapOptions());
+    guarded([&] { bench_.move(pointerAt(position, modifiers)); });
 }
 
 void SceneView::wheel(const atlax::WheelEvent& event) {
@@ -259,11 +268,15 @@ void SceneView::fit(atlax::PixelSize size) {
         const LevelShape bounds = shapeOf(document, {LevelKind::bounds, 0, {}});
         if (bounds.form == LevelShape::Form::rectangle) interesting = bounds.box;
     }
+    if (wantedBounds_) interesting = wantedBounds_;
     if (!interesting) {
         showFloor(width, height, rulers);
         return;
     }
-    const Bounds& bounds = *interesting;
+    show(*interesting, width, height, rulers);
+}
+
+void SceneView::show(const Bounds& bounds, float width, float height, float rulers) {
     const auto extent = [](double length) {
         return static_cast<float>(std::max(fitSmallest, length)) * fitMargin;
     };
@@ -321,8 +334,9 @@ void SceneView::draw(atlax::Canvas& canvas, double alpha) {
 
 void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     followSlider();
-    if (fitPending_) fit(canvas.size());
+    if (fitPending_ || wantedBounds_) fit(canvas.size());
     fitPending_ = false;
+    wantedBounds_.reset();
     stepFilm(canvas);
     options_.bodies = !(scenery && scenery(canvas, camera_));
     // Paused, the state itself is shown: a single tick is seen at once.
@@ -333,6 +347,7 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     if (options_.rulers) paintRulers(canvas, camera_, *font_);
     paintLegend(canvas, camera_, *font_, bench_.document().world(), options_);
     paintRulerText(canvas);
+    paintLabels(canvas);
     paintClock(canvas);
 }
 
@@ -386,6 +401,21 @@ void SceneView::paintRulerText(atlax::Canvas& canvas) {
     const atlax::Vec2 at = camera_.toScreen(atlax::Vec2(middle), canvas.size()) / scale;
     canvas.setScreenSpace(scale);
     canvas.text(*font_, text.data(), {at.x + 12, at.y - 8}, {16, palette::ice});
+}
+
+// How large what one draws is: on dark plates, so that they are read before anything.
+void SceneView::paintLabels(atlax::Canvas& canvas) {
+    constexpr float size = 14;
+    const float scale = canvas.scaleFactor();
+    for (const Label& label : bench_.preview().labels) {
+        const atlax::Vec2 at = camera_.toScreen(atlax::Vec2(label.at), canvas.size()) / scale;
+        canvas.setScreenSpace(scale);
+        const float width = canvas.measure(*font_, label.text, size).width;
+        const atlax::Rect plate{{at.x - width / 2 - 6, at.y - 10}, {width + 12, 20}};
+        canvas.roundedRect(plate, 4, palette::deep.withAlpha(0.82f));
+        canvas.text(*font_, label.text, at,
+                    {size, palette::ice, atlax::AlignX::Centre, atlax::AlignY::Middle});
+    }
 }
 
 void SceneView::paintClock(atlax::Canvas& canvas) {

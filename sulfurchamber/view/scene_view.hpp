@@ -15,6 +15,14 @@
 
 namespace sulfurchamber {
 
+/// To what things snap: the fine grid of the view, corners, centres, angles.
+struct SnapSwitches {
+    bool grid = false;
+    bool corners = false;
+    bool centres = false;
+    bool angles = false;
+};
+
 class SceneView final : public atlax::Application {
 public:
     /// `bench` must outlive the view.
@@ -32,13 +40,17 @@ public:
     // -- looking --
     ViewOptions& options() { return options_; }
     const ViewOptions& options() const { return options_; }
-    bool snapping() const { return snapping_; }
     /// Distance of the fine lines of the grid, metres.
     double fineStep() const;
-    void setSnapping(bool on) { snapping_ = on; }
+    /// What things snap to.
+    SnapSwitches& snapping() { return snapping_; }
+    const SnapSwitches& snapping() const { return snapping_; }
     /// Shows all that is interesting, with the next frame.
     void zoomToFit() { fitPending_ = true; }
+    /// Shows a rectangle with some room around it, with the next frame.
+    void zoomTo(const Bounds& bounds) { wantedBounds_ = bounds; }
     void zoom(float factor);
+    double metresPerPixel() const { return 1 / static_cast<double>(camera_.pixelsPerMetre); }
     /// Pixels of the drawing area for a place in the world, and back.
     atlax::Vec2 toPixels(const sulfur::Point& point) const;
     sulfur::Point toWorld(atlax::Vec2 pixels) const;
@@ -114,15 +126,18 @@ private:
     void letGuestIn(atlax::Canvas& canvas);
     void drawScene(atlax::Canvas& canvas, double alpha);
     void fit(atlax::PixelSize size);
+    void show(const Bounds& bounds, float width, float height, float rulers);
     void showFloor(float width, float height, float rulers);
     void mouseButton(const atlax::MouseButtonEvent& event);
-    void mouseMoved(atlax::Vec2 position);
+    void mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers);
+    SnapOptions snapOptions() const;
     void wheel(const atlax::WheelEvent& event);
     Pointer pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const;
     void guarded(const std::function<void()>& body);
     void followSlider();
     void stepFilm(atlax::Canvas& canvas);
     void paintRulerText(atlax::Canvas& canvas);
+    void paintLabels(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
     std::string clockState() const;
 
@@ -138,7 +153,8 @@ private:
     std::optional<atlax::Vec2> mouse_;
     std::optional<atlax::Vec2> panFrom_;
     bool fitPending_ = true;
-    bool snapping_ = false;
+    std::optional<Bounds> wantedBounds_;
+    SnapSwitches snapping_;
     int speedPermille_ = 1000;
     int singles_ = 0;  // ticks asked for while paused
     std::optional<double> pauseAt_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/properties.hpp"
+#include "model/switches.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -166,16 +167,69 @@ TEST(Properties, HeldInPlaceItStaysAndLetGoItFalls) {
 TEST(Properties, LayersDecideWhoCollides) {
     Document document;
     const BodyId low = place(document, "box", shapes::BoxOptions{}, {0, 0.6});
-    EXPECT_EQ(layers(document, std::vector{low}), 1u);
+    EXPECT_EQ(inLayer(document, std::vector{low}, 0), true);
+    EXPECT_EQ(inLayer(document, std::vector{low}, 1), false);
     place(document, "ball", shapes::BallOptions{}, {0, 3});
-    document.edit("Layer", [&] { setLayers(document, std::vector{document.bodyOf("ball")}, 2); });
+    const auto put = [&](int layer, bool on) {
+        document.edit("Layer", [&] {
+            setInLayer(document, std::vector{document.bodyOf("ball")}, layer, on);
+        });
+    };
+    put(1, true);
+    put(0, false);
+    const std::vector both{document.bodyOf("box"), document.bodyOf("ball")};
+    EXPECT_EQ(inLayer(document, both, 0), std::nullopt) << "mixed";
+    EXPECT_EQ(inLayer(document, both, 2), false);
     for (int i = 0; i < 1000; ++i) document.tick();
     EXPECT_LT(document.world().centreOfMass(document.bodyOf("ball")).y(), -1)
         << "it falls through box and floor";
     document.reset();
-    document.edit("Layer", [&] { setLayers(document, std::vector{document.bodyOf("ball")}, 3); });
+    put(0, true);
+    EXPECT_EQ(inLayer(document, std::vector{document.bodyOf("ball")}, 1), true) << "others stay";
     for (int i = 0; i < 1000; ++i) document.tick();
     EXPECT_GT(document.world().centreOfMass(document.bodyOf("ball")).y(), 0.2);
+}
+
+TEST(Properties, SwitchesAreThoseOfTheRecipe) {
+    Document document;
+    const std::vector rope{place(document, "rope", shapes::RopeOptions{}, {0, 5})};
+    const auto now = [&](const char* key) {
+        return common(document, std::vector{document.bodyOf("rope")}, *switchProperty(key));
+    };
+    EXPECT_TRUE(now("pin-first").applies);
+    EXPECT_FALSE(now("pin-corners").applies);
+    EXPECT_EQ(now("pin-first").on, false);
+    document.edit("Pin", [&] { setSwitch(document, rope, *switchProperty("pin-first"), true); });
+    EXPECT_EQ(now("pin-first").on, true);
+    for (int i = 0; i < 300; ++i) document.tick();
+    EXPECT_NEAR(
+        document.world().position(document.world().particles(document.bodyOf("rope")).front()).y(),
+        5, 1e-6);
+    const BodyId other = place(document, "rope", shapes::RopeOptions{}, {2, 5});
+    const std::vector both{document.bodyOf("rope"), other};
+    EXPECT_EQ(common(document, both, *switchProperty("pin-first")).on, std::nullopt) << "mixed";
+    EXPECT_EQ(switchProperty("nothing"), nullptr);
+}
+
+TEST(Properties, ASkinIsKeptInFilesAndMixedIsMixed) {
+    Document document;
+    const BodyId box = place(document, "box", shapes::BoxOptions{});
+    const BodyId ball = place(document, "ball", shapes::BallOptions{}, {3, 3});
+    document.edit("Skin", [&] { setSkin(document, std::vector{box}, "skins/crate.png"); });
+    EXPECT_EQ(skinOf(document, std::vector{document.bodyOf("box")}), "skins/crate.png");
+    EXPECT_EQ(skinOf(document, std::vector{document.bodyOf("box"), ball}), std::nullopt);
+    const std::string text = document.text();
+    Document again;
+    again.adopt(sulfur::scene::parse(text, "a test"));
+    EXPECT_EQ(again.text(), text);
+    EXPECT_EQ(skinOf(again, std::vector{again.bodyOf("box")}), "skins/crate.png");
+    EXPECT_THROW(
+        again.edit("Skin",
+                   [&] { setSkin(again, std::vector{again.bodyOf("box")}, "/etc/passwd"); }),
+        std::runtime_error);
+    EXPECT_EQ(again.text(), text);
+    again.edit("Skin", [&] { setSkin(again, std::vector{again.bodyOf("box")}, ""); });
+    EXPECT_EQ(again.text().find("crate"), std::string::npos);
 }
 
 TEST(Properties, ColoursAreKeptInFiles) {

@@ -60,7 +60,7 @@ TEST(Tools, WhatIsDrawnSaysHowLargeItIs) {
     bench.setTool(ToolKind::ground);
     bench.press({.position = {0, 1}});
     bench.move({.position = {2, 3}});
-    EXPECT_EQ(bench.hint(), "2.83 m, 45 degrees");
+    EXPECT_EQ(bench.hint(), "2.83 m, 45.0\xC2\xB0");
 }
 
 TEST(Tools, AClickDropsABoxThatFallsOntoTheFloor) {

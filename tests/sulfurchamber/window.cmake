@@ -95,7 +95,7 @@ foreach(size 640x480 900x600 1280x800)
       erase measure)
     string(APPEND script "tool ${tool}\nwhole\n")
   endforeach()
-  string(APPEND script "do page-object\nwhole\ndo select-all\nwhole\ndo page-history\nwhole\n")
+  string(APPEND script "do page-object\nwhole\ndo select-all\nwhole\ndo page-history\nwhole\ndo page-outline\nwhole\n")
   file(WRITE ${WORK}/whole.txt "${script}screenshot ${WORK}/${size}.png\nrun 0.2\nwhole\n")
   run(0 ${XVFB_RUN} -a -s "-screen 0 ${size}x24" ${PROGRAM} --width ${width} --height ${height}
     --script ${WORK}/whole.txt)
@@ -168,3 +168,87 @@ do page-history
 screenshot ${WORK}/history.png
 ")
 run_window(0 --script ${WORK}/properties.txt)
+
+# Order: groups, locks, what is hidden, in line, and the page that lists it all.
+file(WRITE ${WORK}/order.txt "
+tool box
+click -3 2
+click 0 3
+click 3 4
+do page-outline
+expect outline-rows = 4
+outline name 2
+expect selected = 1
+outline lock 1              # the floor
+expect locked = 1
+do select-all
+expect selected = 3
+do align-top
+do distribute-across
+do front
+do back
+do undo
+do undo
+do undo
+do undo
+do group
+label undo Undo “Group”
+expect outline-rows = 5
+outline arrow 2
+expect outline-rows = 2
+tool select
+key Escape
+click 0 3
+expect selected = 3
+outline arrow 2
+outline search box2
+expect outline-rows = 2
+outline eye 2
+expect hidden = 1
+outline lock 2
+expect locked = 2
+screenshot ${WORK}/outline.png
+outline search -
+screenshot ${WORK}/outline-all.png
+do show-all
+do unlock-all
+expect hidden = 0
+expect locked = 0
+outline double 3
+expect zoom < 0.01
+do fit
+outline name 2
+expect selected = 3
+do ungroup
+do lock
+expect locked = 3
+do unlock-all
+key Escape
+outline name 2
+do hide
+expect hidden = 1
+do show-all
+expect problem = 0
+")
+run_window(0 --script ${WORK}/order.txt)
+
+# Numbers of the selection, and handles at work.
+file(WRITE ${WORK}/place.txt "
+do snap-corners
+do snap-centres
+do snap-angles
+tool box
+click 0 3
+tool select
+click 0 3
+do page-object
+property x 1
+property angle 30
+property frame-width 2
+expect property.frame-width > 1.99
+expect property.angle > 29.9
+expect property.x > 0.99
+screenshot ${WORK}/frame.png
+expect problem = 0
+")
+run_window(0 --script ${WORK}/place.txt)

@@ -153,7 +153,8 @@ std::optional<Event> translate(const SDL_Event& event, float scale) {
         case SDL_TEXTINPUT:
             return TextEvent{event.text.text};
         case SDL_MOUSEMOTION:
-            return MouseMoved{place(event.motion.x, event.motion.y, scale)};
+            return MouseMoved{place(event.motion.x, event.motion.y, scale),
+                              toModifiers(SDL_GetModState())};
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP:
             return translateButton(event.button, scale);

@@ -150,7 +150,9 @@ void View::bindEvents() {
                              wxEVT_RIGHT_DCLICK, wxEVT_AUX1_DOWN, wxEVT_AUX1_UP, wxEVT_AUX1_DCLICK,
                              wxEVT_AUX2_DOWN, wxEVT_AUX2_UP, wxEVT_AUX2_DCLICK})
         Bind(type, &View::onMouseButton, this);
-    Bind(wxEVT_MOTION, [this](wxMouseEvent& event) { send(MouseMoved{pixels(event)}); });
+    Bind(wxEVT_MOTION, [this](wxMouseEvent& event) {
+        send(MouseMoved{pixels(event), modifiersOf(event)});
+    });
     // Another window took the mouse away: no release will come for what is held.
     Bind(wxEVT_MOUSE_CAPTURE_LOST, [this](wxMouseCaptureLostEvent&) {
         handlers_->buttonsDown.reset();

@@ -68,6 +68,7 @@ struct TextEvent {
 /// Position in pixels of the drawable area, y down.
 struct MouseMoved {
     Vec2 position{};
+    Modifiers modifiers = Modifiers::None;
 };
 
 struct MouseButtonEvent {
