@@ -41,8 +41,8 @@ struct Whim {
         input.reelOut = chance(random) < 0.2;
         input.boost = chance(random) < 0.3;
         input.push = static_cast<std::int8_t>(std::lround(254 * chance(random) - 127));
-        input.restart = chance(random) < 0.002;
-        input.retry = chance(random) < 0.01;
+        input.restart = chance(random) < 0.0005;
+        input.retry = chance(random) < 0.002;
     }
     /// Presses of a tick: held, they would restart in each.
     TickInput take() {
