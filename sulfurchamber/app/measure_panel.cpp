@@ -19,6 +19,15 @@ wxString numberWith(double value, const std::string& unit) {
     return text;
 }
 
+// As many digits as tell a ten-thousandth of what is expected.
+wxString differenceWith(double value, double expected, const std::string& unit) {
+    const double size = std::max(std::abs(expected), 1e-6);
+    const int digits = std::clamp(4 - static_cast<int>(std::ceil(std::log10(size))), 0, 9);
+    wxString text = wxString::Format("%+.*f ", digits, value) + wxString::FromUTF8(unit);
+    text.Replace("-", wxString::FromUTF8("\xE2\x88\x92"));
+    return text;
+}
+
 // As people say them: "broad phase" of the library stays what it is.
 wxString stageWords(sulfur::Stage stage) {
     wxString words = wxString::FromUTF8(sulfur::name(stage));
@@ -47,6 +56,8 @@ MeasurePanel::MeasurePanel(wxWindow* parent, Workbench& bench, SceneView& view)
 wxStaticText* MeasurePanel::heading(const wxString& text, wxSizer* sizer) {
     auto* heading = new wxStaticText(this, wxID_ANY, text);
     heading->SetFont(heading->GetFont().Bold().Larger());
+    // On a page that was never shown GTK tells the size of the usual font.
+    heading->SetMinSize(heading->GetTextExtent(text) + FromDIP(wxSize(2, 0)));
     sizer->Add(heading, wxSizerFlags(0).Border(wxBOTTOM, FromDIP(4)));
     return heading;
 }
@@ -172,7 +183,8 @@ void MeasurePanel::show(Block& block, const Finding& finding) {
     const wxString none = wxString::FromUTF8("\xE2\x80\xA6");
     set(block.values[1], finding.measured ? numberWith(*finding.measured, finding.unit) : none);
     const auto difference = finding.difference();
-    set(block.values[2], difference ? numberWith(*difference, finding.unit) : none);
+    set(block.values[2],
+        difference ? differenceWith(*difference, finding.expected, finding.unit) : none);
     block.values[2]->SetForegroundColour(
         difference && std::abs(*difference) > finding.bound ? wxColour(220, 60, 50) : wxNullColour);
     const wxString within = "Within " + numberWith(finding.bound, finding.unit) + " is expected";

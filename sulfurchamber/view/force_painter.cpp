@@ -89,9 +89,8 @@ void paintStrainBar(atlax::Canvas& canvas, const atlax::Font& font, Vec2 corner)
     for (int i = 0; i < steps; ++i) {
         const float share = (static_cast<float>(i) + 0.5f) / steps;
         const float strain = (2 * share - 1) * strainAtFullColour;
-        canvas.rect(
-            {corner + Vec2{width * static_cast<float>(i) / steps, 18}, {width / steps + 0.5f, 9}},
-            strainColour(strain));
+        canvas.rect({corner + Vec2{width * static_cast<float>(i) / steps, 18}, {width / steps, 9}},
+                    strainColour(strain));
     }
     const Color ink = palette::ice.withAlpha(0.9f);
     canvas.text(font, "Strain of joints", corner + Vec2{0, 9},

@@ -103,7 +103,7 @@ do page-measure
 do tool-tracer
 click 0 2
 do tool-gun
-drag -1.5 1.2 1.5 1.2
+drag -1.5 1.7 1.5 1.7
 do tool-protractor
 drag -1 3 -0.2 3
 click -0.2 3.8
