@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 constexpr int deepest = 64;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+[[noreturn]] void refuseGltf(const std::string& name, const std::string& reason) {
     throw Error(name + ": " + reason);
 }
 
@@ -32,7 +32,7 @@ std::string_view jsonOf(std::span<const std::byte> bytes, const std::string& nam
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (!text.starts_with(magic)) return text;
     if (bytes.size() < headers || wordAt(bytes, 12) > bytes.size() - headers)
-        refuse(name, "cannot be read: it is cut off");
+        refuseGltf(name, "cannot be read: it is cut off");
     return text.substr(headers, wordAt(bytes, 12));
 }
 
@@ -56,7 +56,7 @@ void checkUris(const Json& document, const char* list, const std::string& name) 
         const std::size_t at = uri.find(mark);
         if (!uri.starts_with("data:") || at == std::string::npos) continue;
         if (!isBase64(std::string_view(uri).substr(at + mark.size())))
-            refuse(name, std::string("has base64 in its \"") + list + "\" that is none");
+            refuseGltf(name, std::string("has base64 in its \"") + list + "\" that is none");
     }
 }
 
@@ -65,16 +65,16 @@ void checkUris(const Json& document, const char* list, const std::string& name) 
 void checkGltf(std::span<const std::byte> bytes, const std::string& name) {
     const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
         if (depth > deepest)
-            refuse(name, "is nested deeper than " + std::to_string(deepest) + " levels");
+            refuseGltf(name, "is nested deeper than " + std::to_string(deepest) + " levels");
         return true;
     };
     Json document;
     try {
         document = Json::parse(jsonOf(bytes, name), bounded);
     } catch (const Json::exception& error) {
-        refuse(name, std::string("cannot be read: ") + error.what());
+        refuseGltf(name, std::string("cannot be read: ") + error.what());
     }
-    if (!document.is_object()) refuse(name, "cannot be read: it holds no JSON object");
+    if (!document.is_object()) refuseGltf(name, "cannot be read: it holds no JSON object");
     for (const char* list : {"buffers", "images"}) checkUris(document, list, name);
 }
 

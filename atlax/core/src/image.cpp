@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t mostImageBytes = 64u << 20;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+[[noreturn]] void refuseImage(const std::string& name, const std::string& reason) {
     throw Error(name + ": " + reason);
 }
 
@@ -65,11 +65,11 @@ Image decodePng(std::span<const std::byte> bytes, const std::string& name) {
     png.version = PNG_IMAGE_VERSION;
     const auto problem = [&] { return std::string("cannot be decoded: ") + png.message; };
     if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-        refuse(name, problem());
+        refuseImage(name, problem());
     png.format = PNG_FORMAT_RGBA;
     Image image({static_cast<int>(png.width), static_cast<int>(png.height)});
     if (png_image_finish_read(&png, nullptr, image.bytes().data(), 0, nullptr) == 0)
-        refuse(name, problem());
+        refuseImage(name, problem());
     return image;
 }
 
@@ -78,7 +78,7 @@ Image decodePng(std::span<const std::byte> bytes, const std::string& name) {
 Image decodeJpeg(std::span<const std::byte> bytes, Announced size, const std::string& name) {
     const std::unique_ptr<void, decltype([](void* decoder) { tjDestroy(decoder); })> decoder(
         tjInitDecompress());
-    if (decoder == nullptr) refuse(name, "cannot be decoded: out of memory");
+    if (decoder == nullptr) refuseImage(name, "cannot be decoded: out of memory");
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
     const auto length = static_cast<unsigned long>(bytes.size());
     const auto problem = [&] {
@@ -86,13 +86,13 @@ Image decodeJpeg(std::span<const std::byte> bytes, Announced size, const std::st
     };
     int width = 0, height = 0, sampling = 0, colors = 0;
     if (tjDecompressHeader3(decoder.get(), data, length, &width, &height, &sampling, &colors) != 0)
-        refuse(name, problem());
+        refuseImage(name, problem());
     if (width != static_cast<int>(size.width) || height != static_cast<int>(size.height))
-        refuse(name, "names two sizes");
+        refuseImage(name, "names two sizes");
     Image image({width, height});
     if (tjDecompress2(decoder.get(), data, length, image.bytes().data(), width, 0, height,
                       TJPF_RGBA, TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT) != 0)
-        refuse(name, problem());
+        refuseImage(name, problem());
     return image;
 }
 
@@ -130,13 +130,13 @@ Image loadImage(const std::filesystem::path& file) {
 }
 
 Image decodeImage(std::span<const std::byte> bytes, const std::string& name) {
-    if (bytes.size() > mostImageBytes) refuse(name, "is larger than 64 MiB");
+    if (bytes.size() > mostImageBytes) refuseImage(name, "is larger than 64 MiB");
     // The size is read first, so that a small file cannot make the decoder take all memory.
     const auto png = pngSize(bytes);
     const auto size = png ? png : jpegSize(bytes);
-    if (!size) refuse(name, "is neither PNG nor JPEG, or is cut off");
+    if (!size) refuseImage(name, "is neither PNG nor JPEG, or is cut off");
     if (!accepted(size->width, size->height))
-        refuse(name, "its sides must be 1 to " + std::to_string(Image::maxSide) + " pixels");
+        refuseImage(name, "its sides must be 1 to " + std::to_string(Image::maxSide) + " pixels");
     return png ? decodePng(bytes, name) : decodeJpeg(bytes, *size, name);
 }
 

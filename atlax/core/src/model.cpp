@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::byte>;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+[[noreturn]] void refuseModel(const std::string& name, const std::string& reason) {
     throw Error(name + ": " + reason);
 }
 
@@ -137,15 +137,15 @@ Image pictureOf(const aiScene& scene, const aiMaterial& material, Files& files,
         material.GetTexture(aiTextureType_DIFFUSE, 0, &path) != aiReturn_SUCCESS)
         return {};
     if (const aiTexture* inside = scene.GetEmbeddedTexture(path.C_Str())) {
-        if (inside->mHeight != 0) refuse(name, "holds a picture that is neither PNG nor JPEG");
+        if (inside->mHeight != 0) refuseModel(name, "holds a picture that is neither PNG nor JPEG");
         return decodeImage(
             std::as_bytes(std::span(reinterpret_cast<const char*>(inside->pcData), inside->mWidth)),
             name + " (a picture in it)");
     }
     const auto bytes = files.read(path.C_Str());
     if (!bytes)
-        refuse(name, "names the picture \"" + std::string(path.C_Str()) +
-                         "\", which is not in its folder or cannot be read");
+        refuseModel(name, "names the picture \"" + std::string(path.C_Str()) +
+                              "\", which is not in its folder or cannot be read");
     return decodeImage(*bytes, path.C_Str());
 }
 
@@ -154,7 +154,7 @@ ModelPart partOf(const aiMesh& mesh, const std::string& name) {
     part.vertices.reserve(mesh.mNumVertices);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
         ModelVertex v;
-        if (!finite(mesh.mVertices[i])) refuse(name, "has a position that is not finite");
+        if (!finite(mesh.mVertices[i])) refuseModel(name, "has a position that is not finite");
         v.position = toArray(mesh.mVertices[i]);
         if (mesh.HasNormals() && finite(mesh.mNormals[i])) v.normal = toArray(mesh.mNormals[i]);
         if (mesh.HasTextureCoords(0) && finite(mesh.mTextureCoords[0][i]))
@@ -166,7 +166,7 @@ ModelPart partOf(const aiMesh& mesh, const std::string& name) {
         if (face.mNumIndices != 3) continue;
         for (unsigned k = 0; k < 3; ++k) {
             if (face.mIndices[k] >= mesh.mNumVertices)
-                refuse(name, "has a triangle with a corner that it does not have");
+                refuseModel(name, "has a triangle with a corner that it does not have");
             part.indices.push_back(face.mIndices[k]);
         }
     }
@@ -182,8 +182,8 @@ void checkLimits(const aiScene& scene, const std::string& name) {
     }
     if (scene.mNumMeshes > Model::mostParts || vertices > Model::mostVertices ||
         faces > Model::mostVertices)
-        refuse(name, "has more than " + std::to_string(Model::mostParts) + " parts or " +
-                         std::to_string(Model::mostVertices) + " vertices or triangles");
+        refuseModel(name, "has more than " + std::to_string(Model::mostParts) + " parts or " +
+                              std::to_string(Model::mostVertices) + " vertices or triangles");
 }
 
 void measure(Model& model) {
@@ -208,7 +208,7 @@ Model convert(const aiScene& scene, Files& files, const std::string& name) {
         part.picture = pictureOf(scene, material, files, name);
         model.parts.push_back(std::move(part));
     }
-    if (model.parts.empty()) refuse(name, "has no triangles");
+    if (model.parts.empty()) refuseModel(name, "has no triangles");
     measure(model);
     return model;
 }
@@ -217,7 +217,7 @@ std::string kindOf(const std::string& name) {
     std::string ending = fs::path(name).extension().string();
     for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     if (ending != ".gltf" && ending != ".glb" && ending != ".obj")
-        refuse(name, "is no model that can be read; allowed are .gltf, .glb and .obj");
+        refuseModel(name, "is no model that can be read; allowed are .gltf, .glb and .obj");
     return ending;
 }
 
@@ -235,8 +235,8 @@ void keepOurReaders(Assimp::Importer& importer) {
 
 Model import(std::span<const std::byte> bytes, const fs::path& folder, const std::string& name) {
     const std::string self = "model" + kindOf(name);
-    if (bytes.empty()) refuse(name, "is empty");
-    if (bytes.size() > Model::mostBytes) refuse(name, "is larger than 64 MiB");
+    if (bytes.empty()) refuseModel(name, "is empty");
+    if (bytes.size() > Model::mostBytes) refuseModel(name, "is larger than 64 MiB");
     if (!self.ends_with(".obj")) detail::checkGltf(bytes, name);
     Files files(folder, self, bytes);
     Assimp::Importer importer;
@@ -252,10 +252,10 @@ Model import(std::span<const std::byte> bytes, const fs::path& folder, const std
     try {
         scene = importer.ReadFile(self, steps);
     } catch (const std::exception& error) {
-        refuse(name, std::string("cannot be read: ") + error.what());
+        refuseModel(name, std::string("cannot be read: ") + error.what());
     }
     if (scene == nullptr || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE) != 0)
-        refuse(name, std::string("cannot be read: ") + importer.GetErrorString());
+        refuseModel(name, std::string("cannot be read: ") + importer.GetErrorString());
     return convert(*scene, files, name);
 }
 

@@ -27,12 +27,13 @@ using Surface = std::unique_ptr<cairo_surface_t, Release<cairo_surface_destroy>>
 using Pen = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
 using Problem = std::unique_ptr<GError, Release<g_error_free>>;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+[[noreturn]] void refuseSvg(const std::string& name, const std::string& reason) {
     throw Error(name + ": " + reason);
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what, const Problem& problem) {
-    refuse(name, what + (problem ? std::string(": ") + problem->message : std::string()));
+[[noreturn]] void refuseSvg(const std::string& name, const std::string& what,
+                            const Problem& problem) {
+    refuseSvg(name, what + (problem ? std::string(": ") + problem->message : std::string()));
 }
 
 void ignoreMessage(void*, const char*, ...) {}
@@ -41,9 +42,7 @@ void ignoreMessage(void*, const char*, ...) {}
 /// reason of the refusal says as much. Of this thread, and only while it lives.
 class QuietXml {
 public:
-    QuietXml() {
-        xmlSetGenericErrorFunc(nullptr, ignoreMessage);
-    }
+    QuietXml() { xmlSetGenericErrorFunc(nullptr, ignoreMessage); }
     ~QuietXml() { xmlSetGenericErrorFunc(context_, before_); }
     QuietXml(const QuietXml&) = delete;
     QuietXml& operator=(const QuietXml&) = delete;
@@ -61,7 +60,7 @@ Drawing read(std::span<const std::byte> bytes, const std::string& name) {
     Drawing drawing(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(bytes.data()),
                                               bytes.size(), &error));
     const Problem problem(error);
-    if (drawing == nullptr) refuse(name, "is not an SVG drawing", problem);
+    if (drawing == nullptr) refuseSvg(name, "is not an SVG drawing", problem);
     return drawing;
 }
 
@@ -100,10 +99,10 @@ Surface paint(RsvgHandle* drawing, PixelSize size, const std::string& name) {
     GError* error = nullptr;
     const bool drawn = rsvg_handle_render_document(drawing, pen.get(), &all, &error) != 0;
     const Problem problem(error);
-    if (!drawn) refuse(name, "cannot be drawn", problem);
+    if (!drawn) refuseSvg(name, "cannot be drawn", problem);
     cairo_surface_flush(surface.get());
     if (const auto status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS)
-        refuse(name, std::string("cannot be drawn: ") + cairo_status_to_string(status));
+        refuseSvg(name, std::string("cannot be drawn: ") + cairo_status_to_string(status));
     return surface;
 }
 
@@ -136,10 +135,11 @@ Image loadSvg(const std::filesystem::path& file, PixelSize size) {
 }
 
 Image decodeSvg(std::span<const std::byte> bytes, PixelSize size, const std::string& name) {
-    if (bytes.size() > mostSvgBytes) refuse(name, "is larger than 4 MiB");
+    if (bytes.size() > mostSvgBytes) refuseSvg(name, "is larger than 4 MiB");
     if (size.width < 1 || size.height < 1 || size.width > Image::maxSide ||
         size.height > Image::maxSide)
-        refuse(name, "was asked for at a size outside of 1 to " + std::to_string(Image::maxSide));
+        refuseSvg(name,
+                  "was asked for at a size outside of 1 to " + std::to_string(Image::maxSide));
     const Drawing drawing = read(bytes, name);
     const PixelSize pixels = fitted(extentOf(drawing.get()), size);
     return toImage(paint(drawing.get(), pixels, name).get(), pixels);
