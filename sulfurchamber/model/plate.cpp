@@ -23,7 +23,7 @@ using sulfur::scene::Prefab;
 using Loop = std::vector<std::uint32_t>;
 
 constexpr double pointedMitre = 4;  // radii that a corner moves at most
-constexpr double slitWidth = 1e-4;  // metres by which corners of a slit go to their sides
+constexpr double plateSlit = 1e-4;  // metres by which corners of a slit go to their sides
 
 double thickness(const sulfur::Blueprint& plan) {
     double radius = 0;
@@ -121,7 +121,7 @@ Axes slitOpen(const Loop& loop, const std::vector<Point>& places) {
             std::fmod(directionOf(before - at) - out + 4 * std::numbers::pi, 2 * std::numbers::pi);
         const double inward = out + wedge / 2;
         axes.points.push_back(
-            twice ? Point(at + slitWidth * Point(std::cos(inward), std::sin(inward))) : at);
+            twice ? Point(at + plateSlit * Point(std::cos(inward), std::sin(inward))) : at);
         axes.slits.push_back(sides.contains({loop[(i + 1) % n], loop[i]}));
     }
     return axes;
@@ -263,7 +263,7 @@ void setPlate(Prefab& prefab, const Plate& plate) {
     };
     const auto corners = static_cast<std::uint32_t>(axes.points.size());
     for (std::uint32_t i = 0; i < corners; ++i)
-        join(i, (i + 1) % corners, axes.slits[i] ? slitWidth / 2 : radius);
+        join(i, (i + 1) % corners, axes.slits[i] ? plateSlit / 2 : radius);
     // Three quarters of a triangle in its middle and the rest in its corners have its mass, its
     // centre and its inertia (Simpson's rule for triangles).
     for (const CornerTriple& triangle : triangles) {
