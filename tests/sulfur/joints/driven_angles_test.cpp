@@ -11,7 +11,7 @@
 namespace sulfur {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double fullTurn = 2 * std::numbers::pi;
 
 /// Two arms of 1 m and 1 kg at each particle, straight along x, with an angle between them.
 Blueprint elbow(const AngularJointSpec& angle = {}) {
@@ -103,8 +103,8 @@ TEST(DrivenAngles, SpringsAreChangedWhileTheyRun) {
         }
         return ends.at(2) - ends.at(1);
     };
-    EXPECT_NEAR(period(4), 2 * pi / 2, 0.01);  // inertia 1 kg m^2
-    EXPECT_NEAR(period(36), 2 * pi / 6, 0.01);
+    EXPECT_NEAR(period(4), fullTurn / 2, 0.01);  // inertia 1 kg m^2
+    EXPECT_NEAR(period(36), fullTurn / 6, 0.01);
     world.setDrive(id, {.stiffness = 36, .damping = 12, .rest = Real(-0.5)});
     test::run(world, 4);
     EXPECT_NEAR(world.info(id).angle, -0.5, 1e-3);
