@@ -383,8 +383,8 @@ bool isWhole(const State& state, const Mechanism& m) {
         if (!std::isfinite(forces.spring) || !std::isfinite(forces.motor) ||
             !std::isfinite(forces.lower) || !std::isfinite(forces.upper))
             return false;
-    if (bool(m.angle) != (m.a == m.b) || (m.angle && m.kind != MechanismKind::hinge)) return false;
-    const bool isGear = m.kind == MechanismKind::gear;
+    const bool isGear = m.kind == MechanismKind::gear, ofOneBody = m.a == m.b;
+    if (m.angle ? !ofOneBody || m.kind != MechanismKind::hinge : ofOneBody && !isGear) return false;
     const auto points = m.kind == MechanismKind::slider     ? 3u
                         : m.kind == MechanismKind::distance ? 2u
                         : m.kind == MechanismKind::pulley   ? 4u
