@@ -252,6 +252,7 @@ void MainFrame::onFrame() {
     }
     if (atlax::monotonicNs() >= nextRefreshNs_) {
         refresh();
+        if (table4_) table4_->refresh();
         keepUnsaved();
         nextRefreshNs_ = atlax::monotonicNs() + refreshNs;
     }

@@ -18,8 +18,6 @@
 namespace sulfurchamber {
 namespace {
 
-constexpr int refreshMs = 150;
-
 struct Curve {
     wxString name;
     wxColour colour;
@@ -138,8 +136,7 @@ Table4Window::Table4Window(wxWindow* parent, Choose choose,
     : wxFrame(parent, wxID_ANY, "Table 4 of the paper", wxDefaultPosition, wxDefaultSize,
               wxDEFAULT_FRAME_STYLE | wxFRAME_FLOAT_ON_PARENT),
       choose_(std::move(choose)),
-      tell_(std::move(tell)),
-      timer_(this) {
+      tell_(std::move(tell)) {
     auto* panel = new wxPanel(this);
     auto* words = new wxStaticText(
         panel, wxID_ANY,
@@ -179,8 +176,6 @@ Table4Window::Table4Window(wxWindow* parent, Choose choose,
     });
     csv_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { saveAs("table4.csv", "csv"); });
     png_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { saveAs("table4.png", "png"); });
-    Bind(wxEVT_TIMER, [this](wxTimerEvent&) { refresh(); });
-    timer_.Start(refreshMs);
     begin();
 }
 

@@ -6,7 +6,6 @@
 #include <wx/gauge.h>
 #include <wx/listctrl.h>
 #include <wx/stattext.h>
-#include <wx/timer.h>
 
 #include <filesystem>
 #include <functional>
@@ -29,13 +28,14 @@ public:
     const Table4& table() const { return table_; }
     /// Begins anew, with other seconds for each column than the usual ten.
     void begin(double seconds = 10);
+    /// Shows what has been found since. The frame calls it now and then.
+    void refresh();
     /// The table as .csv or the diagram as .png. Throws std::exception.
     void save(const std::filesystem::path& file);
 
 private:
     class Diagram;
     void makeTable();
-    void refresh();
     void saveAs(const char* name, const char* kind);
 
     Table4 table_;
@@ -47,7 +47,6 @@ private:
     wxButton* run_ = nullptr;
     wxButton* csv_ = nullptr;
     wxButton* png_ = nullptr;
-    wxTimer timer_;
 };
 
 }  // namespace sulfurchamber
