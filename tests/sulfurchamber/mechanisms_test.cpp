@@ -1,5 +1,6 @@
 // Mechanisms of a scene in the sandbox: kept, carried along, copied, and gone with their bodies.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -35,7 +36,9 @@ const std::string works = R"({"format": "sulfur-scene", "version": 1, "blueprint
     {"type": "gear", "first": "swing", "second": "rail", "ratio": 0.5}]})";
 
 std::filesystem::path fileOf(const std::string& text, const std::string& name) {
-    const auto file = std::filesystem::path(testing::TempDir()) / ("sulfurchamber_" + name);
+    // Tests run side by side, each in a process of its own.
+    const auto file = std::filesystem::path(testing::TempDir()) /
+                      ("sulfurchamber_" + std::to_string(getpid()) + name);
     std::ofstream(file) << text;
     return file;
 }
