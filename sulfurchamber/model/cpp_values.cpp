@@ -94,6 +94,7 @@ std::string callOf(const shapes::BoxOptions& o) {
                .add("damping", o.damping, d.damping)
                .add("strength", o.strength, d.strength)
                .add("solidInertia", o.solidInertia, d.solidInertia)
+               .add("rounded", o.rounded, d.rounded)
                .add("material", o.material, d.material)
                .done() +
            ")";
@@ -168,6 +169,7 @@ std::string callOf(const shapes::PolygonOptions& o) {
                .add("stiffness", o.stiffness, d.stiffness)
                .add("damping", o.damping, d.damping)
                .add("strength", o.strength, d.strength)
+               .add("rounded", o.rounded, d.rounded)
                .add("material", o.material, d.material)
                .done() +
            ")";
@@ -452,6 +454,12 @@ std::string text(const AngularJointSpec& j) {
         .add("stiffness", j.stiffness, d.stiffness)
         .add("damping", j.damping, d.damping)
         .add("restAngle", j.restAngle, d.restAngle)
+        .add("lower", j.lower, d.lower)
+        .add("upper", j.upper, d.upper)
+        .add("motorSpeed", j.motorSpeed, d.motorSpeed)
+        .add("motorMax", j.motorMax, d.motorMax)
+        .add("motorTarget", j.motorTarget, d.motorTarget)
+        .add("strength", j.strength, d.strength)
         .done();
 }
 std::string text(const Field& field) {
