@@ -61,6 +61,7 @@ void ValueRow::makeSlider(wxWindow* parent) {
     const auto end = [&](const wxString& text) {
         auto* label = new wxStaticText(parent, wxID_ANY, text);
         label->SetFont(label->GetFont().Smaller());
+        label->SetMinSize(label->GetTextExtent(text));  // GTK may ask for a pixel less
         bottom_->Add(label, wxSizerFlags(0).CentreVertical());
     };
     end(shortNumber(spec_.low));

@@ -121,8 +121,7 @@ public:
         return dragging()
                    ? metresText(length()) +
                          " of rope; release where it ends, with Shift both free ends are pinned"
-                   : "Drag to span a rope: it ties itself to what its ends touch, a free "
-                     "start is pinned";
+                   : "Drag a rope: its ends tie to what they touch, a free start is pinned";
     }
 
 private:
@@ -291,8 +290,7 @@ public:
     std::string hint() const override {
         if (dragging() && !clicked())
             return "Radius " + metresText(length()) + ", " + kilogramsText(discMass(length()));
-        return "Click to put a wheel, or drag from its hub to its rim; on a body its hub is an "
-               "axle";
+        return "Click to put a wheel, or drag hub to rim; on a body the hub is an axle";
     }
 
 private:

@@ -92,14 +92,11 @@ public:
     std::string hint() const override {
         switch (kind_) {
             case ToolKind::motor:
-                return "Click where two bodies overlap: the upper one is turned; a single body "
-                       "turns about the background";
+                return "Click where two bodies overlap to turn the upper one, or a single body";
             case ToolKind::weld:
-                return "Click where two bodies overlap to weld them; a single body is held where "
-                       "it is";
+                return "Click where two bodies overlap to weld them, or a single body to hold it";
             default:
-                return "Click where two bodies overlap to hinge them; a single body hangs from "
-                       "the background";
+                return "Click where two bodies overlap to hinge them, or a single body to hang it";
         }
     }
 
@@ -204,7 +201,8 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "A rail of " + metresText(length()) + ", " + degreesText(directionOf(to() - from()));
+            return "A rail of " + metresText(length()) + ", " +
+                   degreesText(directionOf(to() - from()));
         return "Drag from a body along its rail; on two bodies the lower one bears the rail";
     }
 
@@ -238,8 +236,7 @@ public:
         return {Preview::Kind::line, from(), to(), length()};
     }
     std::string hint() const override {
-        return "Click the hub of a wheel on a body, or drag from the hub to the body: Right and "
-               "Left drive it";
+        return "Click a wheel's hub on a body, or drag from it to the body; arrows drive it";
     }
 
 private:
@@ -353,8 +350,7 @@ public:
         return {Preview::Kind::line, from(), to(), length()};
     }
     std::string hint() const override {
-        return "Drag from the mark of a hinge, motor, axle or slider to that of another one: they "
-               "turn together";
+        return "Drag from one mark to another: both turn together";
     }
 
 private:

@@ -143,8 +143,8 @@ public:
     std::string hint() const override {
         if (kind() == MeterKind::gauge)
             return missed_ ? "There is neither a joint nor a body of the scene"
-                           : "Click a joint, a hinge or another mechanism for its force, or a body "
-                             "for the sum of its contacts";
+                           : "Click a joint or mechanism for its force, a body for that of its "
+                             "contacts";
         return missed_ ? "There is no body of the scene"
                        : "Click a point of a body: it leaves a trail";
     }

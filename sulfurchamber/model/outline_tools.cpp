@@ -80,8 +80,7 @@ public:
     }
     std::string hint() const override {
         return corners_.size() < 3
-                   ? "Click the corners of a polygon, one after the other; inside of a selected "
-                     "box or polygon it is a hole"
+                   ? "Click corner by corner; inside of a selected body it is a hole"
                    : "Click the next corner, or the first one (or Enter) to close; Escape drops it";
     }
 

@@ -37,7 +37,7 @@ public:
         document().edit("Add particle", [&] { document().add(prefab, placement); });
     }
     std::string hint() const override {
-        return "Click to put a particle, with Shift a pinned one; join them with the joint tool";
+        return "Click to put a particle, with Shift a pinned one, for the joint tool";
     }
 
 private:

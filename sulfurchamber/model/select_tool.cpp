@@ -166,7 +166,7 @@ private:
         std::string hint =
             document().playing()
                 ? "Drag a body to pull it with a spring, or drag a frame to select"
-                : "Click to select, drag to move, with Alt a copy; handles stretch, scale and turn";
+                : "Click to select, drag to move, with Alt a copy; handles turn and scale";
         if (const std::size_t hidden = hiddenCount(document()); hidden > 0)
             hint = std::to_string(hidden) + (hidden == 1 ? " body is" : " bodies are") +
                    " hidden and still simulated; " + hint;

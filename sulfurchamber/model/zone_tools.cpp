@@ -106,8 +106,7 @@ public:
     std::string hint() const override {
         if (dragging() && !clicked())
             return "A belt of " + metresText(length()) + " that runs at 1.5 m/s";
-        return "Drag a belt in the direction in which it runs, or click a body: its surface runs, "
-               "or turns round";
+        return "Drag a belt the way it runs, or click a body whose surface shall run";
     }
 
 private:

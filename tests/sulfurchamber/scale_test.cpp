@@ -1,5 +1,6 @@
 // Large scenes and long histories: what they cost is printed, and only memory and results can fail.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atlax/backend.hpp>
@@ -47,7 +48,8 @@ double memory() {
 
 // 4,000 boxes of five particles.
 std::filesystem::path largeScene() {
-    const auto file = std::filesystem::temp_directory_path() / "sulfurchamber-scale-test.json";
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("sulfurchamber-scale-test-" + std::to_string(getpid()) + ".json");
     if (std::filesystem::exists(file)) return file;
     Workbench bench;
     bench.dropBoxes(4000);

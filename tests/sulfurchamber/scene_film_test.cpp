@@ -1,5 +1,6 @@
 // Films of what is recorded.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atlax/files.hpp>
@@ -28,7 +29,8 @@ struct Filmed {
 
 // `beside` is done before each step, as a person goes on working.
 Filmed film(Workbench& bench, const std::function<void(int)>& beside = {}) {
-    const auto file = std::filesystem::temp_directory_path() / "sulfurchamber-film-test.png";
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("sulfurchamber-film-test-" + std::to_string(getpid()) + ".png");
     std::filesystem::remove(file);
     atlax::OffscreenCanvas offscreen({64, 40});
     const SceneView view(bench);

@@ -19,7 +19,7 @@ expect bodies = 1
 import ${WORK}/cat.svg soft 3
 expect bodies = 3
 expect particles > 100
-run 1
+run 3
 expect contacts > 0
 export-cpp ${WORK}/scene.cpp
 do play
