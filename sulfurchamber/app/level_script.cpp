@@ -42,7 +42,7 @@ bool Script::startLevel(const Words& words) {
         std::string text;
         for (std::size_t i = 2; i < words.size(); ++i) text += (i > 2 ? " " : "") + words[i];
         changeField(bench.document(), thing, *field, text);
-    } else if (words[0] == "hold-key" && words.size() == 3 && words[1].size() == 1) {
+    } else if (words[0] == "keep-key" && words.size() == 3 && words[1].size() == 1) {
         const int code = std::toupper(static_cast<unsigned char>(words[1][0]));
         frame_.canvas().SetFocus();
         simulator_.KeyDown(code);

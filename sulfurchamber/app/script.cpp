@@ -113,7 +113,7 @@ std::string scriptHelp() {
            "  await QUANTITY OP N SECONDS   goes on once it holds, fails after so long\n"
            "  thing KIND INDEX        selects a thing of the level: spawn exit hints zones ...\n"
            "  field PATH VALUE        sets a field of the selected thing, such as radius 0.7\n"
-           "  hold-key NAME SECONDS   keeps a key down\n"
+           "  keep-key NAME SECONDS   keeps a key down in a play-test\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";

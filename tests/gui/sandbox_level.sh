@@ -53,7 +53,7 @@ key F5
 await playtest = 1 30
 await playtest.ticks > 100 30
 expect playtest.time = 0
-hold-key D 0.8
+keep-key D 0.8
 await playtest.time > 0.2 30
 screenshot $folder/playing.png
 key Escape
