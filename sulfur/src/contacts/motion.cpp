@@ -272,8 +272,8 @@ void refreshRows(State& state) {
 
 namespace {
 
-/// Sweeps the blocks of a list of one colour. No two of them push the same body; what cannot be
-/// pushed all of them write as they have read it.
+/// Sweeps the blocks of a list of one colour. No two of them push the same body, and what cannot be
+/// pushed none of them writes.
 template <class Block>
 bool sweepList(Tasks* tasks, ContactCore& core, std::vector<Block>& blocks,
                bool (*sweep)(SolverBody*, const Prediction*, Block*, std::size_t,
