@@ -21,7 +21,7 @@ using atlax::Key;
 constexpr const char* aDay = "2026-11-29";
 
 std::string dayOf(int number) {
-    char text[16];
+    char text[32];
     std::snprintf(text, sizeof text, "2027-%02d-%02d", 1 + number / 28, 1 + number % 28);
     return text;
 }
