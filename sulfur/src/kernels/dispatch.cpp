@@ -9,6 +9,7 @@
 #include "kernels/cluster_motion.hpp"
 #include "kernels/joint_force.hpp"
 #include "kernels/joint_sweep.hpp"
+#include "kernels/loose_look.hpp"
 #include "kernels/particle_motion.hpp"
 #include "kernels/rows.hpp"
 
@@ -66,6 +67,13 @@ const AreaKernels& areaKernels() {
     if (mayUse(Instructions::avx2)) return avx2Areas;
 #endif
     return baselineAreas;
+}
+
+const LookKernels& lookKernels() {
+#ifdef SULFUR_AVX2_KERNELS
+    if (mayUse(Instructions::avx2)) return avx2Looks;
+#endif
+    return baselineLooks;
 }
 
 const MotionKernels& motionKernels() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/slots.hpp"
+#include "kernels/loose_look.hpp"
 
 namespace sulfur::detail {
 
@@ -17,10 +18,14 @@ struct Nearness {
     Real far = 0;              // m, from its line or end when the step begins
 };
 
-/// Where a corner is, from the origin of a look, and where it goes in this step.
-struct CornerWay {
-    Real x = 0, y = 0;        // m
-    Real wayX = 0, wayY = 0;  // m
+/// A chunk as a look sees it: its corners, the ends of their capsules, and its sides.
+struct ChunkLanes {
+    SpokedCorners corners;
+    std::vector<CornerLanes> spokes;
+    SideLanes sides;
+    std::uint32_t owned = 0;     // bits of corners that are held off others
+    std::uint32_t discs = 0;     // bits of sides that are a disc, and no side
+    std::uint32_t twoSided = 0;  // bits of sides that push both ways
 };
 
 /// What a look at two chunks finds, and how far both may go until something else may come near.
@@ -28,9 +33,10 @@ struct LooseLook {
     std::vector<Nearness> near;
     Real slack = 0;  // m
     Real gap = 0;    // m, between what may touch, as it is
-    // Scratch: the corners of both chunks.
-    std::vector<CornerWay> cornersA, cornersB;
-    std::vector<Nearness> before;
+    // Scratch: both chunks, and what one corner sees.
+    ChunkLanes a, b;
+    SidesSeen sidesSeen;
+    CornersSeen cornersSeen;
 };
 
 /// On which side of a two-sided capsule a corner has been so far: +1, -1, or 0 where it is new.

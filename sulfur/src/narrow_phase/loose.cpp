@@ -8,7 +8,9 @@
 #include "narrow_phase/loose.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 #include "core/settings.hpp"
 #include "model/state.hpp"
@@ -19,7 +21,6 @@ namespace sulfur::detail {
 namespace {
 
 constexpr Real togetherWithin = Real(tuned::togetherWithin);
-constexpr Real beyondEnds = Real(tuned::beyondEnds);
 /// Where a corner has a row already, whose refresh tells when it leaves what it is before, another
 /// one may come so much too late.
 constexpr Real held = Real(tuned::seam);
@@ -29,9 +30,6 @@ struct Xy {
 };
 Xy operator-(Xy a, Xy b) {
     return {a.x - b.x, a.y - b.y};
-}
-Xy operator+(Xy a, Xy b) {
-    return {a.x + b.x, a.y + b.y};
 }
 Xy operator*(Real s, Xy a) {
     return {s * a.x, s * a.y};
@@ -45,28 +43,14 @@ Real cross(Xy a, Xy b) {
 Real norm(Xy a) {
     return std::sqrt(dot(a, a));
 }
-Xy at(const CornerWay& c, Real moment = 0) {
-    return {c.x + moment * c.wayX, c.y + moment * c.wayY};
-}
-Xy way(const CornerWay& c) {
-    return {c.wayX, c.wayY};
+Xy at(const CornerWay& c) {
+    return {c.x, c.y};
 }
 
-constexpr Real reached = Real(1 + tuned::reached), reachedRound = Real(1 + tuned::reachedRound);
-
-/// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
-/// not come so far.
-Real momentOfHeight(Real start, Real end, Real limit) {
-    if (!(start > reached * limit)) return 0;
-    return start - end > start - limit ? (start - limit) / (start - end) : 1;
-}
-/// When two points come as near as a limit; or when they are nearest, or 1 if that is later.
-Real momentOfPoints(Xy start, Xy way, Real limit) {
-    const Real a = dot(way, way), b = dot(start, way), c = dot(start, start) - limit * limit;
-    if (!(dot(start, start) > reachedRound * reachedRound * limit * limit)) return 0;
-    if (!(b < 0)) return 1;
-    // Far beyond all that has a size the difference is no number; then it is 0.
-    return std::clamp<Real>((-b - std::sqrt(std::max<Real>(0, b * b - a * c))) / a, 0, 1);
+/// Calls f(number) for each bit that is set, the lowest first.
+template <class Function>
+void forEachBit(std::uint32_t bits, Function&& f) {
+    for (; bits != 0; bits &= bits - 1) f(static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
 // --- who may touch whom ---------------------------------------------------------------------
@@ -118,22 +102,67 @@ public:
 
     void run() {
         result_.near.clear();
-        spare_ = entrance_ = result_.gap = Real(1e30);
-        place(a_, result_.cornersA);
-        place(b_, result_.cornersB);
-        extentA_ = extentOf(a_, result_.cornersA);
-        extentB_ = extentOf(b_, result_.cornersB);
-        againstSides(a_, result_.cornersA, b_, result_.cornersB, extentB_);
-        if (&a_ != &b_) againstSides(b_, result_.cornersB, a_, result_.cornersA, extentA_);
-        againstCorners();
+        spare_ = entrance_ = result_.gap = lookedAway;
+        place(a_, result_.a);
+        ChunkLanes& other = &a_ == &b_ ? result_.a : result_.b;
+        if (&a_ != &b_) place(b_, other);
+        extentA_ = extentOf(a_, result_.a.corners);
+        extentB_ = extentOf(b_, other.corners);
+        againstSides(a_, result_.a, b_, other, extentB_);
+        if (&a_ != &b_) againstSides(b_, other, a_, result_.a, extentA_);
+        againstCorners(result_.a, other);
         result_.slack =
             std::min(entrance_, std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_));
     }
 
 private:
-    void place(const Chunk& chunk, std::vector<CornerWay>& corners) const {
-        corners.resize(chunk.corners);
-        for (std::uint32_t k = 0; k < chunk.corners; ++k) corners[k] = wayOf(chunk.firstCorner + k);
+    static void put(CornerLanes& lanes, std::uint32_t k, const CornerWay& w) {
+        lanes.x[k] = w.x;
+        lanes.y[k] = w.y;
+        lanes.wayX[k] = w.wayX;
+        lanes.wayY[k] = w.wayY;
+    }
+    static CornerWay taken(const CornerLanes& lanes, std::uint32_t k) {
+        return {lanes.x[k], lanes.y[k], lanes.wayX[k], lanes.wayY[k]};
+    }
+
+    void place(const Chunk& chunk, ChunkLanes& lanes) const {
+        SpokedCorners& corners = lanes.corners;
+        corners.count = chunk.corners;
+        corners.mostSpokes = lanes.owned = 0;
+        for (std::uint32_t k = 0; k < chunk.corners; ++k) {
+            const Corner& corner = shapes_.corners[chunk.firstCorner + k];
+            put(corners.at, k, wayOf(chunk.firstCorner + k));
+            corners.radius[k] = corner.radius;
+            lanes.owned |= corner.owned << k;
+            if (corner.owned) corners.mostSpokes = std::max(corners.mostSpokes, corner.spokes);
+        }
+        placeSpokes(chunk, lanes);
+        SideLanes& sides = lanes.sides;
+        sides.count = chunk.sides;
+        lanes.discs = lanes.twoSided = 0;
+        for (std::uint32_t k = 0; k < chunk.sides; ++k) {
+            const Side& side = shapes_.sides[chunk.firstSide + k];
+            put(sides.a, k, taken(corners.at, side.a - chunk.firstCorner));
+            put(sides.b, k, taken(corners.at, side.b - chunk.firstCorner));
+            sides.radius[k] = side.radius;
+            sides.outward[k] = static_cast<Real>(side.outward);
+            lanes.discs |= (side.a == side.b ? 1u : 0u) << k;
+            lanes.twoSided |= (side.outward == 0 ? 1u : 0u) << k;
+        }
+    }
+    void placeSpokes(const Chunk& chunk, ChunkLanes& lanes) const {
+        SpokedCorners& corners = lanes.corners;
+        if (lanes.spokes.size() < corners.mostSpokes) lanes.spokes.resize(corners.mostSpokes);
+        corners.spokes = lanes.spokes.data();
+        for (std::uint32_t s = 0; s < corners.mostSpokes; ++s)
+            for (std::uint32_t k = 0; k < chunk.corners; ++k) {
+                const Corner& corner = shapes_.corners[chunk.firstCorner + k];
+                const auto end = s < corner.spokes ? shapes_.spokes[corner.firstSpoke + s]
+                                                   : chunk.firstCorner + k;
+                const auto own = end - chunk.firstCorner;
+                put(lanes.spokes[s], k, own < chunk.corners ? taken(corners.at, own) : wayOf(end));
+            }
     }
     /// Where the corners of a chunk are, and how they go.
     struct Extent {
@@ -141,10 +170,11 @@ private:
         Xy least{Real(1e30), Real(1e30)}, most{Real(-1e30), Real(-1e30)};
         Real radius = 0;
     };
-    static Extent extentOf(const Chunk& chunk, const std::vector<CornerWay>& corners) {
+    static Extent extentOf(const Chunk& chunk, const SpokedCorners& corners) {
         Extent e;
         e.radius = chunk.radius;
-        for (const CornerWay& c : corners) {
+        for (std::uint32_t k = 0; k < corners.count; ++k) {
+            const CornerWay c = taken(corners.at, k);
             e.low = {std::min(e.low.x, c.x), std::min(e.low.y, c.y)};
             e.high = {std::max(e.high.x, c.x), std::max(e.high.y, c.y)};
             e.least = {std::min(e.least.x, c.wayX), std::min(e.least.y, c.wayY)};
@@ -161,6 +191,15 @@ private:
         const Real thickness = radius + other.radius;
         return far - thickness > std::max({nearFrom(thickness, closing), spare_, result_.gap});
     }
+    /// Its corners that are held off others and not beyond all of another chunk.
+    std::uint32_t within(const ChunkLanes& own, const Extent& other) const {
+        std::uint32_t found = 0;
+        forEachBit(own.owned, [&](std::uint32_t k) {
+            const bool beyond = isBeyond(taken(own.corners.at, k), own.corners.radius[k], other);
+            found |= (beyond ? 0u : 1u) << k;
+        });
+        return found;
+    }
     /// m: what comes nearer than that in a step may count.
     static Real nearFrom(Real thickness, Real closing) {
         return Real(0.5) * thickness + 2 * closing;
@@ -169,10 +208,10 @@ private:
     CornerWay wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
         const SolverBody& body = movers_.bodies[c.mover];
-        const Point from = movers_.placeAtReference(c.mover) - origin_;
+        const Reference& from = movers_.references[c.mover];
         const Motion3 motion = motionNow(movers_, c.mover);
-        CornerWay w{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y,
-                    motion.x, motion.y};
+        CornerWay w{static_cast<Real>(from.x - origin_[0]) + body.x,
+                    static_cast<Real>(from.y - origin_[1]) + body.y, motion.x, motion.y};
         if (c.x == 0 && c.y == 0) return w;
         const Heading h = headingNow(movers_, c.mover);
         const Xy arm{h.cosine * c.x - h.sine * c.y, h.sine * c.x + h.cosine * c.y};
@@ -188,71 +227,56 @@ private:
 
     // --- corners before sides ----------------------------------------------------------------
 
-    void againstSides(const Chunk& own, const std::vector<CornerWay>& corners, const Chunk& other,
-                      const std::vector<CornerWay>& ends, const Extent& extent) {
-        for (std::uint32_t k = 0; k < own.corners; ++k) {
-            const Corner& corner = shapes_.corners[own.firstCorner + k];
-            if (corner.owned && !isBeyond(corners[k], corner.radius, extent))
-                againstSides(own.firstCorner + k, corners[k], other, ends);
-        }
+    void againstSides(const Chunk& own, const ChunkLanes& corners, const Chunk& other,
+                      ChunkLanes& lanes, const Extent& extent) {
+        forEachBit(corners.owned, [&](std::uint32_t k) {
+            const CornerWay p = taken(corners.corners.at, k);
+            const Real radius = corners.corners.radius[k];
+            if (!isBeyond(p, radius, extent))
+                againstSides(own.firstCorner + k, p, radius, other, lanes);
+        });
     }
 
-    void againstSides(std::uint32_t corner, const CornerWay& p, const Chunk& other,
-                      const std::vector<CornerWay>& ends) {
-        const Real radius = shapes_.corners[corner].radius;
-        auto& before = result_.before;
-        before.clear();
-        Real nearest = Real(1e30), depth = 0, entrance = Real(1e30);
-        std::uint32_t nearestSide = none;
-        for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
-            const Side& side = shapes_.sides[s];
-            if (side.a == side.b || bars(corner, side.a, side.b, side.radius, other)) continue;
-            const CornerWay &a = ends[side.a - other.firstCorner],
-                            &b = ends[side.b - other.firstCorner];
-            const Xy along = at(b) - at(a), from = at(p) - at(a);
-            const Real length2 = dot(along, along);
-            if (!(length2 > 0)) continue;
-            const Real share = std::clamp<Real>(dot(from, along) / length2, 0, 1);
-            const Real far = norm(from - share * along);
-            const Xy closing = way(p) - (way(a) + share * (way(b) - way(a)));
-            const Real thickness = radius + side.radius;
-            const Real right = cross(from, along) / std::sqrt(length2);
-            auto outward = side.outward != 0 ? side.outward : sideSoFar(corner, s);
-            if (outward == 0) outward = right < 0 ? -1 : 1;
-            const Real height = static_cast<Real>(outward) * right;
-            if (far < nearest) {
-                nearest = far;
-                nearestSide = s;
-                depth = side.outward != 0 ? -height : 0;
-            }
-            result_.gap = std::min(result_.gap, far - thickness);
-            if (far - thickness > nearFrom(thickness, norm(closing))) {
-                spare_ = std::min(spare_, far - thickness);
-                continue;
-            }
-            const Real beside = besides(p, a, b, outward, height, thickness);
-            if (beside <= 0)
-                before.push_back({corner, s, height < 0 ? 1u : 0u, outward, far});
-            else
-                entrance = std::min(
-                    entrance, std::max(std::min(beside, besidesAt(p, a, b, 0)), far - thickness));
-        }
-        if (nearestSide == none) return;
-        if (depth > radius) {
-            enter(entrance, false);
+    void againstSides(std::uint32_t corner, const CornerWay& p, Real radius, const Chunk& other,
+                      ChunkLanes& lanes) {
+        forEachBit(lanes.twoSided, [&](std::uint32_t k) {
+            lanes.sides.outward[k] = static_cast<Real>(sideSoFar(corner, other.firstSide + k));
+        });
+        const auto every = static_cast<std::uint32_t>((std::uint64_t{1} << other.sides) - 1);
+        SidesSeen& seen = result_.sidesSeen;
+        kernels_.sides(p, radius, lanes.sides, every & ~lanes.discs & ~barred(corner, other), seen);
+        result_.gap = std::min(result_.gap, seen.gap);
+        spare_ = std::min(spare_, seen.spare);
+        const auto nearest = seen.nearest;
+        if (nearest == mostOfChunk) return;
+        const bool oneSided = (lanes.twoSided >> nearest & 1) == 0;
+        if (oneSided && -seen.height[nearest] > radius) {
+            enter(seen.enter, false);
             // What is part of an outline is behind most of its sides, and not in it.
             if (movers_.body[shapes_.corners[corner].mover] != other.body)
                 leaveThroughNearest(corner, at(p), other);
             return;
         }
         // Behind the nearest side, it counts before that alone.
-        const bool behind = std::any_of(before.begin(), before.end(), [&](const Nearness& n) {
-            return n.side == nearestSide && n.end == 1;
+        const bool behind = (seen.before >> nearest & 1) != 0 && seen.height[nearest] < 0;
+        forEachBit(seen.before, [&](std::uint32_t k) {
+            if (behind ? k == nearest : !(seen.height[k] < 0))
+                result_.near.push_back({corner, other.firstSide + k, 0,
+                                        static_cast<std::int32_t>(seen.outward[k]), seen.far[k]});
         });
-        for (const Nearness& n : before)
-            if (behind ? n.side == nearestSide : n.end == 0)
-                result_.near.push_back({n.corner, n.side, 0, n.outward, n.far});
-        enter(entrance, !before.empty());
+        enter(seen.enter, seen.before != 0);
+    }
+
+    /// The sides of a chunk that a corner never touches.
+    std::uint32_t barred(std::uint32_t corner, const Chunk& other) const {
+        std::uint32_t found = 0;
+        if (!mayBar_) return found;
+        for (std::uint32_t k = 0; k < other.sides; ++k) {
+            const Side& side = shapes_.sides[other.firstSide + k];
+            const bool bar = side.a != side.b && bars(corner, side.a, side.b, side.radius, other);
+            found |= (bar ? 1u : 0u) << k;
+        }
+        return found;
     }
 
     std::int32_t sideSoFar(std::uint32_t corner, std::uint32_t side) const {
@@ -261,23 +285,6 @@ private:
         return 0;
     }
 
-    /// m, by which the foot of the perpendicular is beside a side when the two touch.
-    static Real besides(const CornerWay& p, const CornerWay& a, const CornerWay& b,
-                        std::int32_t outward, Real height, Real thickness) {
-        const Xy alongEnd = at(b, 1) - at(a, 1), fromEnd = at(p, 1) - at(a, 1);
-        const Real lengthEnd = norm(alongEnd);
-        const Real turned = static_cast<Real>(outward) * cross(fromEnd, alongEnd);
-        const Real end = lengthEnd > 0 ? turned / lengthEnd : height;
-        const Real moment = momentOfHeight(height, end, thickness);
-        return besidesAt(p, a, b, moment);
-    }
-    static Real besidesAt(const CornerWay& p, const CornerWay& a, const CornerWay& b, Real moment) {
-        const Xy along = at(b, moment) - at(a, moment), from = at(p, moment) - at(a, moment);
-        const Real length = norm(along);
-        if (!(length > 0)) return norm(from);
-        const Real foot = dot(from, along) / length;
-        return std::max(-foot, foot - length) - beyondEnds * length;
-    }
     /// Something that is near comes before a side or a corner, and touches it, after so many metres
     /// at the earliest, counted from where it is: nobody knows whether it goes as is predicted.
     /// `isHeld`: it has a row, whose refresh tells when it leaves what it is before.
@@ -336,63 +343,45 @@ private:
 
     // --- corners before corners ---------------------------------------------------------------
 
-    /// m, by which `p` is before a capsule that ends in the corner; not above 0 where it is before
-    /// the corner alone.
-    Real beforeSpokes(std::uint32_t corner, Xy place, Xy p, Real moment) const {
-        const Corner& c = shapes_.corners[corner];
-        Real most = 0;
-        for (auto k = c.firstSpoke; k < c.firstSpoke + c.spokes; ++k) {
-            const Xy spoke = at(wayOf(shapes_.spokes[k]), moment) - place;
-            const Real along = dot(p - place, spoke);
-            if (along > 0) most = std::max(most, along / norm(spoke));
-        }
-        return most;
-    }
-
-    void againstCorners() {
+    void againstCorners(const ChunkLanes& a, const ChunkLanes& b) {
+        const std::uint32_t reachable = within(a, extentB_);
+        std::uint32_t taken = 0;
         for (auto s = b_.firstSide; s < b_.firstSide + b_.sides; ++s) {
             const Side& side = shapes_.sides[s];
             for (const auto& [corner, end] : {std::pair(side.a, 1u), std::pair(side.b, 2u)}) {
-                if (!shapes_.corners[corner].owned || (end == 2 && side.a == side.b)) continue;
-                if (takes(corner, s)) againstCorner(corner, s, end);
+                // Of the sides of its chunk that end in a corner the first one stands for it.
+                const auto k = corner - b_.firstCorner;
+                if ((taken >> k & 1) != 0) continue;
+                taken |= 1u << k;
+                if ((b.owned >> k & 1) != 0) againstCorner(k, s, end, a, b, reachable);
             }
         }
-    }
-    /// Of the sides of its chunk that end in a corner the first one stands for it.
-    bool takes(std::uint32_t corner, std::uint32_t side) const {
-        for (auto s = b_.firstSide; s < side; ++s)
-            if (shapes_.sides[s].a == corner || shapes_.sides[s].b == corner) return false;
-        return true;
     }
 
-    void againstCorner(std::uint32_t corner, std::uint32_t side, std::uint32_t end) {
-        const CornerWay& q = result_.cornersB[corner - b_.firstCorner];
-        if (isBeyond(q, shapes_.corners[corner].radius, extentA_)) return;
-        for (auto c = a_.firstCorner; c < a_.firstCorner + a_.corners; ++c) {
-            if (!shapes_.corners[c].owned || (&a_ == &b_ && c >= corner)) continue;
-            const CornerWay& p = result_.cornersA[c - a_.firstCorner];
-            if (isBeyond(p, shapes_.corners[c].radius, extentB_)) continue;
-            if (bars(c, corner, corner, shapes_.corners[corner].radius, b_)) continue;
-            const Real thickness = shapes_.corners[c].radius + shapes_.corners[corner].radius;
-            const Xy from = at(p) - at(q), closing = way(p) - way(q);
-            const Real far = norm(from);
-            result_.gap = std::min(result_.gap, far - thickness);
-            if (far - thickness > nearFrom(thickness, norm(closing))) {
-                spare_ = std::min(spare_, far - thickness);
-                continue;
-            }
-            const Real moment = momentOfPoints(from, closing, thickness);
-            const Xy pAt = at(p, moment), qAt = at(q, moment);
-            const Real beside =
-                std::max(beforeSpokes(corner, qAt, pAt, moment), beforeSpokes(c, pAt, qAt, moment));
-            if (beside > 0)
-                enter(std::max(std::min({beside, beforeSpokes(corner, at(q), at(p), 0),
-                                         beforeSpokes(c, at(p), at(q), 0)}),
-                               far - thickness),
-                      isHeld(c) || isHeld(corner));
+    /// `reachable`: of the other chunk's corners.
+    void againstCorner(std::uint32_t number, std::uint32_t side, std::uint32_t end,
+                       const ChunkLanes& a, const ChunkLanes& b, std::uint32_t reachable) {
+        const auto corner = b_.firstCorner + number;
+        if (isBeyond(taken(b.corners.at, number), b.corners.radius[number], extentA_)) return;
+        std::uint32_t may = reachable;
+        if (&a_ == &b_) may &= (1u << number) - 1;
+        if (mayBar_)
+            forEachBit(may, [&](std::uint32_t k) {
+                if (bars(a_.firstCorner + k, corner, corner, b.corners.radius[number], b_))
+                    may &= ~(1u << k);
+            });
+        if (may == 0) return;
+        CornersSeen& seen = result_.cornersSeen;
+        kernels_.corners(b.corners, number, a.corners, may, seen);
+        result_.gap = std::min(result_.gap, seen.gap);
+        spare_ = std::min(spare_, seen.spare);
+        forEachBit(seen.near, [&](std::uint32_t k) {
+            const auto c = a_.firstCorner + k;
+            if ((seen.before >> k & 1) == 0)
+                enter(seen.enter[k], isHeld(c) || isHeld(corner));
             else
-                result_.near.push_back({c, side, end, 0, far});
-        }
+                result_.near.push_back({c, side, end, 0, seen.far[k]});
+        });
     }
 
     const State& state_;
@@ -401,6 +390,7 @@ private:
     const Chunk &a_, &b_;
     const std::vector<KnownSide>& known_;
     LooseLook& result_;
+    const LookKernels& kernels_ = lookKernels();
     Point origin_{0, 0};
     Real finest_ = 0;
     bool mayBar_ = true;

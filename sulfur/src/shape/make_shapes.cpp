@@ -14,7 +14,7 @@ namespace sulfur::detail {
 
 namespace {
 
-constexpr std::size_t mostConvexCorners = 32;
+constexpr std::size_t mostConvexCorners = mostOfChunk;
 
 /// Sine of the angle below which two edges go on in one line.
 constexpr double straight = 1e-6;
