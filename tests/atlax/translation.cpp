@@ -87,4 +87,21 @@ TEST(Translation, numbersStayAsTheyAre) {
     ::unsetenv("LC_ALL");
 }
 
+TEST(Translation, valuesFillTheGapsOfATextInTurn) {
+    EXPECT_EQ(fill("{} of {} joints", {"2", "7"}), "2 of 7 joints");
+    EXPECT_EQ(fill("{} of {}", {"{}", "7"}), "{} of 7") << "a value is put in as it is";
+    EXPECT_EQ(fill("{} of {}", {"2"}), "2 of {}");
+    EXPECT_EQ(fill("nothing", {"2"}), "nothing");
+    EXPECT_EQ(fill("", {}), "");
+}
+
+TEST(Translation, catalogsAreFoundWhereTheirVariableSaysFirst) {
+    ASSERT_EQ(setenv("ATLAX_TEST_LOCALE", ATLAX_TEST_CATALOGS, 1), 0);
+    EXPECT_EQ(catalogFolder("atlax-test", "ATLAX_TEST_LOCALE", "/nowhere"), ATLAX_TEST_CATALOGS);
+    EXPECT_EQ(catalogFolder("no-such-domain", "ATLAX_TEST_LOCALE", "/nowhere"), "/nowhere");
+    ASSERT_EQ(unsetenv("ATLAX_TEST_LOCALE"), 0);
+    EXPECT_EQ(catalogFolder("atlax-test", "ATLAX_TEST_LOCALE", ATLAX_TEST_CATALOGS),
+              ATLAX_TEST_CATALOGS);
+}
+
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atlax/error.hpp>
+#include <atlax/files.hpp>
 #include <atlax/log.hpp>
 #include <atlax/translation.hpp>
 #include <clocale>
@@ -52,6 +53,7 @@ Translation::Translation(std::string domain, const fs::path& folder)
 
 void Translation::setLanguage(std::string_view language) {
     if (!language.empty()) requireLanguage(language);
+    leaveLocaleC();  // a toolkit may have set the locale since
     language_ = language;
     if (language.empty())
         ::unsetenv("LANGUAGE");
@@ -91,6 +93,30 @@ std::string Translation::plural(const char* context, const char* one, const char
     const std::string key = std::string(context) + contextEnd + one;
     const char* found = ::dngettext(domain_.c_str(), key.c_str(), many, count);
     return found == key.c_str() ? one : found;
+}
+
+fs::path catalogFolder(const std::string& domain, const std::string& environmentVariable,
+                       const fs::path& buildFolder) {
+    const Assets assets({.application = "locale",
+                         .environmentVariable = environmentVariable,
+                         .sourceFolder = buildFolder});
+    std::error_code ignored;
+    for (const fs::path& folder : assets.folders())
+        for (const auto& language : fs::directory_iterator(folder, ignored))
+            if (fs::exists(language.path() / "LC_MESSAGES" / (domain + ".mo"), ignored))
+                return folder;
+    return assets.folders().back();
+}
+
+std::string fill(std::string text, std::initializer_list<std::string_view> values) {
+    std::size_t from = 0;
+    for (const std::string_view value : values) {
+        const std::size_t at = text.find("{}", from);
+        if (at == std::string::npos) break;
+        text.replace(at, 2, value);
+        from = at + value.size();
+    }
+    return text;
 }
 
 }  // namespace atlax

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,5 +50,15 @@ private:
     std::filesystem::path folder_;
     std::string language_;
 };
+
+/// Where the catalogs of a domain are: the folder that `environmentVariable` names, the installed
+/// "../share/locale" beside the program, or `buildFolder`; the first that has any, else the last.
+std::filesystem::path catalogFolder(const std::string& domain,
+                                    const std::string& environmentVariable,
+                                    const std::filesystem::path& buildFolder);
+
+/// The text with a value in place of each "{}" in turn. Values are put in as they are, "{}" in them
+/// too; "{}" without a value stays, and a value without one is left out.
+std::string fill(std::string text, std::initializer_list<std::string_view> values);
 
 }  // namespace atlax
