@@ -1,10 +1,15 @@
 // Everything that one can do, in one table.
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 
 Action& MainFrame::add(Action action) {
     action.id = wxWindow::NewControlId();
+    // Behind the tab is a key.
+    const wxString key = action.label.AfterFirst('\t');
+    action.label = wxTr(action.label.BeforeFirst('\t')) + (key.empty() ? "" : "\t" + key);
+    action.help = tr(action.help);
     actions_.push_back(std::move(action));
     return actions_.back();
 }
@@ -263,14 +268,21 @@ void MainFrame::addViewActions() {
     toggle("skeleton", "S&keleton", 'K',
            "What the physics sees: particles, joints under load, surfaces, contacts, fields", "",
            o.skeleton);
-    int number = 0;
-    for (const char* page : {"scene", "object", "history", "measure", "outline"})
-        add({"page-" + std::string(page), m,
-             wxString("Page of the ") + page + wxString::Format("\tCtrl+%d", ++number), 0,
+    struct Page {
+        const char* name;
+        const char* label;
+    };
+    static constexpr Page pages[] = {{"scene", "Page of the scene\tCtrl+1"},
+                                     {"object", "Page of the object\tCtrl+2"},
+                                     {"history", "Page of the history\tCtrl+3"},
+                                     {"measure", "Page of the measuring\tCtrl+4"},
+                                     {"outline", "Page of the outline\tCtrl+5"}};
+    for (const Page& page : pages)
+        add({"page-" + std::string(page.name), m, page.label, 0,
              "Bring this page of the side panel to the front", "",
              [this, page] {
                  showSide(true);
-                 side_->showPage(page);
+                 side_->showPage(page.name);
              }})
             .under = "Page";
     add({"panel",
@@ -293,6 +305,23 @@ void MainFrame::addViewActions() {
          },
          {},
          [this] { return IsFullScreen(); }});
+}
+
+void MainFrame::addLanguageActions() {
+    std::vector<std::string> all = languages();
+    all.insert(all.begin(), "");  // that of the system
+    for (const std::string& language : all)
+        add({"language-" + (language.empty() ? "system" : language),
+             MenuId::help,
+             language.empty() ? wxString("As the &system")
+                              : wxString::FromUTF8(nameOfLanguage(language)),
+             0,
+             "The language of the menus, from the next start on",
+             "",
+             [this, language] { chooseLanguage(language); },
+             {},
+             [this, language] { return language_ == language; }})
+            .under = "Language";
 }
 
 void MainFrame::addSimulationActions() {
@@ -391,13 +420,6 @@ void MainFrame::addRewindActions() {
     under({"other-future", m, "Another f&uture", 'Z',
            "The end of the next branch that was left by going on from an earlier moment", "",
            [this] { showOtherFuture(); }, some});
-}
-
-void MainFrame::addHelpActions() {
-    add({"gallery", MenuId::help, wxString::FromUTF8("&Example scenes\xE2\x80\xA6\tF1"), 0,
-         "A gallery of things to play with", "", [this] { showGallery(); }});
-    add({"about", MenuId::help, "&About SulfurChamber", 0, "Version and licence", "",
-         [this] { about(); }});
 }
 
 }  // namespace sulfurchamber

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "../model/geometry.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 
@@ -28,7 +29,7 @@ ConstantsPanel::ConstantsPanel(wxWindow* parent, Workbench& bench, SceneView& vi
 ConstantsPanel::~ConstantsPanel() = default;
 
 void ConstantsPanel::addHeading(const wxString& text, wxSizer* sizer) {
-    auto* heading = new wxStaticText(this, wxID_ANY, text);
+    auto* heading = new wxStaticText(this, wxID_ANY, wxTr(text));
     heading->SetFont(heading->GetFont().Bold().Larger());
     sizer->Add(heading, wxSizerFlags(0).Border(wxBOTTOM, FromDIP(6)));
 }
@@ -36,7 +37,7 @@ void ConstantsPanel::addHeading(const wxString& text, wxSizer* sizer) {
 void ConstantsPanel::addConstants(wxSizer* sizer) {
     addHeading("Constants", sizer);
     const auto add = [&](ValueSpec spec, double Constants::*member) {
-        const std::string label = "Change " + spec.name.Lower().utf8_string();
+        const std::string label = tr("Change {}", {trInside(spec.name.utf8_string())});
         spec.get = [this, member] { return bench_.document().constants().*member; };
         spec.initial = [this, member] { return bench_.document().initialConstants().*member; };
         spec.set = [this, member, label](double value) {
@@ -99,12 +100,12 @@ void ConstantsPanel::addStatistics(wxSizer* sizer) {
     table->AddGrowableCol(1);
     for (const char* name : {"Bodies", "Awake particles", "Rigid joints", "Elastic joints",
                              "Energy", "Physics load", "Frames"}) {
-        table->Add(new wxStaticText(this, wxID_ANY, name), wxSizerFlags(0));
+        table->Add(new wxStaticText(this, wxID_ANY, wxTr(name)), wxSizerFlags(0));
         auto* value = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                                        wxALIGN_RIGHT | wxST_NO_AUTORESIZE);
         table->Add(value, wxSizerFlags(0).Expand());
         if (std::string_view(name) == "Physics load")
-            value->SetToolTip("Share of one processor core that the physics takes");
+            value->SetToolTip(wxTr("Share of one processor core that the physics takes"));
         statistics_.push_back(value);
     }
     sizer->Add(table, wxSizerFlags(0).Expand());
@@ -116,7 +117,7 @@ void ConstantsPanel::refresh() {
     const Totals sums = totals(world);
     const std::vector<wxString> values{
         wxString::Format("%zu", sums.bodies),
-        wxString::Format("%zu of %zu", sums.awakeParticles, sums.particles),
+        wxString::Format("%zu / %zu", sums.awakeParticles, sums.particles),
         wxString::Format("%zu", sums.rigidJoints),
         wxString::Format("%zu", sums.elasticJoints),
         wxString::Format("%.3g J", world.energy()),

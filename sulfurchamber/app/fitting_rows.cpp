@@ -1,5 +1,7 @@
 #include "fitting_rows.hpp"
 
+#include "wx_words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -21,12 +23,12 @@ FittingRows::FittingRows(wxWindow* parent, wxSizer* sizer, Workbench& bench,
 
 void FittingRows::addKeyChoice(wxWindow* parent, wxSizer* sizer, const char* label, bool forward) {
     wxArrayString names;
-    names.Add("none");
-    for (const std::string_view key : controlKeys()) names.Add(wide(key));
+    names.Add(wxTr("none"));
+    for (const std::string_view key : controlKeys()) names.Add(wxTr(key));
     auto* choice = new wxChoice(parent, wxID_ANY, wxDefaultPosition, wxDefaultSize, names);
-    choice->SetToolTip("While time runs this key drives it, as long as it is held");
+    choice->SetToolTip(wxTr("While time runs this key drives it, as long as it is held"));
     auto* row = new wxBoxSizer(wxHORIZONTAL);
-    row->Add(new wxStaticText(parent, wxID_ANY, label), wxSizerFlags(1).CentreVertical());
+    row->Add(new wxStaticText(parent, wxID_ANY, wxTr(label)), wxSizerFlags(1).CentreVertical());
     row->Add(choice, wxSizerFlags(1));
     sizer->Add(row, wxSizerFlags(0).Expand().Border(wxBOTTOM, parent->FromDIP(3)));
     (forward ? forward_ : back_) = choice;
@@ -60,7 +62,7 @@ void FittingRows::addRow(wxWindow* parent, wxSizer* sizer, const FittingProperty
     const std::size_t at = rows_.size() - 1;
     Row& row = rows_.back();
     row.property = &property;
-    const std::string label = "Change " + wide(property.name).Lower().utf8_string();
+    const std::string label = tr("Change {}", {trInside(std::string(property.name))});
     ValueSpec spec;
     spec.name = wide(property.name);
     spec.unit = wide(property.unit);
@@ -99,7 +101,7 @@ void FittingRows::showKeys(const std::optional<DriveKeys>& keys) {
     keys_->ShowItems(keys.has_value());
     if (!keys) return;
     const auto select = [](wxChoice* choice, const std::string& key) {
-        choice->SetSelection(std::max(0, choice->FindString(wide(key), true)));
+        choice->SetSelection(std::max(0, choice->FindString(wxTr(key), true)));
     };
     select(forward_, keys->forward);
     select(back_, keys->back);

@@ -12,6 +12,7 @@
 #include "icons.hpp"
 #include "level_panel.hpp"
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -21,29 +22,29 @@ wxString keyText(int key) {
         case 0:
             return "";
         case WXK_SPACE:
-            return "Space";
+            return wxTr("Space");
         case WXK_DELETE:
-            return "Del";
+            return wxTr("Del");
         case WXK_ESCAPE:
-            return "Esc";
+            return wxTr("Esc");
         case WXK_LEFT:
-            return "Left";
+            return wxTr("Left");
         case WXK_RIGHT:
-            return "Right";
+            return wxTr("Right");
         case WXK_UP:
-            return "Up";
+            return wxTr("Up");
         case WXK_DOWN:
-            return "Down";
+            return wxTr("Down");
         case WXK_RETURN:
-            return "Enter";
+            return wxTr("Enter");
         case WXK_HOME:
-            return "Home";
+            return wxTr("Home");
         case WXK_END:
-            return "End";
+            return wxTr("End");
         case WXK_PAGEUP:
-            return "Page Up";
+            return wxTr("Page Up");
         case WXK_PAGEDOWN:
-            return "Page Down";
+            return wxTr("Page Down");
         default:
             return wxString(static_cast<wxChar>(key));
     }
@@ -74,18 +75,18 @@ void MainFrame::makeMenus() {
             wxMenu* place = menu;
             if (!action.under.empty()) {
                 wxMenu*& one = inner[action.under];
-                if (one == nullptr) menu->AppendSubMenu(one = new wxMenu, "&" + action.under);
+                if (one == nullptr) menu->AppendSubMenu(one = new wxMenu, "&" + wxTr(action.under));
                 place = one;
             }
             place->Append(action.id, label, wxString::FromUTF8(action.help),
                           action.checked ? wxITEM_CHECK : wxITEM_NORMAL);
             if (action.name == "save-as") {
                 recentMenu_ = new wxMenu;
-                menu->AppendSubMenu(recentMenu_, "Open &recent");
+                menu->AppendSubMenu(recentMenu_, wxTr("Open &recent"));
                 recent_.UseMenu(recentMenu_);
             }
         }
-        bar->Append(menu, titles[i]);
+        bar->Append(menu, wxTr(titles[i]));
     }
     SetMenuBar(bar);
     Bind(wxEVT_MENU, [this](wxCommandEvent& event) {
@@ -128,6 +129,7 @@ void MainFrame::makeBars() {
         for (const Action& action : actions_)
             if (!name.empty() && action.name == name) put(toolBar_, action);
     }
+    for (wxAuiToolBar* bar : {palette_, secondPalette_}) watchPalette(*bar);
     toolBar_->Realize();
     makePalette();
 }
@@ -138,7 +140,7 @@ void MainFrame::makePalette() {
     for (const ToolGroupInfo& group : toolGroups()) {
         const int id = wxWindow::NewControlId();
         groupIds_[group.group] = id;
-        const wxString title = wxString::FromUTF8(group.title.data(), group.title.size());
+        const wxString title = wxTr(group.title);
         palette_->AddTool(id, title, icon(group.icon), title, wxITEM_CHECK);
         palette_->Bind(
             wxEVT_TOOL,
@@ -203,7 +205,10 @@ void MainFrame::makePanels() {
                              wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
     // What is told takes room of the scene, not of the panel, whose fields stay under the mouse.
     auto* column = new wxBoxSizer(wxVERTICAL);
+    lesson_ =
+        new LessonPanel(centre_, bench_, view_, [this](const std::string& name) { perform(name); });
     column->Add(infoBar_, wxSizerFlags(0).Expand());
+    column->Add(lesson_, wxSizerFlags(0).Expand());
     column->Add(canvas_, wxSizerFlags(1).Expand());
     plot_ = new PlotPanel(centre_, bench_,
                           [this](const wxString& under, wxWindow& at) { chooseUnder(under, at); });

@@ -1,6 +1,7 @@
 // The menu "Level": pieces to place, play-test, proof, publishing.
 #include "level_panel.hpp"
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 
@@ -118,8 +119,9 @@ void MainFrame::publishLevel() {
     bench_.cancel();
     const auto file = stage_->desk().publish(LevelDesk::gameFolder());
     const bool proven = stage_->desk().proof() == LevelDesk::Proof::holds;
-    notify("The level is in the game's menu now, " +
-           std::string(proven ? "with its proof" : "without a proof") + ": " + file.string());
+    notify(tr(proven ? "The level is in the game's menu now, with its proof: {}"
+                     : "The level is in the game's menu now, without a proof: {}",
+              {file.string()}));
 }
 
 }  // namespace sulfurchamber

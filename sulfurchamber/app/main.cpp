@@ -4,13 +4,16 @@
 #include <atlax/files.hpp>
 #include <atlax/records.hpp>
 #include <atlax/wx/view.hpp>
+#include <clocale>
 #include <cstdlib>
 #include <iostream>
 #include <new>
 
+#include "../model/words.hpp"
 #include "chamber_app.hpp"
 #include "options.hpp"
 #include "picture.hpp"
+#include "preferences.hpp"
 #include "script.hpp"
 
 namespace {
@@ -27,6 +30,14 @@ void giveLargeBlocksBack() {
     ::mallopt(M_TRIM_THRESHOLD, end);
 }
 
+/// What the command line does not say is in the settings. Scripts and pictures speak English.
+void chooseLanguage(Options& options) {
+    using sulfurchamber::Preferences;
+    if (options.languageGiven) return;
+    const bool alone = options.unattended() || !options.picture.empty();
+    options.language = alone ? "en" : Preferences(Preferences::settingsFile()).language();
+}
+
 int runWindow(Workbench& bench, const Options& options, char* program) {
     if (!options.unattended()) atlax::keepRecords("sulfurchamber", SULFURCHAMBER_VERSION);
     atlax::wx::prepareDisplay();
@@ -40,6 +51,9 @@ int runWindow(Workbench& bench, const Options& options, char* program) {
                      "WAYLAND_DISPLAY is not set, or refuses); --picture works without one\n";
         return 1;
     }
+    // Numbers are written and read with a point everywhere, as in files.
+    std::setlocale(LC_NUMERIC, "C");
+    sulfurchamber::setLanguage(options.language);  // after GTK, which sets the locale
     const int code = wxTheApp->CallOnInit() ? wxTheApp->OnRun() : 1;
     wxEntryCleanup();
     return code;
@@ -54,13 +68,15 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (parsed.exitCode) return *parsed.exitCode;
-    const Options& options = parsed.options;
+    Options options = parsed.options;
+    chooseLanguage(options);
     giveLargeBlocksBack();
     try {
         Workbench bench(atlax::stateFolder("sulfurchamber"));
         if (!options.file.empty()) bench.document().open(options.file);
         bench.dropBoxes(options.drop);
         bench.setRain(options.rain);
+        sulfurchamber::setLanguage(options.language);
         if (!options.picture.empty()) return sulfurchamber::writePicture(bench, options);
         return runWindow(bench, options, argv[0]);
     } catch (const std::bad_alloc&) {

@@ -20,21 +20,21 @@
 #include "chamber_app.hpp"
 #include "icons.hpp"
 #include "level_panel.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
 
 constexpr std::int64_t refreshNs = 100'000'000;  // panels follow ten times a second
 
-// "1 joint", "2 joints".
-wxString counted(std::size_t count, const wxString& what) {
-    return wxString::Format("%zu ", count) + what + (count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 MainFrame::MainFrame(Workbench& bench, const Options& options)
-    : wxFrame(nullptr, wxID_ANY, "SulfurChamber"), bench_(bench), options_(options), view_(bench) {
+    : wxFrame(nullptr, wxID_ANY, "SulfurChamber"),
+      bench_(bench),
+      options_(options),
+      view_(bench),
+      language_(options.language) {
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
     actions_.reserve(256);
@@ -52,7 +52,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     };
     view_.onProblem = [this](const std::string& problem) { tell(problem); };
     view_.onFilm = [this](const std::filesystem::path& file) {
-        notify("The film is " + file.string());
+        notify(tr("The film is {}", {file.string()}));
     };
     view_.onFrame = [this] { onFrame(); };
     canvas_->setOnEnd([this](int code, const std::string& error) {
@@ -72,6 +72,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
 
 MainFrame::~MainFrame() {
     canvas_->stop();  // what it draws ends before it
+    delete gallery_;  // it uses the view, which goes before what the frame owns
     manager_.UnInit();
 }
 
@@ -246,6 +247,7 @@ void MainFrame::runAction(const Action& action) {
 
 void MainFrame::onFrame() {
     stage_->follow();
+    refreshGuide();
     if (view_.seeking()) {
         timeBar_->refresh();
         plot_->refresh();
@@ -286,8 +288,7 @@ void MainFrame::refresh() {
 void MainFrame::refreshHistoryLabels() {
     const auto tell = [this](const char* name, const std::string& verb, const std::string& step,
                              std::string& shown) {
-        const std::string text =
-            step.empty() ? verb : verb + " \xE2\x80\x9C" + step + "\xE2\x80\x9D";
+        const std::string text = step.empty() ? tr(verb) : tr("{} “{}”", {tr(verb), tr(step)});
         if (text == shown) return;
         shown = text;
         for (const Action& action : actions_) {
@@ -353,7 +354,7 @@ void MainFrame::setStatus(int field, const std::vector<wxString>& variants) {
 }
 
 void MainFrame::refreshStatus() {
-    const wxString hint = wxString::FromUTF8(bench_.hint());
+    const wxString hint = wxTr(bench_.hint());
     if (hint_->GetLabel() != hint) {
         hint_->SetLabel(hint);
         hint_->SetToolTip(hint);
@@ -361,9 +362,10 @@ void MainFrame::refreshStatus() {
     const sulfur::World& world = bench_.document().world();
     const sulfur::Statistics& s = world.statistics();
     const Totals sums = totals(world);
-    const wxString particles = counted(sums.particles, "particle");
-    const wxString joints = "   " + counted(sums.rigidJoints + sums.elasticJoints, "joint");
-    const wxString contacts = "   " + counted(s.contacts, "contact");
+    const wxString particles = wxTrCount("{} particle", "{} particles", sums.particles);
+    const wxString joints =
+        "   " + wxTrCount("{} joint", "{} joints", sums.rigidJoints + sums.elasticJoints);
+    const wxString contacts = "   " + wxTrCount("{} contact", "{} contacts", s.contacts);
     const std::string slowness = view_.slowness();
     const int strayWidth = strays_ > 0 ? FromDIP(130) : 0;
     const int paceWidth = FromDIP(slowness.empty() ? 140 : 260);
@@ -376,12 +378,13 @@ void MainFrame::refreshStatus() {
         SetStatusWidths(4, widths.data());
     }
     setStatus(0, {particles + joints + contacts, particles + joints, particles});
-    if (strays_ > 0) setStatus(1, {wxString::Format("%zu out of bounds", strays_)});
-    const wxString pace = wxString::Format("%.0f %% of real time",
-                                           view_.realTimeShare() * view_.speedPermille() / 10.0);
+    if (strays_ > 0) setStatus(1, {wxTr("{} out of bounds", {std::to_string(strays_)})});
+    const wxString pace =
+        wxTr("{} % of real time", {fixed(view_.realTimeShare() * view_.speedPermille() / 10.0, 0)});
     setStatus(2, {slowness.empty() ? pace : pace + ": " + wxString::FromUTF8(slowness), pace});
     const wxString rate = wxString::Format("%d Hz", world.settings().tickRate);
-    setStatus(3, {s.substeps > 1 ? rate + wxString::Format(", %u steps", s.substeps) : rate, rate});
+    setStatus(
+        3, {s.substeps > 1 ? rate + wxTr(", {} steps", {std::to_string(s.substeps)}) : rate, rate});
     tellWhenNearlyFull(sums.particles);
 }
 
@@ -389,8 +392,8 @@ void MainFrame::tellWhenNearlyFull(std::size_t particles) {
     constexpr std::size_t most = sulfur::scene::Limits::particles;
     if (toldNearlyFull_ || particles * 5 < most * 4) return;
     toldNearlyFull_ = true;
-    tell("The scene has " + std::to_string(particles) + " particles; at " + std::to_string(most) +
-         " it is full, because files hold no more.");
+    tell(tr("The scene has {} particles; at {} it is full, because files hold no more.",
+            {std::to_string(particles), std::to_string(most)}));
 }
 
 // What has left can be brought back from where it is counted.
@@ -406,7 +409,8 @@ void MainFrame::onStatusClick(wxMouseEvent& event) {
     GetStatusBar()->PopupMenu(&menu, place.GetTopLeft());
 }
 
-void MainFrame::tell(const std::string& problem) {
+void MainFrame::tell(const std::string& english) {
+    const std::string problem = tr(english);
     lastProblem_ = problem;
     if (options_.unattended())
         atlax::log(atlax::LogLevel::Warning, problem);
@@ -415,7 +419,8 @@ void MainFrame::tell(const std::string& problem) {
     toldAt_ = bench_.document().revision();
 }
 
-void MainFrame::notify(const std::string& news) {
+void MainFrame::notify(const std::string& english) {
+    const std::string news = tr(english);
     if (options_.unattended())
         atlax::log(atlax::LogLevel::Info, news);
     else
@@ -423,15 +428,25 @@ void MainFrame::notify(const std::string& news) {
     toldAt_ = bench_.document().revision();
 }
 
-void MainFrame::tellInDialog(const std::string& problem, const wxString& title) {
+void MainFrame::tellInDialog(const std::string& english, const wxString& title) {
+    const std::string problem = tr(english);
     lastProblem_ = problem;
     if (options_.unattended()) {
         atlax::log(atlax::LogLevel::Warning, problem);
         return;
     }
-    wxMessageDialog dialog(this, title, "SulfurChamber", wxOK | wxICON_ERROR);
+    wxMessageDialog dialog(this, wxTr(title), "SulfurChamber", wxOK | wxICON_ERROR);
     dialog.SetExtendedMessage(wxString::FromUTF8(problem));
     dialog.ShowModal();
+}
+
+void MainFrame::chooseLanguage(const std::string& language) {
+    language_ = language;
+    if (preferences_) {
+        preferences_->setLanguage(language);
+        preferences_->save();
+    }
+    tell("The language changes when SulfurChamber starts again");
 }
 
 void MainFrame::about() {
@@ -439,9 +454,9 @@ void MainFrame::about() {
     info.SetName("SulfurChamber");
     info.SetVersion(SULFURCHAMBER_VERSION);
     info.SetDescription(
-        "Everything that moves is made of particles and joints.\n"
-        "Build with them, pull at them, cut them, and watch.");
-    info.SetLicence("MIT licence; see the file LICENSE of the project.");
+        wxTr("Everything that moves is made of particles and joints.\n"
+             "Build with them, pull at them, cut them, and watch."));
+    info.SetLicence(wxTr("MIT licence; see the file LICENSE of the project."));
     info.SetIcon(programIcon().GetIcon(wxSize(64, 64)));
     wxAboutBox(info, this);
 }

@@ -24,6 +24,8 @@
 #include "../model/recovery.hpp"
 #include "../view/scene_view.hpp"
 #include "drop_use.hpp"
+#include "gallery.hpp"
+#include "lesson_panel.hpp"
 #include "options.hpp"
 #include "plot_panel.hpp"
 #include "preferences.hpp"
@@ -69,6 +71,11 @@ public:
     /// The experiment that is open, or null.
     Table4Window* table4() { return table4_.get(); }
     OutlinePanel& outline() { return side_->outline(); }
+    LessonPanel& lesson() { return *lesson_; }
+    /// Null while it is not shown.
+    GalleryDialog* gallery() { return gallery_; }
+    /// The middle of an action's button on a bar, in pixels of the screen.
+    std::optional<wxPoint> buttonOnScreen(const std::string& name) const;
     /// The measurements as a picture (.png) or a table; the reason of a failure is shown.
     bool savePlot(const std::filesystem::path& file);
 
@@ -119,6 +126,7 @@ private:
     void addRewindActions();
     void addMeasureActions();
     void addPlotActions();
+    void addLanguageActions();
     void addHelpActions();
     Action& add(Action action);
 
@@ -129,6 +137,12 @@ private:
     void addProvingActions();
     void newLevelFile();
     void publishLevel();
+
+    // guiding.cpp
+    void startLesson(const Lesson& lesson);
+    void watchPalette(wxAuiToolBar& bar);
+    void pointAtTool(std::optional<ToolKind> tool);
+    void refreshGuide();
 
     // layout.cpp
     void makeMenus();
@@ -154,6 +168,7 @@ private:
     void offerRecovery();
     void openRecent(int index);
     void showGallery();
+    void openExample(const std::filesystem::path& file);
     void adoptDocument();
     void loadPreferences();
     void savePreferences();
@@ -196,14 +211,17 @@ private:
     void setStatus(int field, const std::vector<wxString>& variants);
     void onStatusClick(wxMouseEvent& event);
     void tellWhenNearlyFull(std::size_t particles);
-    void tell(const std::string& problem);
-    void notify(const std::string& news);
-    void tellInDialog(const std::string& problem, const wxString& title);
+    /// Sentences in English are shown in the language of the user.
+    void tell(const std::string& english);
+    void notify(const std::string& english);
+    void tellInDialog(const std::string& english, const wxString& title);
+    void chooseLanguage(const std::string& language);
     void about();
 
     Workbench& bench_;
     const Options& options_;
     SceneView view_;
+    std::string language_;  ///< that is chosen; empty for the system's
     std::vector<Action> actions_;
     std::vector<DropUse> dropUses_;
     wxAuiManager manager_;
@@ -216,6 +234,10 @@ private:
     TimeBar* timeBar_ = nullptr;
     PlotPanel* plot_ = nullptr;
     wxWeakRef<Table4Window> table4_;
+    LessonPanel* lesson_ = nullptr;
+    GalleryDialog* gallery_ = nullptr;     ///< while it is shown
+    std::optional<ToolKind> pointedTool_;  ///< on the palette
+    std::int64_t pointedNs_ = 0;
     wxStaticText* hint_ = nullptr;
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;

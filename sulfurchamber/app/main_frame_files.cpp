@@ -7,6 +7,7 @@
 
 #include "gallery.hpp"
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -15,7 +16,9 @@ std::filesystem::path recoveryFolder() {
     return atlax::stateFolder("sulfurchamber") / "recovery";
 }
 
-const std::vector<atlax::FileKind> fileKinds{{"Scenes and levels", {"json"}}, {"All files", {}}};
+std::vector<atlax::FileKind> fileKinds() {
+    return {{tr("Scenes and levels"), {"json"}}, {tr("All files"), {}}};
+}
 
 }  // namespace
 
@@ -24,6 +27,7 @@ void MainFrame::adoptDocument() {
     bench_.select({});  // another world: its handles mean other bodies
     bench_.clearMeasurements();
     stage_->opened();
+    lesson_->stop();  // it was about another scene
     view_.zoomToFit();
     toldNearlyFull_ = false;
     nextRefreshNs_ = 0;
@@ -80,20 +84,19 @@ bool MainFrame::saveMoment(const std::filesystem::path& file) {
 void MainFrame::saveMomentDialog() {
     const auto& file = bench_.document().file();
     const auto chosen = canvas_->platform().chooseFile(
-        {.title = "Save this moment as a new scene",
+        {.title = tr("Save this moment as a new scene"),
          .save = true,
          .folder = file.parent_path(),
          .name = file.empty() ? "moment.json" : file.stem().string() + "-moment.json",
-         .kinds = fileKinds});
+         .kinds = fileKinds()});
     if (chosen) saveMoment(*chosen);
 }
 
 bool MainFrame::mayDiscard() {
     if (!bench_.document().modified() || options_.unattended()) return true;
-    wxMessageDialog dialog(
-        this, wxString::FromUTF8("Save the changes to " + bench_.document().name() + "?"),
-        "SulfurChamber", wxYES_NO | wxCANCEL | wxICON_QUESTION);
-    dialog.SetYesNoCancelLabels("Save", "Discard", "Cancel");
+    wxMessageDialog dialog(this, wxTr("Save the changes to “{}”?", {tr(bench_.document().name())}),
+                           "SulfurChamber", wxYES_NO | wxCANCEL | wxICON_QUESTION);
+    dialog.SetYesNoCancelLabels(wxTr("Save"), wxTr("Discard"), wxTr("Cancel"));
     switch (dialog.ShowModal()) {
         case wxID_YES:
             return save();
@@ -119,12 +122,11 @@ void MainFrame::offerRecovery() {
     const auto found = Recovery::left(recoveryFolder());
     if (found.empty()) return;
     const auto& left = found.front();
-    const std::string name = left.of.empty() ? "a new scene" : left.of.filename().string();
-    wxMessageDialog dialog(this,
-                           wxString::FromUTF8("SulfurChamber ended before " + name + " was saved."),
+    const std::string name = left.of.empty() ? tr("a new scene") : left.of.filename().string();
+    wxMessageDialog dialog(this, wxTr("SulfurChamber ended before {} was saved.", {name}),
                            "SulfurChamber", wxYES_NO | wxCANCEL | wxICON_QUESTION);
-    dialog.SetExtendedMessage("What you had built was kept. It can be opened now.");
-    dialog.SetYesNoCancelLabels("Open it", "Delete it", "Later");
+    dialog.SetExtendedMessage(wxTr("What was built had been kept. It can be opened now."));
+    dialog.SetYesNoCancelLabels(wxTr("Open it"), wxTr("Delete it"), wxTr("Later"));
     const int answer = dialog.ShowModal();
     if (answer == wxID_CANCEL) return;
     if (answer == wxID_YES) {
@@ -151,8 +153,8 @@ void MainFrame::newFile() {
 
 void MainFrame::openDialog() {
     if (!mayDiscard()) return;
-    const auto file =
-        canvas_->platform().chooseFile({.title = "Open a scene or a level", .kinds = fileKinds});
+    const auto file = canvas_->platform().chooseFile(
+        {.title = tr("Open a scene or a level"), .kinds = fileKinds()});
     if (file) openFile(*file);
 }
 
@@ -164,11 +166,11 @@ bool MainFrame::save() {
 bool MainFrame::saveDialog() {
     const auto& file = bench_.document().file();
     const auto chosen = canvas_->platform().chooseFile(
-        {.title = "Save the scene",
+        {.title = tr("Save the scene"),
          .save = true,
          .folder = file.parent_path(),
          .name = file.empty() ? "scene.json" : file.filename().string(),
-         .kinds = fileKinds});
+         .kinds = fileKinds()});
     return chosen && saveFile(*chosen);
 }
 
@@ -181,13 +183,24 @@ void MainFrame::openRecent(int index) {
 }
 
 void MainFrame::showGallery() {
+    if (gallery_ == nullptr) {
+        gallery_ = new GalleryDialog(
+            this, view_, [this](const std::filesystem::path& file) { openExample(file); });
+        gallery_->Bind(wxEVT_DESTROY, [this](wxWindowDestroyEvent& event) {
+            if (event.GetEventObject() == gallery_) gallery_ = nullptr;
+            event.Skip();
+        });
+    }
+    gallery_->Show();
+    gallery_->Raise();
+}
+
+// An example is a beginning: saving it asks for a name of one's own.
+void MainFrame::openExample(const std::filesystem::path& file) {
     if (!mayDiscard()) return;
-    const auto file = chooseExample(this);
-    if (!file) return;
-    // An example is a beginning: saving it asks for a name of one's own.
     bench_.cancel();
     try {
-        bench_.document().adopt(sulfur::scene::read(*file));
+        bench_.document().adopt(sulfur::scene::read(file));
     } catch (const std::exception& error) {
         tellInDialog(error.what(), "The example cannot be opened");
         return;

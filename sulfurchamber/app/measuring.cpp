@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 
@@ -79,10 +80,10 @@ void MainFrame::addPlotActions() {
     add({"plot-csv", m, wxString::FromUTF8("&Table as CSV\xE2\x80\xA6"), 0,
          "All samples, for a spreadsheet", "",
          [this] {
-             const auto file = canvas_->platform().chooseFile({.title = "Save the table",
+             const auto file = canvas_->platform().chooseFile({.title = tr("Save the table"),
                                                                .save = true,
                                                                .name = "measured.csv",
-                                                               .kinds = {{"Tables", {"csv"}}}});
+                                                               .kinds = {{tr("Tables"), {"csv"}}}});
              if (file) savePlot(*file);
          },
          any})
@@ -90,10 +91,11 @@ void MainFrame::addPlotActions() {
     add({"plot-png", m, wxString::FromUTF8("&Picture as PNG\xE2\x80\xA6"), 0,
          "The diagram as it is shown, for paper", "",
          [this] {
-             const auto file = canvas_->platform().chooseFile({.title = "Save the diagram",
-                                                               .save = true,
-                                                               .name = "measured.png",
-                                                               .kinds = {{"Pictures", {"png"}}}});
+             const auto file =
+                 canvas_->platform().chooseFile({.title = tr("Save the diagram"),
+                                                 .save = true,
+                                                 .name = "measured.png",
+                                                 .kinds = {{tr("Pictures"), {"png"}}}});
              if (file) savePlot(*file);
          },
          any})

@@ -2,6 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <atlax/arguments.hpp>
+#include <string>
+#include <vector>
+
+#include "../model/words.hpp"
 
 namespace sulfurchamber {
 
@@ -32,6 +36,12 @@ Parsed parseCommandLine(int argc, char** argv) {
     app.add_option("--theme", options.theme,
                    "Panels: dark (default), light, or as the system has them")
         ->check(CLI::IsMember({"dark", "light", "system"}));
+    std::vector<std::string> spoken = languages();
+    spoken.emplace_back("system");
+    const auto* language =
+        app.add_option("--language", options.language,
+                       "Of menus and texts: en, de, it, or as the system has it (default)")
+            ->check(CLI::IsMember(spoken));
     const auto* width = app.add_option("--width", options.width, "Width of the window in pixels")
                             ->check(CLI::Range(320, 8192));
     const auto* height =
@@ -47,6 +57,8 @@ Parsed parseCommandLine(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         parsed.exitCode = app.exit(error);
     }
+    options.languageGiven = language->count() > 0;
+    if (options.language == "system") options.language.clear();
     options.sizeGiven = width->count() + height->count() > 0;
     if (scriptHelp && !parsed.exitCode) parsed.exitCode = -1;
     return parsed;

@@ -17,6 +17,8 @@ struct Options {
     std::filesystem::path screenshot;  ///< the whole window
     std::filesystem::path script;
     int autosave = 30;           ///< seconds after which unsaved work is kept
+    std::string language;        ///< "de" and so on; empty: as the system has it
+    bool languageGiven = false;  ///< else that of the settings counts, and English for scripts
     std::string theme = "dark";  ///< dark, light or system
     int width = 1280;
     int height = 800;

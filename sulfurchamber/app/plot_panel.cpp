@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "wx_words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -288,9 +290,9 @@ private:
         }
         g.SetFont(GetFont().Smaller(), ink.text);
         if (series().empty())
-            legendLine(g, "Choose quantities to measure", x, y, ink);
+            legendLine(g, tr("Choose quantities to measure"), x, y, ink);
         else if (!any)
-            legendLine(g, "Press Space: a sample is taken in each tick", x, y, ink);
+            legendLine(g, tr("Press Space: a sample is taken in each tick"), x, y, ink);
     }
 
     double legendLine(wxGraphicsContext& g, const std::string& words, double x, double y,
@@ -338,7 +340,7 @@ PlotPanel::PlotPanel(wxWindow* parent, Workbench& bench,
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     for (const char* name : {"Quantities", "Fit", "Export"}) {
         auto* button =
-            new wxButton(this, wxID_ANY, wxString(name) + wxString::FromUTF8(" \xE2\x96\xBE"),
+            new wxButton(this, wxID_ANY, wxTr(name) + wxString::FromUTF8(" \xE2\x96\xBE"),
                          wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
         button->Bind(wxEVT_BUTTON,
                      [choose, name, button](wxCommandEvent&) { choose(wxString(name), *button); });
@@ -375,7 +377,7 @@ void PlotPanel::savePicture(const std::filesystem::path& file) {
         diagram_->paintAlone(*g, size, inkOf(false));  // for paper
     }
     if (!bitmap.SaveFile(wxString::FromUTF8(file.string()), wxBITMAP_TYPE_PNG))
-        throw std::runtime_error("cannot write " + file.string());
+        throw std::runtime_error(tr("cannot write {}", {file.string()}));
 }
 
 void PlotPanel::saveTable(const std::filesystem::path& file) const {

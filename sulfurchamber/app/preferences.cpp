@@ -5,6 +5,8 @@
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
 
+#include "../model/words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr Switch switches[] = {
     {"view.grid", &ViewOptions::grid},         {"view.rulers", &ViewOptions::rulers},
     {"view.joints", &ViewOptions::joints},     {"view.velocities", &ViewOptions::velocities},
     {"view.strain", &ViewOptions::strain},     {"view.contacts", &ViewOptions::contacts},
-    {"view.skeleton", &ViewOptions::skeleton},
+    {"view.skeleton", &ViewOptions::skeleton}, {"view.films", &ViewOptions::films},
 };
 
 /// The same of what things snap to.
@@ -75,6 +77,12 @@ SnapSwitches Preferences::snapping() const {
 
 void Preferences::setSnapping(const SnapSwitches& switches) {
     for (const SnapSwitch& one : snapSwitches) settings_.set(one.key, switches.*one.flag);
+}
+
+std::string Preferences::language() const {
+    const std::string code = settings_.get("language", std::string());
+    const auto all = languages();
+    return std::find(all.begin(), all.end(), code) != all.end() ? code : "";
 }
 
 std::vector<std::filesystem::path> Preferences::recentFiles() const {

@@ -4,9 +4,11 @@
 #include <atlax/settings.hpp>
 #include <atlax/vec.hpp>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "../view/scene_painter.hpp"
+#include "../view/scene_view.hpp"
 
 namespace sulfurchamber {
 
@@ -35,6 +37,10 @@ public:
     std::vector<std::filesystem::path> recentFiles() const;
     void noteFile(const std::filesystem::path& file);
     void forgetFile(const std::filesystem::path& file);
+
+    /// "de" and so on; empty: as the system has it.
+    std::string language() const;
+    void setLanguage(const std::string& code) { settings_.set("language", code); }
 
     void save() { settings_.trySave(); }
 

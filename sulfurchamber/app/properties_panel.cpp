@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wx_words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -51,23 +53,23 @@ void PropertiesPanel::makeHead(wxSizer* sizer) {
     auto* table = new wxFlexGridSizer(2, FromDIP(4), FromDIP(8));
     table->AddGrowableCol(1);
     const auto add = [&](const char* label, wxWindow* window) {
-        table->Add(new wxStaticText(this, wxID_ANY, label), wxSizerFlags(0).CentreVertical());
+        table->Add(new wxStaticText(this, wxID_ANY, wxTr(label)), wxSizerFlags(0).CentreVertical());
         table->Add(window, wxSizerFlags(1).Expand());
     };
     name_ = new wxTextCtrl(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(60, -1)),
                            wxTE_PROCESS_ENTER);
     add("Name", name_);
     wxArrayString names;
-    names.Add("choose one");
-    for (const MaterialPreset& preset : materialPresets()) names.Add(utf8(preset.name));
+    names.Add(wxTr("choose one"));
+    for (const MaterialPreset& preset : materialPresets()) names.Add(wxTr(preset.name));
     preset_ = new wxChoice(this, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(60, -1)), names);
-    preset_->SetToolTip("Sets density, friction, bounce and stiffness at once");
+    preset_->SetToolTip(wxTr("Sets density, friction, bounce and stiffness at once"));
     add("Material", preset_);
     makeLook(table);
     sizer->Add(table, wxSizerFlags(0).Expand());
-    held_ = new wxCheckBox(this, wxID_ANY, "Held in place", wxDefaultPosition, wxDefaultSize,
+    held_ = new wxCheckBox(this, wxID_ANY, wxTr("Held in place"), wxDefaultPosition, wxDefaultSize,
                            wxCHK_3STATE);
-    held_->SetToolTip("Nothing moves it, as the ground");
+    held_->SetToolTip(wxTr("Nothing moves it, as the ground"));
     sizer->Add(held_, wxSizerFlags(0).Border(wxTOP | wxBOTTOM, FromDIP(4)));
 
     makeSwitches(sizer);
@@ -79,27 +81,27 @@ void PropertiesPanel::makeLook(wxSizer* table) {
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     colour_ = new wxColourPickerCtrl(this, wxID_ANY, *wxWHITE, wxDefaultPosition,
                                      FromDIP(wxSize(52, -1)));
-    ownColour_ =
-        new wxButton(this, wxID_ANY, "Usual", wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
-    ownColour_->SetToolTip("Back to the colour that the scene gives it");
+    ownColour_ = new wxButton(this, wxID_ANY, wxTr("Usual"), wxDefaultPosition, wxDefaultSize,
+                              wxBU_EXACTFIT);
+    ownColour_->SetToolTip(wxTr("Back to the colour that the scene gives it"));
     row->Add(colour_, wxSizerFlags(1).Expand());
     row->Add(ownColour_, wxSizerFlags(0).Expand().Border(wxLEFT, FromDIP(4)));
-    colourName_ = new wxStaticText(this, wxID_ANY, "Colour");
+    colourName_ = new wxStaticText(this, wxID_ANY, wxTr("Colour"));
     table->Add(colourName_, wxSizerFlags(0).CentreVertical());
     table->Add(row, wxSizerFlags(1).Expand());
     skin_ = new wxTextCtrl(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(60, -1)),
                            wxTE_PROCESS_ENTER);
     skin_->SetToolTip(
-        "The texture that the game shows on it, such as skins/crate.png; empty for none");
-    table->Add(new wxStaticText(this, wxID_ANY, "Skin"), wxSizerFlags(0).CentreVertical());
+        wxTr("The texture that the game shows on it, such as skins/crate.png; empty for none"));
+    table->Add(new wxStaticText(this, wxID_ANY, wxTr("Skin")), wxSizerFlags(0).CentreVertical());
     table->Add(skin_, wxSizerFlags(1).Expand());
 }
 
 void PropertiesPanel::makeSwitches(wxSizer* sizer) {
     for (const SwitchProperty& property : switchProperties()) {
-        auto* box = new wxCheckBox(this, wxID_ANY, utf8(property.name), wxDefaultPosition,
+        auto* box = new wxCheckBox(this, wxID_ANY, wxTr(property.name), wxDefaultPosition,
                                    wxDefaultSize, wxCHK_3STATE);
-        box->SetToolTip(utf8(property.help));
+        box->SetToolTip(wxTr(property.help));
         box->Bind(wxEVT_CHECKBOX, [this, box, &property](wxCommandEvent&) {
             const bool on = box->Get3StateValue() == wxCHK_CHECKED;
             change("Change " + utf8(property.name).Lower().utf8_string(),
@@ -133,7 +135,7 @@ void PropertiesPanel::bindHead() {
         preset_->SetSelection(0);
         if (at < 0) return;
         const MaterialPreset& preset = materialPresets()[static_cast<std::size_t>(at)];
-        change("Make of " + utf8(preset.name).Lower().utf8_string(),
+        change(tr("Make of {}", {trInside(std::string(preset.name))}),
                [&] { applyPreset(bench_.document(), bench_.selection(), preset); });
     });
     held_->Bind(wxEVT_CHECKBOX, [this](wxCommandEvent&) {
@@ -152,8 +154,8 @@ void PropertiesPanel::bindHead() {
 }
 
 void PropertiesPanel::makeLayers(wxSizer* sizer) {
-    auto* label = new wxStaticText(this, wxID_ANY, "Layers");
-    label->SetToolTip("Bodies collide when they have a layer in common");
+    auto* label = new wxStaticText(this, wxID_ANY, wxTr("Layers"));
+    label->SetToolTip(wxTr("Bodies collide when they have a layer in common"));
     sizer->Add(label);
     auto* grid = new wxGridSizer(4, 0, 0);
     for (int i = 0; i < layerCount; ++i) {
@@ -175,7 +177,7 @@ void PropertiesPanel::addNumber(wxSizer* sizer, const NumberProperty& property) 
     const std::size_t at = numbers_.size() - 1;
     Number& number = numbers_.back();
     number.property = &property;
-    const std::string label = "Change " + utf8(property.name).Lower().utf8_string();
+    const std::string label = tr("Change {}", {trInside(std::string(property.name))});
     ValueSpec spec;
     spec.name = utf8(property.name);
     spec.unit = utf8(property.unit);
@@ -275,16 +277,16 @@ void PropertiesPanel::showHead() {
     const Document& document = bench_.document();
     const auto& bodies = bench_.selection();
     const std::string id = bodies.size() == 1 ? document.idOf(bodies[0]) : "";
-    wxString title = wxString::Format("%zu bodies", bodies.size());
-    if (bodies.empty()) title = "Nothing is selected";
+    wxString title = wxTrCount("{} body", "{} bodies", bodies.size());
+    if (bodies.empty()) title = wxTr("Nothing is selected");
     if (const auto ref = bench_.fitting()) {
         const Fitting is = document.fitting(*ref);
         const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);
-        title = utf8(kindName(is));
+        title = wxTr(kindName(is));
         if (mechanism != nullptr && !mechanism->id.empty())
             title += "  \"" + wxString::FromUTF8(mechanism->id) + "\"";
     }
-    if (bodies.size() == 1) title = id.empty() ? wxString("A piece") : wxString::FromUTF8(id);
+    if (bodies.size() == 1) title = id.empty() ? wxTr("A piece") : wxString::FromUTF8(id);
     title_->SetLabel(title);
     name_->Enable(!id.empty());
     name_->ChangeValue(wxString::FromUTF8(id));

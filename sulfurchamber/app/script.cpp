@@ -64,6 +64,7 @@ std::string scriptHelp() {
            "                          protractor tracer gauge gun\n"
            "  click X Y               press and release the left button\n"
            "  drag X Y X2 Y2          press, move, release\n"
+           "  stroke X Y X2 Y2 ...    the same through all of these places\n"
            "  hold X Y X2 Y2 SECONDS  the same, holding for simulated seconds\n"
            "  wheel X Y NOTCHES       turn the wheel, positive away from you\n"
            "  key NAME                a letter, Space, Period, Comma, Escape, Delete, Home, End,\n"
@@ -77,6 +78,7 @@ std::string scriptHelp() {
            "  table4 SECONDS          runs the columns of the paper's Table 4, so long each\n"
            "  save-table4 FILE        that table as .csv or its diagram as .png\n"
            "  seek SECONDS            to a recorded moment of the shown line\n"
+           "  point ACTION            the pointer to its button on a bar\n"
            "  do ACTION               anything of the menus, such as play, undo, strain\n"
            "  set CONSTANT VALUE      gravity, elasticity, friction, air-friction, rain\n"
            "  run SECONDS             play for simulated seconds, then pause\n"
@@ -106,6 +108,7 @@ std::string scriptHelp() {
            "                          measured difference (of the textbook's first formula)\n"
            "                          hidden locked outline-rows zoom (metres of a pixel)\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
+           "                          film lesson.step lesson.showing gallery.pictures\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "                          level.things level.problems level.checked level.proof\n"
            "                          level.survival playtest playtest.first playtest.time\n"
@@ -208,6 +211,12 @@ void Script::start(const Words& words) {
     } else if (words[0] == "do" && words.size() == 2) {
         if (!frame_.perform(words[1]))
             fail("the action " + words[1] + " is not there or not available");
+    } else if (words[0] == "point" && words.size() == 2) {
+        const auto button = frame_.buttonOnScreen(words[1]);
+        if (!button) fail(words[1] + " has no button");
+        simulator_.MouseMove(button->x + 1, button->y);
+        simulator_.MouseMove(*button);
+        waitForFrames(60, {});
     } else if (words[0] == "slide" && words.size() == 3) {
         slide(number(words[1]), number(words[2]));
     } else if (words[0] == "plot-drag" && words.size() == 3) {
@@ -268,6 +277,15 @@ void Script::press(const sulfur::Point& at, std::function<void()> then) {
     });
 }
 
+void Script::strokeThrough(const std::vector<sulfur::Point>& places, std::size_t next,
+                           const std::function<void()>& then) {
+    if (next == places.size()) {
+        then();
+        return;
+    }
+    moveMouse(places[next], [this, places, next, then] { strokeThrough(places, next + 1, then); });
+}
+
 bool Script::startPointer(const Words& words) {
     const auto releaseNow = [this] {
         const std::uint64_t before = frame_.sceneView().buttonEvents();
@@ -283,6 +301,12 @@ bool Script::startPointer(const Words& words) {
         press(point(1), releaseNow);
     } else if (words[0] == "drag" && words.size() == 5) {
         press(point(1), [this, to = point(3), releaseNow] { moveMouse(to, releaseNow); });
+    } else if (words[0] == "stroke" && words.size() > 4 && words.size() % 2 == 1) {
+        std::vector<sulfur::Point> places;
+        for (std::size_t i = 3; i + 1 < words.size(); i += 2) places.push_back(point(i));
+        press(point(1), [this, places = std::move(places), releaseNow] {
+            strokeThrough(places, 0, releaseNow);
+        });
     } else if (words[0] == "hold" && words.size() == 6) {
         const double seconds = number(words[5]);
         press(point(1), [this, to = point(3), seconds, releaseNow] {
@@ -659,6 +683,14 @@ double Script::quantity(const std::string& name) const {
     if (name == "plot.fit") return frame_.plot().fitValue().value_or(none);
     if (name == "plot.cursor") return frame_.plot().cursorValue().value_or(none);
     if (name == "strays") return static_cast<double>(bench.strays().size());
+    if (name == "film") return frame_.sceneView().guide().film() ? 1 : 0;
+    if (name == "lesson.step") {
+        const LessonRun* run = frame_.lesson().run();
+        return run == nullptr ? none : static_cast<double>(run->step());
+    }
+    if (name == "gallery.pictures")
+        return frame_.gallery() == nullptr ? 0 : frame_.gallery()->pictures();
+    if (name == "lesson.showing") return frame_.lesson().showing() ? 1 : 0;
     if (name == "steps") return static_cast<double>(document.historyPlace());
     if (name == "newest.x" || name == "newest.y") {
         if (bodies.empty()) fail("there is no body");

@@ -55,6 +55,8 @@ private:
     void dragPlot(double from, double to);
     void press(const sulfur::Point& at, std::function<void()> then);
     void moveMouse(const sulfur::Point& at, std::function<void()> then);
+    void strokeThrough(const std::vector<sulfur::Point>& places, std::size_t next,
+                       const std::function<void()>& then);
     void waitForFrames(int frames, std::function<void()> then);
     [[noreturn]] static void fail(const std::string& why);
     static double number(const std::string& word);

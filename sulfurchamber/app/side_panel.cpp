@@ -2,10 +2,14 @@
 
 #include <wx/sizer.h>
 
+#include <array>
+#include <string_view>
+
 #include "constants_panel.hpp"
 #include "measure_panel.hpp"
 #include "outline_panel.hpp"
 #include "properties_panel.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 
@@ -15,20 +19,20 @@ SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
     constants_ = new ConstantsPanel(this, bench, view, refuse);
     properties_ = new PropertiesPanel(this, bench, refuse);
     outline_ = new OutlinePanel(this, bench, view, std::move(refuse));
-    AddPage(constants_, "Scene");
-    AddPage(properties_, "Object");
+    AddPage(constants_, wxTr("Scene"));
+    AddPage(properties_, wxTr("Object"));
     makeHistory();
     measures_ = new MeasurePanel(this, bench, view);
-    AddPage(measures_, "Measure");
-    AddPage(outline_, "Outline");
+    AddPage(measures_, wxTr("Measure"));
+    AddPage(outline_, wxTr("Outline"));
 }
 
 // A click goes to the moment after a step.
 void SidePanel::makeHistory() {
     history_ = new wxListBox(this, wxID_ANY, wxDefaultPosition, wxDefaultSize, 0, nullptr,
                              wxLB_SINGLE | wxBORDER_NONE);
-    history_->SetToolTip("All steps; a click goes back or forth to one");
-    AddPage(history_, "History");
+    history_->SetToolTip(wxTr("All steps; a click goes back or forth to one"));
+    AddPage(history_, wxTr("History"));
     history_->Bind(wxEVT_LISTBOX, [this](wxCommandEvent& event) {
         const auto wanted = static_cast<std::size_t>(std::max(0, event.GetInt()));
         Document& document = bench_.document();
@@ -47,7 +51,7 @@ void SidePanel::refreshHistory() {
     if (labels == shownHistory_ && place == shownPlace_) return;
     if (labels != shownHistory_) {
         wxArrayString lines;
-        for (const std::string& label : labels) lines.Add(wxString::FromUTF8(label));
+        for (const std::string& label : labels) lines.Add(wxTr(label));
         history_->Set(lines);
     }
     history_->SetSelection(static_cast<int>(place));
@@ -68,8 +72,10 @@ void SidePanel::refresh() {
 }
 
 bool SidePanel::showPage(const std::string& name) {
-    for (std::size_t i = 0; i < GetPageCount(); ++i) {
-        if (GetPageText(i).Lower().utf8_string() != name) continue;
+    static constexpr std::array<std::string_view, 5> names{"scene", "object", "history", "measure",
+                                                           "outline"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] != name) continue;
         ChangeSelection(i);
         refresh();
         return true;

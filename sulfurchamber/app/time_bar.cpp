@@ -12,6 +12,7 @@
 #include <string>
 
 #include "../view/palette.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -186,7 +187,7 @@ private:
     }
 
     void paintHint(wxGraphicsContext& g, double width) const {
-        const wxString hint = "Time: what runs is recorded here";
+        const wxString hint = wxTr("Time: what runs is recorded here");
         g.SetFont(GetFont(), wxSystemSettings::GetColour(wxSYS_COLOUR_GRAYTEXT));
         double w = 0;
         double h = 0;
@@ -207,7 +208,8 @@ TimeBar::TimeBar(wxWindow* parent, Workbench& bench, SceneView& view,
     speed_ = new wxButton(this, wxID_ANY, "1/1000", wxDefaultPosition, wxDefaultSize,
                           wxBU_EXACTFIT | wxBORDER_NONE);
     speed_->SetMinSize(speed_->GetBestSize());
-    speed_->SetToolTip("How fast time runs: a thousandth to four times  (Ctrl+Up, Ctrl+Down)");
+    speed_->SetToolTip(
+        wxTr("How fast time runs: a thousandth to four times  (Ctrl+Up, Ctrl+Down)"));
     speed_->Bind(wxEVT_BUTTON, [this, chooseSpeed](wxCommandEvent&) { chooseSpeed(*speed_); });
     auto* sizer = new wxBoxSizer(wxHORIZONTAL);
     sizer->Add(track_, wxSizerFlags(1).Expand());

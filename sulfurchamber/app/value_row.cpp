@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "icons.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -25,6 +26,7 @@ wxString shortNumber(double value) {
 }  // namespace
 
 ValueRow::ValueRow(wxWindow* parent, wxSizer* sizer, ValueSpec spec) : spec_(std::move(spec)) {
+    for (wxString* text : {&spec_.name, &spec_.help, &spec_.endless}) *text = wxTr(*text);
     makeTop(parent);
     makeSlider(parent);
     whole_ = new wxBoxSizer(wxVERTICAL);
@@ -47,7 +49,7 @@ void ValueRow::makeTop(wxWindow* parent) {
                                   parent->FromDIP(wxSize(42, -1)));
     revert_ = new wxBitmapButton(parent, wxID_ANY, icon("revert"), wxDefaultPosition, wxDefaultSize,
                                  wxBU_EXACTFIT | wxBORDER_NONE);
-    revert_->SetToolTip("Back to what the scene began with");
+    revert_->SetToolTip(wxTr("Back to what the scene began with"));
     top_->Add(name_, wxSizerFlags(1).CentreVertical());
     top_->Add(number_, wxSizerFlags(0).CentreVertical());
     top_->Add(unit, wxSizerFlags(0).CentreVertical().Border(wxLEFT, parent->FromDIP(4)));
@@ -164,7 +166,7 @@ void ValueRow::refresh() {
     const bool typing = spec_.moves && number_->IsModified();
     if (fresh_ || (now != shown_ && !typing)) {
         if (!sliding_) slider_->SetValue(now ? position(*now) : 0);
-        number_->SetHint(now ? "" : "mixed");
+        number_->SetHint(now ? wxString() : wxTr("mixed"));
         takeBack();
     }
     shown_ = now;
@@ -199,12 +201,14 @@ void ValueRow::enter(bool leaving) {
         takeBack();
         return;
     }
-    wxString sentence =
-        spec_.name + ": " + typed + (isNumber ? " is out of range" : " is no number");
-    sentence += "; allowed is " + shortNumber(spec_.low) + " to " + shortNumber(spec_.high) + " " +
-                spec_.unit;
-    if (!spec_.endless.empty()) sentence += ", or " + spec_.endless;
-    spec_.refuse(sentence.utf8_string());
+    const std::string word = typed.utf8_string();
+    const std::string problem =
+        isNumber ? tr("{} is out of range", {word}) : tr("{} is no number", {word});
+    std::string range =
+        tr("{} to {} {}", {shortNumber(spec_.low).utf8_string(),
+                           shortNumber(spec_.high).utf8_string(), spec_.unit.utf8_string()});
+    if (!spec_.endless.empty()) range = tr("{}, or {}", {range, spec_.endless.utf8_string()});
+    spec_.refuse(tr("{}: {}; allowed is {}", {spec_.name.utf8_string(), problem, range}));
     if (leaving)
         takeBack();
     else

@@ -6,6 +6,7 @@
 
 #include "drag_tool.hpp"
 #include "geometry.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -59,9 +60,10 @@ private:
         drawn = drawn.cwiseMax(smallest).cwiseMin(100.0);
         const double mass = drawn.x() * drawn.y() * massPerArea;
         if (soft_)
-            add("jelly", jelly(drawn, mass), centre());
+            add("Add jelly", "jelly", jelly(drawn, mass), centre());
         else
-            add("box", sulfur::shapes::BoxOptions{.size = drawn.cast<Real>(), .mass = real(mass)},
+            add("Add box", "box",
+                sulfur::shapes::BoxOptions{.size = drawn.cast<Real>(), .mass = real(mass)},
                 centre());
     }
 
@@ -93,7 +95,7 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "Radius " + metresText(length()) + ", " + kilogramsText(discMass(length()));
+            return tr("Radius {}, {}", {metresText(length()), kilogramsText(discMass(length()))});
         return "Click to drop a ball, or drag from its centre to its rim";
     }
 
@@ -104,7 +106,7 @@ private:
         sulfur::shapes::BallOptions options{
             .radius = real(radius), .mass = real(mass), .material = {}};
         options.material.restitution = Real(0.4);
-        add("ball", options, from());
+        add("Add ball", "ball", options, from());
     }
 };
 
@@ -119,8 +121,8 @@ public:
     }
     std::string hint() const override {
         return dragging()
-                   ? metresText(length()) +
-                         " of rope; release where it ends, with Shift both free ends are pinned"
+                   ? tr("{} of rope; release where it ends, with Shift both free ends are pinned",
+                        {metresText(length())})
                    : "Drag a rope: its ends tie to what they touch, a free start is pinned";
     }
 
@@ -220,7 +222,7 @@ private:
             options.mass = real(length() * chainMassPerMetre);
             options.pinFirst = true;
             options.pinLast = pointer.shift;
-            add("chain", options, from());
+            add("Add chain", "chain", options, from());
         } else if (kind_ == ToolKind::bridge) {
             sulfur::shapes::BridgeOptions options;
             options.from = {0, 0};
@@ -228,11 +230,11 @@ private:
             options.planks = std::clamp(static_cast<int>(std::lround(length() / 0.4)), 2, 200);
             options.sag = real(0.06 * length());
             options.mass = real(length() * bridgeMassPerMetre);
-            add("bridge", options, from());
+            add("Add bridge", "bridge", options, from());
         } else {
             sulfur::shapes::GroundOptions options;
             options.points = {Vec2(0, 0), span};
-            add("ground", options, from());
+            add("Add ground", "ground", options, from());
         }
     }
 
@@ -265,7 +267,7 @@ private:
             options.columns = cells(drawn.x(), 0.13, 4, 24);
             options.rows = cells(drawn.y(), 0.13, 4, 24);
             options.mass = real(area * clothMassPerArea);
-            add("cloth", options, centre());
+            add("Add cloth", "cloth", options, centre());
         } else {
             sulfur::shapes::WallOptions options;
             options.size = drawn.cast<Real>();
@@ -274,7 +276,7 @@ private:
             options.mass = real(area * wallMassPerArea);
             // It stands, and bears being put down from a hand's breadth.
             options.strength = real(std::max(1500.0, wallStrength * area * wallMassPerArea));
-            add("wall", options, centre());
+            add("Add wall", "wall", options, centre());
         }
     }
 
@@ -289,7 +291,7 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "Radius " + metresText(length()) + ", " + kilogramsText(discMass(length()));
+            return tr("Radius {}, {}", {metresText(length()), kilogramsText(discMass(length()))});
         return "Click to put a wheel, or drag hub to rim; on a body the hub is an axle";
     }
 

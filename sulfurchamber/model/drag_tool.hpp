@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tool.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 
@@ -42,10 +43,9 @@ protected:
     const sulfur::Point& to() const { return to_; }
     double length() const { return (to_ - from_).norm(); }
     bool clicked() const { return length() < smallest; }
-    void add(const std::string& name, const sulfur::scene::Generator& recipe,
+    void add(const char* label, const std::string& name, const sulfur::scene::Generator& recipe,
              const sulfur::Point& position) {
-        document().edit("Add " + name,
-                        [&] { document().add(name, recipe, {.position = position}); });
+        document().edit(label, [&] { document().add(name, recipe, {.position = position}); });
     }
 
 private:
@@ -77,10 +77,12 @@ protected:
     /// While it is drawn; else what a click does.
     std::string sizeOr(const char* click) const {
         if (!dragging() || clicked()) return click;
-        std::string text = metresText(size().x()) + " wide, " + metresText(size().y()) + " high";
-        if (const auto density = massOfArea())
-            text += ", " + kilogramsText(size().prod() * *density);
-        return text;
+        const std::string wide = metresText(size().x());
+        const std::string high = metresText(size().y());
+        const auto density = massOfArea();
+        return density ? tr("{} wide, {} high, {}",
+                            {wide, high, kilogramsText(size().prod() * *density)})
+                       : tr("{} wide, {} high", {wide, high});
     }
 };
 

@@ -7,6 +7,7 @@
 #include "document_steps.hpp"
 #include "follow.hpp"
 #include "level_things.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -72,14 +73,15 @@ void Document::requireRoom(std::size_t particles, std::size_t joints) const {
         inWorld += world_->particles(body).size();
         jointsInWorld += world_->joints(body).size();
     }
-    const auto refuse = [](std::size_t wanted, std::size_t most, const char* what) {
-        throw std::runtime_error("there would be " + std::to_string(wanted) + " " + what +
-                                 "; a scene may have at most " + std::to_string(most));
+    const auto refuse = [](std::size_t wanted, std::size_t most, const char* sentence) {
+        throw std::runtime_error(tr(sentence, {std::to_string(wanted), std::to_string(most)}));
     };
     const std::size_t all = std::max(inWorld, plan_.particles()) + particles;
-    if (all > Limits::particles) refuse(all, Limits::particles, "particles");
+    if (all > Limits::particles)
+        refuse(all, Limits::particles, "there would be {} particles; a scene may have at most {}");
     const std::size_t allJoints = std::max(jointsInWorld, plan_.joints()) + joints;
-    if (allJoints > Limits::joints) refuse(allJoints, Limits::joints, "joints");
+    if (allJoints > Limits::joints)
+        refuse(allJoints, Limits::joints, "there would be {} joints; a scene may have at most {}");
 }
 
 // --- adding and removing ---------------------------------------------------------------------

@@ -1,5 +1,7 @@
 #include "fitting.hpp"
 
+#include "words.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -56,7 +58,7 @@ DriveKeys readKeys(const Node& node) {
         if (!key) return;
         into = key->string(0, 8);
         if (!into.empty() && !isControlKey(into))
-            key->fail("is \"" + into + "\"; allowed is a letter, Right, Left, Up, Down or \"\"");
+            key->fail(tr("is “{}”; allowed is a letter, Right, Left, Up, Down or “”", {into}));
     };
     read("forward", keys.forward);
     read("back", keys.back);
@@ -69,7 +71,7 @@ Thruster readThruster(const Node& node, const Scene& scene) {
     const Node body = node.at("body");
     made.body = body.string(1, sulfur::scene::Limits::nameBytes);
     if (scene.body(made.body) == nullptr)
-        body.fail("is \"" + made.body + "\"; allowed is the id of a body of the scene");
+        body.fail(tr("is “{}”; allowed is the id of a body of the scene", {made.body}));
     made.at = node.at("at").vec2(DeviceLimits::at);
     made.force = node.at("force").vec2(DeviceLimits::force);
     if (const auto keys = node.find("keys")) made.keys = readKeys(*keys);

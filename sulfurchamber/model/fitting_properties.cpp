@@ -1,5 +1,7 @@
 #include "fitting_properties.hpp"
 
+#include "words.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -371,8 +373,9 @@ void setFittingProperty(Document& document, const FittingRef& ref, const Fitting
                         double value) {
     const bool endless = std::isinf(value) && value > 0 && !property.endless.empty();
     if (!endless && !(value >= property.low && value <= property.high))
-        throw std::runtime_error(std::string(property.name) + " is out of range; allowed is " +
-                                 shortNumber(property.low) + " to " + shortNumber(property.high));
+        throw std::runtime_error(tr("{} is out of range; allowed is {} to {}",
+                                    {tr(std::string(property.name)), shortNumber(property.low),
+                                     shortNumber(property.high)}));
     if (property.whole) value = std::round(value);
     document.refit(
         ref, [&](Fitting& fitting) { property.set(fitting, value); }, property.live);
@@ -389,9 +392,8 @@ std::optional<DriveKeys> keysOf(const Fitting& fitting) {
 void setFittingKeys(Document& document, const FittingRef& ref, const DriveKeys& keys) {
     for (const std::string& key : {keys.forward, keys.back})
         if (!key.empty() && !isControlKey(key))
-            throw std::runtime_error("\"" + key +
-                                     "\" drives nothing; allowed is a letter, Right, Left, Up or "
-                                     "Down");
+            throw std::runtime_error(
+                tr("“{}” drives nothing; allowed is a letter, Right, Left, Up or Down", {key}));
     document.refit(
         ref,
         [&](Fitting& fitting) {

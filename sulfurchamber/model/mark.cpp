@@ -1,18 +1,19 @@
 #include "mark.hpp"
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 
 std::string textOf(const Mark& mark) {
-    const std::string count = std::to_string(mark.count);
     switch (mark.kind) {
         case Mark::Kind::contact:
-            return count + (mark.count == 1 ? " first contact" : " first contacts");
+            return trCount("{} first contact", "{} first contacts", mark.count);
         case Mark::Kind::breakage:
-            return count + (mark.count == 1 ? " joint breaks" : " joints break");
+            return trCount("{} joint breaks", "{} joints break", mark.count);
         case Mark::Kind::edit:
             break;
     }
-    return mark.label;
+    return tr(mark.label);
 }
 
 }  // namespace sulfurchamber

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -249,8 +251,7 @@ const Quantity* quantity(std::string_view key) {
 }
 
 std::string Series::title() const {
-    std::string name(quantity->name);
-    return name + " of " + subject;
+    return tr("{} of {}", {tr(std::string(quantity->name)), tr(subject)});
 }
 
 // --- recording -------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // Tools that fit something between bodies: hinges, motors, springs, ropes and their like. Where one
 // end is on no moving body, a peg is put there: a fixed body that is but a point.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -139,7 +140,8 @@ public:
         return {Preview::Kind::line, from(), to(), length()};
     }
     std::string hint() const override {
-        if (dragging() && !clicked()) return metresText(length()) + "; release on another body";
+        if (dragging() && !clicked())
+            return tr("{}; release on another body", {metresText(length())});
         switch (kind_) {
             case ToolKind::spring:
                 return "Drag a spring from body to body, or to the background";
@@ -158,8 +160,10 @@ private:
         if (a == b)
             throw std::runtime_error(a ? "both ends are on one body; allowed are two"
                                        : "both ends are on the background; allowed is at most one");
-        const std::string name(toolName(kind_));
-        fit("Add " + name, [&] {
+        const char* label = kind_ == ToolKind::spring  ? "Add spring"
+                            : kind_ == ToolKind::winch ? "Add winch"
+                                                       : "Add cable";
+        fit(label, [&] {
             sulfur::scene::Distance made;
             made.options.drive = drive(a, b);
             made.a = endAt(from(), a);
@@ -201,8 +205,8 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "A rail of " + metresText(length()) + ", " +
-                   degreesText(directionOf(to() - from()));
+            return tr("A rail of {}, {}",
+                      {metresText(length()), degreesText(directionOf(to() - from()))});
         return "Drag from a body along its rail; on two bodies the lower one bears the rail";
     }
 

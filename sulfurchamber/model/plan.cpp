@@ -9,6 +9,7 @@
 
 #include "fitting.hpp"
 #include "meter.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -244,18 +245,18 @@ void Plan::rename(const std::string& id, const std::string& to) {
     if (id == to) return;
     if (to.empty() || to.size() > sulfur::scene::Limits::nameBytes ||
         to.find_first_of("\n\t\"\\") != std::string::npos)
-        throw std::runtime_error("\"" + to + "\" is no name; allowed is one line of 1 to " +
-                                 std::to_string(sulfur::scene::Limits::nameBytes) + " bytes");
+        throw std::runtime_error(tr("“{}” is no name; allowed is one line of 1 to {} bytes",
+                                    {to, std::to_string(sulfur::scene::Limits::nameBytes)}));
     if (contains(to))
-        throw std::runtime_error("\"" + to + "\" is the name of another body; choose a free one");
+        throw std::runtime_error(tr("“{}” is the name of another body; choose a free one", {to}));
     auto thrusters = thrustersOf(scene_);
     const bool thrusts = std::any_of(thrusters.begin(), thrusters.end(),
                                      [&](const auto& thruster) { return thruster.body == id; });
     for (const auto& member : scene_.extra)
         if (member.key != "meters" && !(thrusts && member.key == "devices") &&
             member.json.find('"' + id + '"') != std::string::npos)
-            throw std::runtime_error("the " + member.key + " of the scene names \"" + id +
-                                     "\"; change it there first");
+            throw std::runtime_error(
+                tr("the {} of the scene names “{}”; change it there first", {member.key, id}));
     renameInMeters(scene_, id, to);
     body(id).id = to;
     const auto change = [&](std::string& name) {

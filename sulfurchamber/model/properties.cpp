@@ -7,8 +7,9 @@
 #include <set>
 
 #include "geometry.hpp"
-#include "recipe_access.hpp"
 #include "loop_region.hpp"
+#include "recipe_access.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -361,7 +362,7 @@ void setProperty(Document& document, std::span<const BodyId> bodies, const Numbe
                  double value) {
     const bool endless = std::isinf(value) && value > 0 && !property.endless.empty();
     if (!endless && !(value >= property.low && value <= property.high))
-        throw std::runtime_error(std::string(property.name) + " is out of range");
+        throw std::runtime_error(tr("{} is out of range", {tr(std::string(property.name))}));
     if (property.whole) value = std::round(value);
     document.change(bodies, [&](Prefab& prefab) {
         if (property.get(prefab)) property.set(prefab, value);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -60,7 +62,7 @@ std::string Recovery::keep(const Document& document) {
                         ("kept-" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".json");
                 if (!fs::exists(file_)) lock_ = lockFile(beside(file_, ".lock"));
             }
-            if (lock_ < 0) return "unsaved work cannot be kept in " + folder_.string();
+            if (lock_ < 0) return tr("unsaved work cannot be kept in {}", {folder_.string()});
         }
         sulfur::scene::writeFile(document.file().string(), beside(file_, ".of"));
         sulfur::scene::writeFile(document.text(), file_);

@@ -9,6 +9,7 @@
 #include "meter_grip.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -149,8 +150,8 @@ public:
             case Doing::band:
                 return "Release to select what lies wholly in the frame";
             case Doing::turn:
-                return "Turning by " + degreesText(turned_) +
-                       ", with Shift in steps of 15 degrees; Escape takes it back";
+                return tr("Turning by {}, with Shift in steps of 15 degrees; Escape takes it back",
+                          {degreesText(turned_)});
             case Doing::stretch:
                 return stretchHint();
             case Doing::idle:

@@ -10,6 +10,7 @@
 #include "share_text.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -359,8 +360,8 @@ void Workbench::watchSelection(bool plotting) {
     std::vector<Measurements::Subject> subjects;
     for (const BodyId body : selection_) {
         const std::string id = document_.idOf(body);
-        subjects.push_back(
-            {body, world.userData(body), id.empty() ? "a piece of " + world.name(body) : id});
+        subjects.push_back({body, world.userData(body),
+                            id.empty() ? tr("a piece of {}", {world.name(body)}) : id});
     }
     for (const std::string& id : selectedMeters_)
         subjects.push_back({BodyId{}, 0, id, id, meters_.record(id)});

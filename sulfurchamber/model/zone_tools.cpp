@@ -23,9 +23,7 @@ constexpr double dropDensity = 4;      // kg/m^2
 constexpr std::size_t mostDrops = 600;
 
 std::string newtons(double force) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), force < 100 ? "%.1f N" : "%.0f N", force);
-    return text.data();
+    return fixed(force, force < 100 ? 1 : 0) + " N";
 }
 
 class ThrusterTool final : public DragTool {
@@ -73,7 +71,7 @@ public:
     ZoneTool(Workbench& bench, bool wind) : FrameTool(bench), wind_(wind) {}
     std::string hint() const override {
         if (dragging() && !clicked())
-            return metresText(size().x()) + " wide, " + metresText(size().y()) + " high";
+            return tr("{} wide, {} high", {metresText(size().x()), metresText(size().y())});
         return wind_ ? "Drag a zone in which wind blows to the right"
                      : "Drag a zone without weight; its properties make it pull anywhere";
     }
@@ -105,7 +103,7 @@ public:
     }
     std::string hint() const override {
         if (dragging() && !clicked())
-            return "A belt of " + metresText(length()) + " that runs at 1.5 m/s";
+            return tr("A belt of {} that runs at 1.5 m/s", {metresText(length())});
         return "Drag a belt the way it runs, or click a body whose surface shall run";
     }
 
@@ -124,7 +122,7 @@ private:
             options.points = {(to() - from()).cast<Real>(), sulfur::Vec2(0, 0)};
             options.material.surfaceSpeed = -Real(beltSpeed);
         }
-        add("conveyor", options, from());
+        add("Add conveyor", "conveyor", options, from());
     }
 
     void runSurface(BodyId body) {
@@ -144,8 +142,9 @@ public:
     std::string hint() const override {
         if (dragging() && !clicked()) {
             const auto count = places(from(), to()).size();
-            return std::to_string(count) + " drops" +
-                   (count == mostDrops ? ", which is the most at once" : "");
+            if (count == mostDrops)
+                return tr("{} drops, which is the most at once", {std::to_string(count)});
+            return trCount("{} drop", "{} drops", count);
         }
         return "Drag a frame: it is filled with drops";
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../model/words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -97,17 +99,17 @@ std::optional<Fitted> fitted(const Series& series, std::pair<double, double> sho
     Fitted made;
     if (samples.empty() || fit == FitKind::none) return std::nullopt;
     made.mean = mean(samples);
-    if (fit == FitKind::mean) made.text = "mean " + printed("%.4g", made.mean) + unit;
+    if (fit == FitKind::mean) made.text = tr("mean {}", {printed("%.4g", made.mean) + unit});
     if (fit == FitKind::line) {
         made.line = fitLine(samples);
         if (!made.line) return std::nullopt;
-        made.text = "slope " + printed("%.4g", made.line->slope) + unit + " per s";
+        made.text = tr("slope {} per s", {printed("%.4g", made.line->slope) + unit});
     }
     if (fit == FitKind::sine) {
         made.sine = fitSine(samples);
         if (!made.sine) return std::nullopt;
-        made.text = "sine " + printed("%.4g", made.sine->frequency) + " Hz, \xC2\xB1" +
-                    printed("%.3g", made.sine->amplitude) + unit;
+        made.text = tr("sine {} Hz, ±{}", {printed("%.4g", made.sine->frequency),
+                                           printed("%.3g", made.sine->amplitude) + unit});
     }
     return made;
 }

@@ -26,6 +26,7 @@ struct ViewOptions {
     bool velocities = false;
     bool strain = false;  ///< joints coloured by how far they are stretched
     bool contacts = false;
+    bool films = true;           ///< of tools under the pointer
     bool bodies = true;          ///< else somebody else has drawn them, and only marks are
     bool tools = true;           ///< the selection, its handles, and what a tool is doing
     bool gravity = false;        ///< arrows of weights

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atlax/backend.hpp>
 #include <atlax/crash_report.hpp>
 #include <atlax/log.hpp>
 #include <cmath>
@@ -10,11 +11,13 @@
 #include <utility>
 
 #include "../model/geometry.hpp"
+#include "../model/words.hpp"
 #include "debug_painter.hpp"
 #include "force_painter.hpp"
 #include "grid_painter.hpp"
 #include "meter_painter.hpp"
 #include "palette.hpp"
+#include "thumbnail.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -23,10 +26,6 @@ constexpr float minZoom = 0.5f;  // pixels per metre
 constexpr float maxZoom = 20000;
 constexpr float zoomPerNotch = 1.18f;
 constexpr float rulersTake = 44;         // logical pixels at the left and at the bottom
-constexpr float fitMargin = 1.25f;       // of what is shown around what is interesting
-constexpr double fitSmallest = 4;        // metres that are shown at least
-constexpr float firstWidth = 12;         // metres that an empty scene shows
-constexpr float firstFloor = 0.2f;       // of the height that is below its floor
 constexpr double seekMilliseconds = 12;  // of a frame that the way to a moment may take
 
 }  // namespace
@@ -259,41 +258,11 @@ std::optional<sulfur::Point> SceneView::pointerInView() const {
 void SceneView::fit(atlax::PixelSize size) {
     const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
     const float rulers = options_.rulers ? rulersTake * scale : 0;
-    const float width = std::max(64.0f, static_cast<float>(size.width) - rulers);
-    const float height = std::max(64.0f, static_cast<float>(size.height) - rulers / 2);
-    const Document& document = bench_.document();
-    auto interesting = interestingBounds(document.world());
-    // Of a level, what the player can see.
-    if (isLevel(document)) {
-        const LevelShape bounds = shapeOf(document, {LevelKind::bounds, 0, {}});
-        if (bounds.form == LevelShape::Form::rectangle) interesting = bounds.box;
-    }
-    if (wantedBounds_) interesting = wantedBounds_;
-    if (!interesting) {
-        showFloor(width, height, rulers);
-        return;
-    }
-    show(*interesting, width, height, rulers);
-}
-
-void SceneView::show(const Bounds& bounds, float width, float height, float rulers) {
-    const auto extent = [](double length) {
-        return static_cast<float>(std::max(fitSmallest, length)) * fitMargin;
-    };
-    camera_.pixelsPerMetre =
-        std::clamp(std::min(width / extent(bounds.size().x()), height / extent(bounds.size().y())),
-                   minZoom, maxZoom);
-    camera_.centre = atlax::Vec2(bounds.centre()) +
-                     atlax::Vec2{-rulers / 2, -rulers / 4} / camera_.pixelsPerMetre;
-}
-
-// Room to build: the floor in the lower fifth.
-void SceneView::showFloor(float width, float height, float rulers) {
-    camera_.pixelsPerMetre = width / firstWidth;
-    const float above = (0.5f - firstFloor) * height / camera_.pixelsPerMetre;
-    const auto floor = static_cast<float>(floorHeight(bench_.document().world()));
-    camera_.centre = atlax::Vec2{0, floor + above} +
-                     atlax::Vec2{-rulers / 2, -rulers / 4} / camera_.pixelsPerMetre;
+    camera_ = fittingCamera(
+        bench_.document(),
+        {size.width - static_cast<int>(rulers), size.height - static_cast<int>(rulers / 2)},
+        wantedBounds_);
+    camera_.centre += atlax::Vec2{-rulers / 2, -rulers / 4} / camera_.pixelsPerMetre;
 }
 
 // --- time and drawing ------------------------------------------------------------------------
@@ -349,6 +318,31 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     paintRulerText(canvas);
     paintLabels(canvas);
     paintClock(canvas);
+    paintGuide(canvas);
+    makeThumbnail(canvas);
+}
+
+void SceneView::paintGuide(atlax::Canvas& canvas) {
+    const std::int64_t now = atlax::monotonicNs();
+    const double seconds = static_cast<double>(now - std::exchange(drawnNs_, now)) / 1e9;
+    guide_.paint(canvas, *font_, bench_, camera_, options_.rulers ? rulersTake : 0, seconds);
+}
+
+void SceneView::askThumbnail(const std::filesystem::path& scene, atlax::PixelSize size,
+                             std::function<void(atlax::Image)> use) {
+    thumbnails_.push_back({scene, size, std::move(use)});
+}
+
+// One in a frame: reading and stamping a scene takes a while.
+void SceneView::makeThumbnail(atlax::Canvas& canvas) {
+    if (thumbnails_.empty()) return;
+    const Thumbnail next = std::move(thumbnails_.front());
+    thumbnails_.pop_front();
+    guarded([&] {
+        Workbench bench;
+        bench.document().open(next.scene);
+        next.use(thumbnail(canvas, bench, next.size));
+    });
 }
 
 void SceneView::paintWorld(atlax::Canvas& canvas, const atlax::Camera& camera,
@@ -394,13 +388,12 @@ void SceneView::paintRulerText(atlax::Canvas& canvas) {
     if (preview.kind != Preview::Kind::ruler || !(preview.size > 0)) return;
     const float scale = canvas.scaleFactor();
     const sulfur::Point by = preview.to - preview.from;
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.3f m  %.1f\xC2\xB0", preview.size,
-                  std::atan2(by.y(), by.x()) * 180 / std::numbers::pi);
+    const std::string text = fixed(preview.size, 3) + " m  " +
+                             fixed(std::atan2(by.y(), by.x()) * 180 / std::numbers::pi, 1) + "°";
     const sulfur::Point middle = (preview.from + preview.to) / 2;
     const atlax::Vec2 at = camera_.toScreen(atlax::Vec2(middle), canvas.size()) / scale;
     canvas.setScreenSpace(scale);
-    canvas.text(*font_, text.data(), {at.x + 12, at.y - 8}, {16, palette::ice});
+    canvas.text(*font_, text, {at.x + 12, at.y - 8}, {16, palette::ice});
 }
 
 // How large what one draws is: on dark plates, so that they are read before anything.
@@ -422,44 +415,41 @@ void SceneView::paintClock(atlax::Canvas& canvas) {
     const float scale = canvas.scaleFactor();
     canvas.setScreenSpace(scale);
     const float right = canvas.size().toVec().x / scale - 14;
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.2f s", bench_.document().world().time());
+    const std::string text = fixed(bench_.document().world().time(), 2) + " s";
     const bool playing = bench_.document().playing();
-    canvas.text(*font_, text.data(), {right, 28},
+    canvas.text(*font_, text, {right, 28},
                 {20, playing ? palette::ice : palette::sky, atlax::AlignX::Right});
     const std::string state = clockState();
     canvas.text(*font_, state, {right, 46}, {13, palette::amber, atlax::AlignX::Right});
     if (!film_) return;
-    std::snprintf(text.data(), text.size(), "film %.0f %%", 100 * film_->progress());
-    canvas.text(*font_, text.data(), {right, 64}, {13, palette::ice, atlax::AlignX::Right});
+    canvas.text(*font_, tr("film {} %", {fixed(100 * film_->progress(), 0)}), {right, 64},
+                {13, palette::ice, atlax::AlignX::Right});
 }
 
 // Below the clock: how time runs, or where in the past one is.
 std::string SceneView::clockState() const {
     const Document& document = bench_.document();
-    std::array<char, 64> text{};
     if (document.playing()) {
         if (speedPermille_ == 1000) return "";
-        std::snprintf(text.data(), text.size(), "%s \xC3\x97%g",
-                      speedPermille_ < 1000 ? "slow motion" : "fast", speedPermille_ / 1000.0);
-        return text.data();
+        std::array<char, 32> factor{};
+        std::snprintf(factor.data(), factor.size(), " \xC3\x97%g", speedPermille_ / 1000.0);
+        return (speedPermille_ < 1000 ? tr("slow motion") : tr("fast")) + factor.data();
     }
     const auto& now = document.timeline().now();
-    if (!now) return "paused";
+    if (!now) return tr("paused");
     const std::uint64_t left = document.timeline().last(now->branch) - now->tick;
-    if (left == 0) return "paused";
-    std::snprintf(text.data(), text.size(), "%.2f s before the end",
-                  static_cast<double>(left) * static_cast<double>(document.world().tickDuration()));
-    std::string state = text.data();
+    if (left == 0) return tr("paused");
+    const std::string ago =
+        fixed(static_cast<double>(left) * static_cast<double>(document.world().tickDuration()), 2);
     // What was edited later is in the plan, but not here.
     std::size_t later = 0;
     std::string label;
     for (const Mark& mark : document.timeline().marks(now->branch))
         if (mark.kind == Mark::Kind::edit && mark.tick > now->tick && ++later == 1)
             label = mark.label;
-    if (later == 1) state += ", before \xE2\x80\x9C" + label + "\xE2\x80\x9D";
-    if (later > 1) state += ", before " + std::to_string(later) + " edits";
-    return state;
+    if (later == 1) return tr("{} s before the end, before “{}”", {ago, tr(label)});
+    if (later > 1) return tr("{} s before the end, before {} edits", {ago, std::to_string(later)});
+    return tr("{} s before the end", {ago});
 }
 
 }  // namespace sulfurchamber

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <atlax/application.hpp>
+#include <atlax/image.hpp>
+#include <deque>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +13,7 @@
 
 #include "../model/load_watch.hpp"
 #include "../model/workbench.hpp"
+#include "guide_overlay.hpp"
 #include "scene_film.hpp"
 #include "scene_painter.hpp"
 
@@ -62,6 +66,13 @@ public:
     /// Buttons of the mouse that went down or up so far; for scripts that wait for their clicks.
     std::uint64_t buttonEvents() const { return buttonEvents_; }
     std::optional<atlax::Vec2> mousePixels() const { return mouse_; }
+    /// Films, the hand of a lesson.
+    GuideOverlay& guide() { return guide_; }
+    /// Hands over a picture of a scene's file, some frames later; one that cannot be read is told
+    /// of as a problem.
+    void askThumbnail(const std::filesystem::path& scene, atlax::PixelSize size,
+                      std::function<void(atlax::Image)> use);
+    void forgetThumbnails() { thumbnails_.clear(); }
     /// Frames that were drawn so far.
     std::uint64_t frames() const { return frames_; }
 
@@ -126,8 +137,6 @@ private:
     void letGuestIn(atlax::Canvas& canvas);
     void drawScene(atlax::Canvas& canvas, double alpha);
     void fit(atlax::PixelSize size);
-    void show(const Bounds& bounds, float width, float height, float rulers);
-    void showFloor(float width, float height, float rulers);
     void mouseButton(const atlax::MouseButtonEvent& event);
     void mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers);
     SnapOptions snapOptions() const;
@@ -139,6 +148,8 @@ private:
     void paintRulerText(atlax::Canvas& canvas);
     void paintLabels(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
+    void paintGuide(atlax::Canvas& canvas);
+    void makeThumbnail(atlax::Canvas& canvas);
     std::string clockState() const;
 
     Workbench& bench_;
@@ -148,6 +159,14 @@ private:
     int guestRate_ = 500;
     std::optional<atlax::Font> font_;
     ScenePainter painter_;
+    GuideOverlay guide_;
+    std::int64_t drawnNs_ = 0;
+    struct Thumbnail {
+        std::filesystem::path scene;
+        atlax::PixelSize size;
+        std::function<void(atlax::Image)> use;
+    };
+    std::deque<Thumbnail> thumbnails_;  // that are asked for
     ViewOptions options_;
     atlax::Camera camera_{{0, 2}, 90};
     std::optional<atlax::Vec2> mouse_;

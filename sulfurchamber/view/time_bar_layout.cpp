@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "../model/words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -61,9 +62,7 @@ std::optional<Moment> TimeBarLayout::otherAt(double x, int row, double reach) co
 }
 
 std::string TimeBarLayout::textAt(double x, double reach) const {
-    char time[32];
-    std::snprintf(time, sizeof time, "%.2f s", static_cast<double>(tickAt(x)) * tickSeconds_);
-    std::string text = time;
+    std::string text = fixed(static_cast<double>(tickAt(x)) * tickSeconds_, 2) + " s";
     int told = 0;
     for (const Spot& spot : spots_)
         if (std::abs(spot.x - x) <= reach && ++told <= mostTold) text += ", " + textOf(spot.mark);

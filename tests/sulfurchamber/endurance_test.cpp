@@ -30,9 +30,9 @@ double inUse(const Workbench& bench) {
     return bytes / (1 << 20);
 }
 
-class Hand {
+class TirelessHand {
 public:
-    Hand(Workbench& bench, unsigned seed) : bench_(bench), random_(seed) {}
+    TirelessHand(Workbench& bench, unsigned seed) : bench_(bench), random_(seed) {}
 
     void act() {
         try {
@@ -129,7 +129,7 @@ TEST(Endurance, MemoryCeasesToGrow) {
 #endif
     const int things = asked("PLAY", 1200);
     Workbench bench;
-    Hand hand(bench, static_cast<unsigned>(asked("SEED", 1)));
+    TirelessHand hand(bench, static_cast<unsigned>(asked("SEED", 1)));
     const int rounds = 6;
     double first = 0;
     for (int round = 1; round <= rounds; ++round) {

@@ -88,9 +88,9 @@ TEST(Shelf, WorksWhereItsFolderCannotBeMade) {
 }
 
 // What a person may do, at random.
-class Hand {
+class RandomHand {
 public:
-    Hand(Workbench& bench, std::mt19937& random) : bench_(bench), random_(random) {}
+    RandomHand(Workbench& bench, std::mt19937& random) : bench_(bench), random_(random) {}
 
     void act() {
         switch (const auto dice = random_() % 24) {
@@ -319,7 +319,7 @@ void actOrClear(Workbench& bench, std::mt19937& random, std::size_t most) {
         return;
     }
     try {
-        Hand(bench, random).act();
+        RandomHand(bench, random).act();
     } catch (const std::exception&) {  // what the program would tell in a sentence
         bench.cancel();
     }

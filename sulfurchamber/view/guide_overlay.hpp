@@ -1,0 +1,39 @@
+// What guides a beginner, drawn over the scene: the film of a tool, the hand of a lesson, and what
+// to do with an empty scene.
+#pragma once
+
+#include <atlax/canvas.hpp>
+#include <memory>
+#include <optional>
+
+#include "../model/tool_demo.hpp"
+#include "scene_painter.hpp"
+
+namespace sulfurchamber {
+
+class GuideOverlay {
+public:
+    /// Shows the film of this tool, from its beginning, until told otherwise.
+    void showFilm(std::optional<ToolKind> tool);
+    std::optional<ToolKind> film() const;
+    /// Draws a hand at a place of the scene, metres.
+    void showHand(std::optional<sulfur::Point> place, bool pressed);
+
+    /// After the scene; leaves the canvas in screen space. `camera` is the scene's, `inset` what
+    /// rulers take at the left, logical pixels, and `seconds` the time since the last frame.
+    void paint(atlax::Canvas& canvas, const atlax::Font& font, const Workbench& bench,
+               const atlax::Camera& camera, float inset, double seconds);
+
+private:
+    void paintFilm(atlax::Canvas& canvas, const atlax::Font& font, float inset);
+
+    std::unique_ptr<ToolDemo> film_;
+    ScenePainter painter_;  // of the film
+    std::optional<sulfur::Point> hand_;
+    bool handPressed_ = false;
+};
+
+/// What an empty scene says; empty for one in which something is, or was done.
+std::string invitation(const Document& document);
+
+}  // namespace sulfurchamber

@@ -1,0 +1,84 @@
+# What guides a beginner, in the window: films of tools, lessons by hand and shown, the gallery,
+# and the three languages.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+# A film begins under the pointer and ends elsewhere; it is drawn over the scene.
+file(WRITE ${WORK}/films.txt "
+expect film = 0
+screenshot ${WORK}/empty.png
+point tool-ball
+expect film = 1
+screenshot ${WORK}/film.png
+click 3 1
+expect film = 0
+do demo
+expect film = 1
+do demo
+expect film = 0
+do films
+point tool-wall
+expect film = 0
+")
+run_window(0 --script ${WORK}/films.txt)
+run(0 ${PICTURE_CHECK} differ ${WORK}/empty.png ${WORK}/film.png)
+
+# A lesson goes on when the learner does what it asks, not before; a hand shows the rest.
+file(WRITE ${WORK}/lesson.txt "
+do lesson-build
+expect lesson.step = 0
+tool ball
+click 2 1
+expect lesson.step = 0
+do undo
+tool box
+drag -0.4 0.9 0.4 1.5
+run 0.05
+expect lesson.step = 1
+screenshot ${WORK}/lesson.png
+whole
+do lesson-skip
+expect lesson.step = 2
+run 1.2
+expect lesson.step = 3
+do lesson-end
+do new
+do lesson-soften
+do lesson-show
+expect lesson.showing = 1
+run 0.02
+run 2
+expect lesson.step > 0
+expect bodies = 2
+do lesson-end
+")
+run_window(0 --script ${WORK}/lesson.txt)
+
+# The gallery draws its pictures.
+file(WRITE ${WORK}/gallery.txt "
+do gallery
+run 1.5
+expect gallery.pictures > 24
+screenshot ${WORK}/gallery.png
+")
+run_window(0 --script ${WORK}/gallery.txt)
+run(0 ${PICTURE_CHECK} colourful ${WORK}/gallery.png)
+
+# Menus, hints and steps in the language of the user; scripts speak English unless told otherwise.
+foreach(pair "de:Beispielszenen …:Rückgängig: „Kiste hinzufügen“" "it:Scene di esempio…:Annulla «Aggiungi cassa»")
+  string(REPLACE ":" ";" parts "${pair}")
+  list(GET parts 0 language)
+  list(GET parts 1 gallery)
+  list(SUBLIST parts 2 -1 undo)
+  string(REPLACE ";" ":" undo "${undo}")
+  file(WRITE ${WORK}/${language}.txt "
+label gallery ${gallery}
+tool box
+drag -0.4 0.9 0.4 1.5
+label undo ${undo}
+screenshot ${WORK}/${language}.png
+whole
+do language-system
+")
+  run_window(0 --language ${language} --script ${WORK}/${language}.txt)
+endforeach()
+run(105 ${PROGRAM} --language xx)
