@@ -66,7 +66,8 @@ JointSpec fromC(const SulfurJointSpec& joint) {
             optional(joint.has_rest_length, joint.rest_length),
             real(joint.radius),
             real(joint.strength),
-            optional(joint.has_material, joint.material)};
+            optional(joint.has_material, joint.material),
+            real(joint.bend)};
 }
 
 AngularJointSpec fromC(const SulfurAngularJointSpec& angle) {
@@ -210,7 +211,8 @@ SulfurJointSpec toC(const JointSpec& joint) {
             toC(joint.radius),
             toC(joint.strength),
             joint.material.has_value(),
-            toC(joint.material.value_or(Material{}))};
+            toC(joint.material.value_or(Material{})),
+            toC(joint.bend)};
 }
 
 SulfurAngularJointSpec toC(const AngularJointSpec& angle) {

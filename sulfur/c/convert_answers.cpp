@@ -54,9 +54,9 @@ SulfurParticleInfo toC(const ParticleInfo& info) {
 }
 
 SulfurJointInfo toC(const JointInfo& info) {
-    return {toC(info.body),       toC(info.a),         toC(info.b),
-            toC(info.restLength), toC(info.stiffness), toC(info.damping),
-            toC(info.radius),     toC(info.strength),  toC(info.force)};
+    return {toC(info.body),      toC(info.a),       toC(info.b),      toC(info.restLength),
+            toC(info.stiffness), toC(info.damping), toC(info.radius), toC(info.strength),
+            toC(info.force),     toC(info.bend)};
 }
 
 SulfurAngleInfo toC(const AngleInfo& info) {

@@ -206,6 +206,8 @@ C theirs(const Own& options) {
 shapes::GroundOptions fromC(const SulfurGroundOptions& options) {
     auto result = ours<shapes::GroundOptions>(options);
     result.points = vectors(options.points, options.point_count);
+    for (std::size_t i = 0; i < options.bend_count; ++i)
+        result.bends.push_back(real((&required(options.bends, "bends"))[i]));
     return result;
 }
 SulfurGroundOptions toC(const shapes::GroundOptions& options) {

@@ -26,8 +26,16 @@ Blueprint ground(const GroundOptions& options) {
     for (const auto& point : options.points) plan.particles.push_back({.position = point});
     const auto count = static_cast<std::uint32_t>(options.points.size());
     const auto last = options.closed && count > 2 ? count : count - 1;
+    if (!options.bends.empty() && options.bends.size() != last)
+        throw Error(ErrorCode::outOfRange,
+                    "ground has " + std::to_string(options.bends.size()) +
+                        " bends; allowed is none, or one for each of its " + std::to_string(last) +
+                        " capsules");
     for (std::uint32_t i = 0; i < last; ++i)
-        plan.joints.push_back({.a = i, .b = (i + 1) % count, .radius = options.radius});
+        plan.joints.push_back({.a = i,
+                               .b = (i + 1) % count,
+                               .radius = options.radius,
+                               .bend = options.bends.empty() ? 0 : options.bends[i]});
     plan.validate();
     return plan;
 }

@@ -80,6 +80,7 @@ std::string callOf(const shapes::GroundOptions& o) {
                .add("closed", o.closed, d.closed)
                .add("radius", o.radius, d.radius)
                .add("material", o.material, d.material)
+               .add("bends", o.bends, d.bends)
                .done() +
            ")";
 }
@@ -298,6 +299,11 @@ std::string text(const std::vector<Vec2>& points) {
     for (const Vec2& point : points) all += (all.size() > 1 ? ", " : "") + text(point);
     return all + "}";
 }
+std::string text(const std::vector<Real>& numbers) {
+    std::string all = "{";
+    for (const Real number : numbers) all += (all.size() > 1 ? ", " : "") + text(number);
+    return all + "}";
+}
 std::string text(const Pose& value) {
     return "{" + text(value.position) + ", " + text(value.angle) + "}";
 }
@@ -443,6 +449,7 @@ std::string text(const JointSpec& j) {
         .add("radius", j.radius, d.radius)
         .add("strength", j.strength, d.strength)
         .add("material", j.material, d.material)
+        .add("bend", j.bend, d.bend)
         .done();
 }
 std::string text(const AngularJointSpec& j) {

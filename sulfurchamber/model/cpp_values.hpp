@@ -23,6 +23,7 @@ std::string text(const Eigen::Matrix<Number, 2, 1, Eigen::DontAlign>& value) {
            text(value.x()) + ", " + text(value.y()) + ")";
 }
 std::string text(const std::vector<sulfur::Vec2>& value);
+std::string text(const std::vector<sulfur::Real>& value);
 std::string text(const sulfur::Pose& value);
 std::string text(sulfur::BodyKind value);
 std::string text(sulfur::Damper value);

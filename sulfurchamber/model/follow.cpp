@@ -30,7 +30,8 @@ bool canBeSet(const World& world, BodyId body, const Blueprint& before, const Bl
     for (std::size_t i = 0; i < after.joints.size(); ++i) {
         const auto& a = before.joints[i];
         const auto& b = after.joints[i];
-        if (a.a != b.a || a.b != b.b || a.radius != b.radius || a.restLength != b.restLength)
+        if (a.a != b.a || a.b != b.b || a.radius != b.radius || a.restLength != b.restLength ||
+            a.bend != b.bend)
             return false;
     }
     return std::equal(before.angles.begin(), before.angles.end(), after.angles.begin(),

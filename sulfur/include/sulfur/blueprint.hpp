@@ -35,6 +35,12 @@ struct JointSpec {
     /// Of its surface, if that differs from its body's. A particle shows the surface of the
     /// thickest capsule that ends in it.
     std::optional<Material> material = std::nullopt;
+    /// Radians, -pi to pi (3.1416): the axis of a capsule is an arc that turns by so much from a to
+    /// b, anticlockwise where it is positive, and pushes with its curved surfaces, both of them.
+    /// Only of a rigid joint with a radius. What is nearer to 0 than 0.001 is straight. Exact to
+    /// 1e-7 of the arc's radius. Casts, overlaps and the debug drawing see it as chords, which
+    /// leave it by at most a hundredth of the capsule's radius.
+    Real bend = 0;
 };
 
 /// An elastic angle at a particle between two others of its body. The angle is the turn from the

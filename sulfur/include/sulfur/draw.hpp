@@ -66,7 +66,7 @@ public:
         Real stiffness = infinite;  ///< N/m
         bool asleep = false;        ///< whether the body of its end a sleeps
     };
-    /// The surface of a joint with a radius.
+    /// The surface of a joint with a radius; of a bent one, a part of it.
     struct Capsule {
         JointId id = {};      ///< the joint
         BodyId body = {};     ///< null for a joint between bodies
@@ -128,7 +128,7 @@ public:
     virtual void disc(const Disc&) {}
     /// Called for each joint.
     virtual void joint(const Joint&) {}
-    /// Called for each joint with a radius.
+    /// Called for each joint with a radius; of a bent one, for each of its parts, from a to b.
     virtual void capsule(const Capsule&) {}
     /// Called for each contact of the last tick.
     virtual void contact(const ContactInfo&) {}

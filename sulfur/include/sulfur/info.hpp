@@ -33,6 +33,7 @@ struct JointInfo {
     Real radius = 0;      ///< m
     Real strength = 0;    ///< N
     Real force = 0;       ///< N in the last tick, positive when it pulls
+    Real bend = 0;        ///< radians, by which its capsule turns from a to b
 };
 
 /// What an angular joint is at the moment; see AngularJointSpec.

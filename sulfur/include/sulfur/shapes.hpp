@@ -27,6 +27,10 @@ struct GroundOptions {
     bool closed = false;            ///< also joins the last point to the first
     Real radius = Real(0.05);       ///< metres, > 0: half the thickness
     Material material = {};         ///< of the surface
+    /// Radians: by how much each capsule, from one point to the next, turns on its way, as
+    /// JointSpec::bend. None: all are straight; else one for each capsule. Where tangents go on in
+    /// one line what rolls meets no bump.
+    std::vector<Real> bends = {};
 };
 /// Makes a fixed line; see GroundOptions.
 Blueprint ground(const GroundOptions& options);

@@ -136,6 +136,7 @@ class JointSpec(Structure):
         ("strength", c_double),
         ("has_material", c_bool),
         ("material", Material),
+        ("bend", c_double),
     ]
 
 
@@ -180,6 +181,8 @@ class GroundOptions(Structure):
         ("closed", c_bool),
         ("radius", c_double),
         ("material", Material),
+        ("bends", POINTER(c_double)),
+        ("bend_count", c_size_t),
     ]
 
 
@@ -643,6 +646,7 @@ class JointInfo(Structure):
         ("radius", c_double),
         ("strength", c_double),
         ("force", c_double),
+        ("bend", c_double),
     ]
 
 

@@ -28,6 +28,9 @@ def fill(struct, options):
         if name == "points":
             struct.points, struct.point_count = vecs(value), len(value)
             continue
+        if name == "bends":
+            struct.bends, struct.bend_count = (c.c_double * len(value))(*value), len(value)
+            continue
         if name not in members:
             raise TypeError(f"{type(struct).__name__} has no option {name}; it has "
                             f"{', '.join(members)}")

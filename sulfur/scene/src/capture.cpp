@@ -141,7 +141,7 @@ private:
             const Vec2 apart = plan.particles[a.b].position - plan.particles[a.a].position;
             return a.a == b.a && a.b == b.b && a.stiffness == b.stiffness &&
                    a.damping == b.damping && a.radius == b.radius && a.strength == b.strength &&
-                   a.restLength.value_or(apart.norm()) == b.restLength &&
+                   a.bend == b.bend && a.restLength.value_or(apart.norm()) == b.restLength &&
                    a.material.value_or(plan.material) == b.material.value_or(plan.material);
         };
         const auto sameAngle = [&](const AngularJointSpec& a, const AngularJointSpec& b) {
@@ -299,7 +299,7 @@ Blueprint blueprintNow(const World& world, BodyId body, const Point& origin) {
         const JointInfo info = world.info(id);
         plan.joints.push_back({places.at(info.a), places.at(info.b), info.stiffness, info.damping,
                                info.restLength, info.radius, info.strength,
-                               ownMaterial(world, id, body)});
+                               ownMaterial(world, id, body), info.bend});
     }
     for (const AngleInfo& info : world.angles(body)) {
         const Drive d = withoutTurns(withinFile(info.drive), info.angle);

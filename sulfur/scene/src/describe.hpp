@@ -81,6 +81,7 @@ void describe(Visitor& v, Object& o) {
     v.index("a", o.a);
     v.index("b", o.b);
     describeJoint(v, o);
+    v.number("bend", o.bend, JointSpec{}.bend, -Limits::angle, Limits::angle);
 }
 
 /// What drives and angular joints have in common.
@@ -129,6 +130,7 @@ void describe(Visitor& v, Object& o) {
     v.flag("closed", o.closed, d.closed);
     v.positive("radius", o.radius, d.radius, largestRadius);
     v.material("material", o.material);
+    v.numbers("bends", o.bends, Limits::particles, -Limits::angle, Limits::angle);
 }
 
 template <class Visitor, Is<shapes::BoxOptions> Object>

@@ -40,6 +40,10 @@ JointSpec readJoint(Reader& joint, const Blueprint& plan) {
         joint.node().fail(
             "has length 0; a rigid joint or one with a radius needs two particles that are apart, "
             "or a restLength above 0");
+    if (spec.bend != 0 && !(spec.stiffness == infinite && spec.radius > 0))
+        joint.at("bend").fail(
+            "is of a joint that is not rigid or has no radius; allowed is one "
+            "of a rigid joint with a radius");
     joint.finish();
     return spec;
 }

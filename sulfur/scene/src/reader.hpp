@@ -41,6 +41,9 @@ public:
     void index(const char* key, std::uint32_t& value);
     void points(const char* key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 double limit);
+    /// May be missing.
+    void numbers(const char* key, std::vector<Real>& value, std::size_t most, double low,
+                 double high);
     void material(const char* key, Material& value);
     void optionalMaterial(const char* key, std::optional<Material>& value) {
         if (find(key)) material(key, value.emplace());

@@ -129,6 +129,14 @@ void ObjectText::points(const char* key, const std::vector<Vec2>& value, std::si
     add(key, wrapped(items, 6));
 }
 
+void ObjectText::numbers(const char* key, const std::vector<Real>& value, std::size_t, double,
+                         double) {
+    if (value.empty()) return;
+    std::vector<std::string> items;
+    for (const Real number : value) items.push_back(json(number));
+    add(key, wrapped(items, 6));
+}
+
 template <class Object>
 void ObjectText::part(const char* key, const Object& value, bool always) {
     static const ExtraTree none;

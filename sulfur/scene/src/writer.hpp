@@ -76,6 +76,8 @@ public:
         add(key, json(static_cast<long long>(value)));
     }
     void points(const char* key, const std::vector<Vec2>& value, std::size_t, std::size_t, double);
+    /// Nothing where there are none.
+    void numbers(const char* key, const std::vector<Real>& value, std::size_t, double, double);
     void point(const char* key, const Point& value) { add(key, pointJson(value)); }
     void zone(const char* key, const Zone& value);
     void name(const char* key, const std::string& value) {

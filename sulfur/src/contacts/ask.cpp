@@ -220,8 +220,9 @@ private:
     PreSolveContact contactOfTouch(const Pair& pair, const Touch& touch, const TouchBlock& block,
                                    std::uint32_t l) const {
         const TouchShape& shape = core_.rows.touchShape(touch.row);
-        const Chunk& a = core_.shapes.chunks[pair.a];
-        const bool ofA = touch.corner - a.firstCorner < a.corners;
+        // By the side, because the corner may be the centre of an arc.
+        const Chunk& b = core_.shapes.chunks[pair.b];
+        const bool ofA = touch.side - b.firstSide < b.sides;
         const Vec2 normal(block.normalX[l], block.normalY[l]);
         PreSolveContact contact = contactOf(pair, isFirst(pair, ofA ? pair.a : pair.b), normal);
         const Vec2 back = shape.share[l] * shape.thickness[l] * normal;

@@ -14,6 +14,7 @@
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
+#include "shape/arc.hpp"
 
 namespace sulfur::detail {
 
@@ -50,8 +51,20 @@ Outline surfacesOfBody(State& state, std::uint32_t bodySlot) {
         const Chunk& chunk = core.shapes.chunks[c];
         for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
             const Side& side = core.shapes.sides[s];
-            list.push_back({placeOf(core, side.a), placeOf(core, side.b),
-                            static_cast<double>(side.radius), side.outward, side.a == side.b});
+            const auto add = [&](const Point& a, const Point& b) {
+                list.push_back(
+                    {a, b, static_cast<double>(side.radius), side.outward, side.a == side.b});
+            };
+            const Point a = placeOf(core, side.a), b = placeOf(core, side.b);
+            if (arcRadius(side) > 0) {
+                const auto j = state.jointSlots.denseOf(side.joint);
+                const double bend = static_cast<double>(state.joints.bend[j].angle);
+                forEachChord(
+                    arcBetween(a, b, bend), static_cast<double>(side.radius) / 4,
+                    [&](const Point& from, const Point& to, double, double) { add(from, to); });
+            } else {
+                add(a, b);
+            }
         }
     }
     return list;

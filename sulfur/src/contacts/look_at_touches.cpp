@@ -1,6 +1,7 @@
 // A row for each corner that is near a side.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -113,6 +114,7 @@ private:
         const auto lane = RowGraph::laneOf(touch.row);
         // An end may be thicker than its side, by a joint to another body.
         const Real radius = touch.end == 0 ? side.radius : (touch.end == 1 ? a : b).radius;
+        const Real bent = touch.end == 0 ? arcRadius(side) : 0;
         shape.thickness[lane] = corner.radius + radius;
         shape.cornerX[lane] = corner.x;
         shape.cornerY[lane] = corner.y;
@@ -131,8 +133,17 @@ private:
         const Real endless = Real(1e18);
         shape.low[lane] = touch.end == 2 ? Real(1) : touch.end == 1 ? -endless : Real(0);
         shape.high[lane] = touch.end == 1 ? Real(0) : touch.end == 2 ? endless : Real(1);
-        const bool ofA =
-            touch.corner >= a_.firstCorner && touch.corner < a_.firstCorner + a_.corners;
+        if (bent > 0) {
+            shape.aX[lane] = side.offset;
+            shape.aY[lane] = side.middle;
+            shape.bX[lane] = side.offset + side.outX;
+            shape.bY[lane] = side.middle + side.outY;
+            shape.endShare[lane] = bent;
+            shape.high[lane] = std::hypot(b.x - a.x, b.y - a.y) / (2 * bent);
+            shape.low[lane] = -shape.high[lane];
+        }
+        // (By the side, because the corner may be the centre of an arc.)
+        const bool ofA = touch.side - b_.firstSide < b_.sides;
         const Chunk &own = ofA ? a_ : b_, &other = ofA ? b_ : a_;
         const Surfaces surface = surfacesOf(state_, touch.corner, own.body, touch.side, other.body);
         block.staticFriction[lane] = surface.staticFriction;

@@ -15,6 +15,7 @@
 #include "model/state.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
+#include "shape/one_mover.hpp"
 
 namespace sulfur::detail {
 
@@ -65,7 +66,14 @@ inline Seen lookAt(const Cluster& c) {
     seen.inverseMass = state.particles.inverseMass[i];
     // Its corners rub at their surface, which turns with it.
     const BodyRecord& body = state.bodies[state.particles.body[i]];
-    if (body.kind == BodyKind::kinematic) seen.turn = static_cast<Real>(turnOf(state, body));
+    if (body.kind == BodyKind::kinematic) {
+        seen.turn = static_cast<Real>(turnOf(state, body));
+        if (i == body.firstParticle && standsOnOneMover(state, body)) {
+            const Point heading = headingOfWhole(state, body);
+            seen.cosine = heading[0];
+            seen.sine = heading[1];
+        }
+    }
     return seen;
 }
 inline Seen lookAtMover(const State& state, bool isCluster, std::uint32_t i) {

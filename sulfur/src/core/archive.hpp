@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/bend.hpp"
+
 namespace sulfur::detail {
 
 /// Types that name their fields themselves.
@@ -180,6 +182,14 @@ public:
     void operator()(std::vector<Material>& list) {
         mix(list.size());
         for (Material& material : list) (*this)(material);
+    }
+    /// Only those that are bent, for the same reason.
+    void operator()(std::vector<Bend>& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (list[i].angle == 0) continue;
+            mix(i);
+            (*this)(list[i].angle);
+        }
     }
 
     std::uint64_t result = 0x9e3779b97f4a7c15u;

@@ -147,14 +147,19 @@ struct alignas(sizeof(Lane)) TouchShape {
     float rolling[rowLanes];  // as of manifolds
     Lane thickness;           // m
     Lane cornerX, cornerY;    // m, in the frame of p
-    Lane aX, aY, bX, bY;      // m, the side's ends in the frames of their bodies
-    Lane sameBody;            // 1: a moves both ends
-    Lane free;                // 1: the corner is a particle, which cannot turn
-    Lane share;               // of the thickness that the corner has
-    Lane outward;             // +1, -1: which way the side pushes, from a to b; 0: the
-                              // corner is before one of its ends
-    Lane endShare;            // of a corner before a corner: 0: it is the side's a, 1: its b
-    Lane low, high;           // where along the side (0 to 1) it stays this touch
+    /// m, the side's ends in the frames of their bodies; of an arc its middle, and what is a metre
+    /// outwards from there
+    Lane aX, aY, bX, bY;
+    Lane sameBody;  // 1: a moves both ends
+    Lane free;      // 1: the corner is a particle, which cannot turn
+    Lane share;     // of the thickness that the corner has
+    Lane outward;   // +1, -1: which way the side pushes, from a to b; 0: the
+                    // corner is before one of its ends
+    /// Of a corner before a corner: 0: that is the side's a, 1: its b. Before a side: m, the radius
+    /// of the circle on which its axis is; 0: it is straight.
+    Lane endShare;
+    /// Where along the side (0 to 1) it stays this touch; on an arc: sines, seen from its middle
+    Lane low, high;
 };
 
 /// What a refresh reads beside the bodies.

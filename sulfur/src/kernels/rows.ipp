@@ -918,6 +918,24 @@ inline Unit blend(const Unit& a, const Unit& b, Vec share) {
     return sum(a, scaled(share, difference(b, a)));
 }
 
+/// Where a point is on a circle.
+struct OnArc {
+    Vec out;      // m, outside of it
+    Unit normal;  // outwards
+    Vec sine;     // of the angle from the middle of the arc
+};
+/// `from`: m, from the middle of an arc whose outward normal is there; no large numbers that nearly
+/// cancel.
+inline OnArc fromArc(const Unit& from, const Unit& middle, Vec radius) {
+    const Vec one = Vec{} + SweepReal(1), tiny = Vec{} + SweepReal(1e-30);
+    const Vec square = from.x * from.x + from.y * from.y;
+    const Vec more = 2 * radius * (from.x * middle.x + from.y * middle.y) + square;
+    const Vec far = root(larger(radius * radius + more, Vec{}));
+    const Vec perFar = one / larger(far, tiny);
+    const Unit normal{(from.x + radius * middle.x) * perFar, (from.y + radius * middle.y) * perFar};
+    return {more / (far + radius), normal, cross(middle.x, middle.y, from.x, from.y) * perFar};
+}
+
 template <bool anew>
 std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock& t,
                            const TouchShape& shape) {
@@ -950,15 +968,19 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     };
     const Vec outward = load(shape.outward), thickness = load(shape.thickness);
     store(t.slop, slop * thickness);
+    const Vec endShare = load(shape.endShare);
+    const auto isEnd = outward == zero, bent = (outward != zero) & (endShare > zero);
+    const bool anyBent = bits(bent) != 0;
     const auto heightOf = [&](const Corners& c) {
         const Unit way = difference(c.b, c.a), from = difference(c.p, c.a);
         const Vec length = root(way.x * way.x + way.y * way.y);
-        return outward * cross(from.x, from.y, way.x, way.y) / larger(length, tiny);
+        const Vec straight = outward * cross(from.x, from.y, way.x, way.y) / larger(length, tiny);
+        if (!anyBent) return straight;
+        return bent ? outward * fromArc(from, scaled(one / larger(length, tiny), way), endShare).out
+                    : straight;
     };
     // Geometry is that of the moment at which the two come to touch, as far as is predicted.
     const Corners start = cornersAt(zero), end = cornersAt(one);
-    const auto isEnd = outward == zero;
-    const Vec endShare = load(shape.endShare);
     const Unit fromEnd = difference(start.p, blend(start.a, start.b, endShare));
     const Unit toEnd = difference(end.p, blend(end.a, end.b, endShare));
     const Vec moment = isEnd ? momentOfPoints(fromEnd, difference(toEnd, fromEnd), thickness)
@@ -969,16 +991,23 @@ std::uint32_t refreshTouch(SolverBody* bodies, const PoseView& poses, TouchBlock
     const Vec length = root(way.x * way.x + way.y * way.y);
     const Vec perLength = length <= tiny ? zero : one / larger(length, tiny);
     const Vec ux = way.x * perLength, uy = way.y * perLength;
-    const Vec place = (from.x * ux + from.y * uy) * perLength;
+    Vec place = (from.x * ux + from.y * uy) * perLength;
     const Vec share = isEnd ? endShare : clamped(place, zero, one);
     const Vec dx = from.x - share * way.x, dy = from.y - share * way.y;
     const Vec ox = outward * uy, oy = -outward * ux;
     const Vec far = root(dx * dx + dy * dy), safe = larger(far, tiny);
     // Two corners in one place part upwards.
     const auto apart = far > tiny;
-    const Vec distance = isEnd ? far : dx * ox + dy * oy;
-    const Vec nx = isEnd ? (apart ? dx / safe : zero) : ox;
-    const Vec ny = isEnd ? (apart ? dy / safe : one) : oy;
+    Vec distance = isEnd ? far : dx * ox + dy * oy;
+    Vec nx = isEnd ? (apart ? dx / safe : zero) : ox;
+    Vec ny = isEnd ? (apart ? dy / safe : one) : oy;
+    if (anyBent) {
+        const OnArc arc = fromArc(from, Unit{ux, uy}, endShare);
+        distance = bent ? outward * arc.out : distance;
+        nx = bent ? outward * arc.normal.x : nx;
+        ny = bent ? outward * arc.normal.y : ny;
+        place = bent ? arc.sine : place;
+    }
     const Vec tx = -ny, ty = nx;
     // Both sides act at one point: where the surfaces meet, or at a particle, which cannot turn.
     const Vec back = free ? zero : distance * load(shape.share), rest = distance - back;

@@ -8,6 +8,7 @@
 #include <sulfur/math.hpp>
 #include <vector>
 
+#include "core/bend.hpp"
 #include "core/slots.hpp"
 
 namespace sulfur::detail {
@@ -35,6 +36,7 @@ struct Joints {
     std::vector<std::uint8_t> inCluster;  // held by a rigid component, so never solved
     std::vector<std::uint8_t> braced;     // a side of a triangle of springs, so no link of a tree
     std::vector<Real> radius;             // m, > 0: a capsule
+    std::vector<Bend> bend;               // of capsules that are arcs
     std::vector<Real> strength;           // N
     std::vector<Material> material;       // of the surface, if the joint has its own
     std::vector<std::uint8_t> ownMaterial;
@@ -58,6 +60,7 @@ struct Joints {
         f(inCluster);
         f(braced);
         f(radius);
+        f(bend);
         f(strength);
         f(material);
         f(ownMaterial);

@@ -25,6 +25,7 @@ struct ChunkLanes {
     SideLanes sides;
     std::uint32_t owned = 0;     // bits of corners that are held off others
     std::uint32_t discs = 0;     // bits of sides that are a disc, and no side
+    std::uint32_t arcs = 0;      // bits of sides that are bent
     std::uint32_t twoSided = 0;  // bits of sides that push both ways
 };
 

@@ -29,9 +29,16 @@ struct Side {
     std::int32_t outward = 0;    // +1: outside is to the right of the way from a to b, -1: to the
                                  // left, 0: on both sides
     Real radius = 0;             // m
-    // Where it has one mover, in its frame: the line that it is on, and what part of that.
+    // Where it has one mover, in its frame: the line that it is on, and what part of that. Of an
+    // arc the outward normal of its circle in its middle, where that is, and minus the circle's
+    // radius.
     Real outX = 0, outY = 0, offset = 0, middle = 0, half = 0;
 };
+
+/// m, of the circle on which the axis of a side is; 0: it is straight.
+inline Real arcRadius(const Side& side) {
+    return side.half < 0 ? -side.half : Real(0);
+}
 
 /// What one mover carries of a chunk; those of one mover are a list.
 struct ChunkUse {
@@ -47,8 +54,9 @@ enum class ChunkKind : std::uint32_t {
 struct Chunk {
     std::uint32_t body = none;  // dense index, or none where the slot is free
     ChunkKind kind = ChunkKind::loose;
-    std::uint32_t frame = 0;                     // mover whose odometer counts
-    std::uint32_t firstCorner = 0, corners = 0;  // its own; those of its sides may be others'
+    std::uint32_t frame = 0;  // mover whose odometer counts
+    // Its own; those of its sides may be others'. Behind them come the centres of its arcs.
+    std::uint32_t firstCorner = 0, corners = 0;
     std::uint32_t firstSide = 0, sides = 0;
     std::uint32_t firstUse = 0, uses = 0;
     std::uint32_t nextOfBody = none;
@@ -64,6 +72,14 @@ struct Chunk {
     std::uint32_t cell = none, nextInCell = none, previousInCell = none;
     std::uint32_t level = 0;
 };
+
+/// How many sides of a chunk are arcs.
+inline std::uint32_t arcsOf(const std::vector<Side>& sides, const Chunk& chunk) {
+    std::uint32_t count = 0;
+    for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s)
+        count += arcRadius(sides[s]) > 0 ? 1 : 0;
+    return count;
+}
 
 /// All colliders of a world. What is derived of one body comes and goes with it.
 struct Shapes {

@@ -31,6 +31,9 @@ struct Xy {
 Xy operator-(Xy a, Xy b) {
     return {a.x - b.x, a.y - b.y};
 }
+Xy operator+(Xy a, Xy b) {
+    return {a.x + b.x, a.y + b.y};
+}
 Xy operator*(Real s, Xy a) {
     return {s * a.x, s * a.y};
 }
@@ -45,6 +48,68 @@ Real norm(Xy a) {
 }
 Xy at(const CornerWay& c) {
     return {c.x, c.y};
+}
+
+Xy atEnd(const CornerWay& c) {
+    return {c.x + c.wayX, c.y + c.wayY};
+}
+Xy way(const CornerWay& c) {
+    return {c.wayX, c.wayY};
+}
+
+constexpr Real reached = Real(1 + tuned::reached);
+
+/// When a height falls to a limit, as a share of the step: 0 if it is there already, 1 if it does
+/// not come so far.
+Real momentOfHeight(Real start, Real end, Real limit) {
+    if (!(start > reached * limit)) return 0;
+    return start - end > start - limit ? (start - limit) / (start - end) : 1;
+}
+
+/// How the middle of an arc goes, and what is a metre outwards from there.
+struct ArcWay {
+    CornerWay top, beyond;
+    Real radius = 0;  // m
+
+    Xy outwards(Real moment) const {
+        const Xy u = moment == 0 ? at(beyond) - at(top) : atEnd(beyond) - atEnd(top);
+        return 1 / norm(u) * u;
+    }
+    /// m, by which a point is outside of the circle, when the step begins or ends.
+    Real out(const CornerWay& p, Real moment) const {
+        const Xy from = moment == 0 ? at(p) - at(top) : atEnd(p) - atEnd(top);
+        const Real more = 2 * radius * dot(from, outwards(moment)) + dot(from, from);
+        return more / (std::sqrt(std::max<Real>(radius * radius + more, 0)) + radius);
+    }
+    /// Unit: from the centre to a point.
+    Xy normalAt(Xy p) const {
+        const Xy v = p - at(top) + radius * outwards(0);
+        return 1 / std::max(norm(v), Real(1e-30)) * v;
+    }
+};
+
+/// The angle under which its centre sees an arc.
+struct Wedge {
+    Xy a, b;           // m, the ends
+    Xy before, after;  // unit: from a and b, on along the tangents
+    Real turns = 1;    // +1: the circle's outside is to the right of the way from a to b
+    Real halfChord = 0, slack = 0;  // m
+
+    /// m, by which a point is outside of it; not above 0 within.
+    Real beside(Xy p) const { return std::max(dot(p - a, before), dot(p - b, after)) - slack; }
+};
+Wedge wedgeOf(const ArcWay& arc, const CornerWay& a, const CornerWay& b, Real moment) {
+    const auto when = [&](const CornerWay& c) { return moment == 0 ? at(c) : atEnd(c); };
+    const Xy out = arc.outwards(moment), chord = when(b) - when(a);
+    const auto spoke = [&](const CornerWay& c) {
+        return (1 / arc.radius) * (when(c) - when(arc.top)) + out;
+    };
+    Wedge w{when(a), when(b), {}, {}, cross(out, chord) > 0 ? Real(1) : Real(-1), norm(chord) / 2};
+    const Xy atA = spoke(a), atB = spoke(b);
+    w.before = w.turns * Xy{atA.y, -atA.x};
+    w.after = w.turns * Xy{-atB.y, atB.x};
+    w.slack = Real(tuned::beyondEnds) * 2 * w.halfChord;
+    return w;
 }
 
 /// Calls f(number) for each bit that is set, the lowest first.
@@ -111,6 +176,8 @@ public:
         againstSides(a_, result_.a, b_, other, extentB_);
         if (&a_ != &b_) againstSides(b_, other, a_, result_.a, extentA_);
         againstCorners(result_.a, other);
+        centresAgainstSides(a_, result_.a, b_, other);
+        if (&a_ != &b_) centresAgainstSides(b_, other, a_, result_.a);
         result_.slack =
             std::min(entrance_, std::max(spare_ - Real(0.25) * finest_, Real(0.25) * finest_));
     }
@@ -140,7 +207,7 @@ private:
         placeSpokes(chunk, lanes);
         SideLanes& sides = lanes.sides;
         sides.count = chunk.sides;
-        lanes.discs = lanes.twoSided = 0;
+        lanes.discs = lanes.arcs = lanes.twoSided = 0;
         for (std::uint32_t k = 0; k < chunk.sides; ++k) {
             const Side& side = shapes_.sides[chunk.firstSide + k];
             put(sides.a, k, taken(corners.at, side.a - chunk.firstCorner));
@@ -148,6 +215,7 @@ private:
             sides.radius[k] = side.radius;
             sides.outward[k] = static_cast<Real>(side.outward);
             lanes.discs |= (side.a == side.b ? 1u : 0u) << k;
+            lanes.arcs |= (arcRadius(side) > 0 ? 1u : 0u) << k;
             lanes.twoSided |= (side.outward == 0 ? 1u : 0u) << k;
         }
     }
@@ -207,14 +275,18 @@ private:
 
     CornerWay wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
-        const SolverBody& body = movers_.bodies[c.mover];
-        const Reference& from = movers_.references[c.mover];
-        const Motion3 motion = motionNow(movers_, c.mover);
+        return wayAt(c.mover, c.x, c.y);
+    }
+    /// Of a place in the frame of a mover.
+    CornerWay wayAt(std::uint32_t mover, Real x, Real y) const {
+        const SolverBody& body = movers_.bodies[mover];
+        const Reference& from = movers_.references[mover];
+        const Motion3 motion = motionNow(movers_, mover);
         CornerWay w{static_cast<Real>(from.x - origin_[0]) + body.x,
                     static_cast<Real>(from.y - origin_[1]) + body.y, motion.x, motion.y};
-        if (c.x == 0 && c.y == 0) return w;
-        const Heading h = headingNow(movers_, c.mover);
-        const Xy arm{h.cosine * c.x - h.sine * c.y, h.sine * c.x + h.cosine * c.y};
+        if (x == 0 && y == 0) return w;
+        const Heading h = headingNow(movers_, mover);
+        const Xy arm{h.cosine * x - h.sine * y, h.sine * x + h.cosine * y};
         return {w.x + arm.x, w.y + arm.y, w.wayX - motion.turn * arm.y,
                 w.wayY + motion.turn * arm.x};
     }
@@ -237,16 +309,26 @@ private:
         });
     }
 
-    void againstSides(std::uint32_t corner, const CornerWay& p, Real radius, const Chunk& other,
-                      ChunkLanes& lanes) {
+    /// Looks from a corner at all sides that it may touch.
+    const SidesSeen& lookAtSides(std::uint32_t corner, const CornerWay& p, Real radius,
+                                 const Chunk& other, ChunkLanes& lanes) {
         forEachBit(lanes.twoSided, [&](std::uint32_t k) {
             lanes.sides.outward[k] = static_cast<Real>(sideSoFar(corner, other.firstSide + k));
         });
         const auto every = static_cast<std::uint32_t>((std::uint64_t{1} << other.sides) - 1);
+        const auto may = every & ~lanes.discs & ~barred(corner, other);
         SidesSeen& seen = result_.sidesSeen;
-        kernels_.sides(p, radius, lanes.sides, every & ~lanes.discs & ~barred(corner, other), seen);
+        kernels_.sides(p, radius, lanes.sides, may & ~lanes.arcs, seen);
+        forEachBit(may & lanes.arcs,
+                   [&](std::uint32_t k) { lookAtArc(p, radius, lanes, k, other, seen); });
         result_.gap = std::min(result_.gap, seen.gap);
         spare_ = std::min(spare_, seen.spare);
+        return seen;
+    }
+
+    void againstSides(std::uint32_t corner, const CornerWay& p, Real radius, const Chunk& other,
+                      ChunkLanes& lanes) {
+        const SidesSeen& seen = lookAtSides(corner, p, radius, other, lanes);
         const auto nearest = seen.nearest;
         if (nearest == mostOfChunk) return;
         const bool oneSided = (lanes.twoSided >> nearest & 1) == 0;
@@ -277,6 +359,89 @@ private:
             found |= (bar ? 1u : 0u) << k;
         }
         return found;
+    }
+
+    // --- arcs ----------------------------------------------------------------------------------
+
+    ArcWay arcWayOf(const Chunk& chunk, std::uint32_t k) const {
+        const Side& side = shapes_.sides[chunk.firstSide + k];
+        const auto mover = shapes_.corners[side.a].mover;
+        return {wayAt(mover, side.offset, side.middle),
+                wayAt(mover, side.offset + side.outX, side.middle + side.outY), arcRadius(side)};
+    }
+
+    /// The same as the kernel does with straight sides. Heights are outside of the arc's circle, if
+    /// `outward` is +1.
+    void lookAtArc(const CornerWay& p, Real radius, const ChunkLanes& lanes, std::uint32_t k,
+                   const Chunk& other, SidesSeen& seen) const {
+        const ArcWay arc = arcWayOf(other, k);
+        const CornerWay a = taken(lanes.sides.a, k), b = taken(lanes.sides.b, k);
+        const Wedge wedge = wedgeOf(arc, a, b, 0), wedgeThen = wedgeOf(arc, a, b, 1);
+        const Real thickness = radius + lanes.sides.radius[k];
+        const Real out = arc.out(p, 0), besideNow = wedge.beside(at(p));
+        const Real toEnds = std::min(norm(at(p) - at(a)), norm(at(p) - at(b)));
+        const Real far = besideNow <= 0 ? std::abs(out) : toEnds;
+        const auto closingTo = [&](const CornerWay& end) { return norm(way(p) - way(end)); };
+        const Real closing = std::max(closingTo(a), closingTo(b)), apart = far - thickness;
+        const bool twoSided = (lanes.twoSided >> k & 1) != 0;
+        Real outward = lanes.sides.outward[k] * (twoSided ? Real(1) : wedge.turns);
+        if (outward == 0) outward = out < 0 ? Real(-1) : Real(1);
+        seen.far[k] = far;
+        seen.height[k] = outward * out;
+        seen.outward[k] = outward;
+        seen.gap = std::min(seen.gap, apart);
+        if (seen.nearest == mostOfChunk || far < seen.far[seen.nearest]) seen.nearest = k;
+        if (apart > nearFrom(thickness, closing)) {
+            seen.spare = std::min(seen.spare, apart);
+            return;
+        }
+        const Real moment = momentOfHeight(outward * out, outward * arc.out(p, 1), thickness);
+        const Real besideThen = besideNow + moment * (wedgeThen.beside(atEnd(p)) - besideNow);
+        if (besideThen <= 0)
+            seen.before |= 1u << k;
+        else
+            seen.enter = std::min(seen.enter, std::max(std::min(besideThen, besideNow), apart));
+    }
+
+    /// The curved surfaces of a chunk's arcs against the other's sides: discs, as far as they are
+    /// there.
+    void centresAgainstSides(const Chunk& own, const ChunkLanes& lanes, const Chunk& other,
+                             ChunkLanes& sides) {
+        std::uint32_t centre = own.firstCorner + own.corners;
+        forEachBit(lanes.arcs, [&](std::uint32_t k) {
+            const ArcWay arc = arcWayOf(own, k);
+            const Wedge wedge = wedgeOf(arc, taken(lanes.sides.a, k), taken(lanes.sides.b, k), 0);
+            const bool hollow = shapes_.sides[own.firstSide + k].outward * wedge.turns < 0;
+            if (!hollow) centreAgainstSides(centre, arc, wedge, other, sides);
+            ++centre;
+        });
+    }
+    void centreAgainstSides(std::uint32_t centre, const ArcWay& arc, const Wedge& wedge,
+                            const Chunk& other, ChunkLanes& sides) {
+        const CornerWay p = wayOf(centre);
+        const SidesSeen& seen =
+            lookAtSides(centre, p, shapes_.corners[centre].radius, other, sides);
+        // What turns by an angle moves its own surface less than that of the whole circle.
+        const Real lever = std::min<Real>(1, wedge.halfChord / arc.radius);
+        Real entrance = seen.enter;
+        forEachBit(seen.before, [&](std::uint32_t k) {
+            if (!(seen.height[k] > 0)) return;
+            const Xy toSide = outOf(other, sides, k, p);
+            const Real outside = wedge.beside(at(p) - seen.outward[k] * arc.radius * toSide);
+            if (outside <= 0)
+                result_.near.push_back({centre, other.firstSide + k, 0,
+                                        static_cast<std::int32_t>(seen.outward[k]), seen.far[k]});
+            entrance = std::min(entrance, lever * std::abs(outside));
+        });
+        enter(entrance, seen.before != 0);
+    }
+    /// Unit: away from the right of a side, or from the middle of its circle, at a place.
+    Xy outOf(const Chunk& chunk, const ChunkLanes& lanes, std::uint32_t k,
+             const CornerWay& p) const {
+        if ((lanes.arcs >> k & 1) != 0) return arcWayOf(chunk, k).normalAt(at(p));
+        const Xy along = at(taken(lanes.sides.b, k)) - at(taken(lanes.sides.a, k));
+        const Real length = norm(along);
+        return {along.y / length, -along.x / length};
     }
 
     std::int32_t sideSoFar(std::uint32_t corner, std::uint32_t side) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
@@ -91,16 +92,19 @@ private:
     }
     Way wayOf(std::uint32_t corner) const {
         const Corner& c = shapes_.corners[corner];
-        const SolverBody& body = movers_.bodies[c.mover];
-        const BodyWay& way = state_.core.ways[c.mover];
-        const Point from = movers_.placeAtReference(c.mover) - origin_;
+        return wayAt(c.mover, c.x, c.y);
+    }
+    /// Of a place in the frame of a mover.
+    Way wayAt(std::uint32_t mover, Real x, Real y) const {
+        const SolverBody& body = movers_.bodies[mover];
+        const BodyWay& way = state_.core.ways[mover];
+        const Point from = movers_.placeAtReference(mover) - origin_;
         const Xy centre{static_cast<Real>(from[0]) + body.x, static_cast<Real>(from[1]) + body.y};
-        if (c.x == 0 && c.y == 0) return {centre, {centre.x + way.x, centre.y + way.y}};
-        const Heading h = turnedBy(movers_, c.mover, 0), g = turnedBy(movers_, c.mover, way.turn);
-        return {
-            {centre.x + h.cosine * c.x - h.sine * c.y, centre.y + h.sine * c.x + h.cosine * c.y},
-            {centre.x + way.x + g.cosine * c.x - g.sine * c.y,
-             centre.y + way.y + g.sine * c.x + g.cosine * c.y}};
+        if (x == 0 && y == 0) return {centre, {centre.x + way.x, centre.y + way.y}};
+        const Heading h = turnedBy(movers_, mover, 0), g = turnedBy(movers_, mover, way.turn);
+        return {{centre.x + h.cosine * x - h.sine * y, centre.y + h.sine * x + h.cosine * y},
+                {centre.x + way.x + g.cosine * x - g.sine * y,
+                 centre.y + way.y + g.sine * x + g.cosine * y}};
     }
 
     void against(const Chunk& own, const Course& corners, const Chunk& other, const Course& ends) {
@@ -117,12 +121,44 @@ private:
                 Box sides;
                 sides.add(a, side.radius);
                 sides.add(b, side.radius);
-                if (box.isBeside(sides) || neverTouches(state_, c, side, other.body)) continue;
+                const bool isBeside = arcRadius(side) == 0 && box.isBeside(sides);
+                if (isBeside || neverTouches(state_, c, side, other.body)) continue;
                 const Real thickness = shapes_.corners[c].radius + side.radius;
                 meet(c, p, side.a, a, thickness);
                 if (side.a == side.b) continue;
                 meet(c, p, side.b, b, thickness);
-                cross(c, p, side, a, b, thickness);
+                if (arcRadius(side) > 0)
+                    crossArc(c, p, side, a, b, thickness);
+                else
+                    cross(c, p, side, a, b, thickness, [](Xy) { return true; });
+            }
+        }
+        crossCentres(own, corners, other, ends);
+    }
+
+    /// Circles of a chunk's arcs, as far as these go, against the other's straight sides.
+    void crossCentres(const Chunk& own, const Course& corners, const Chunk& other,
+                      const Course& ends) {
+        auto centre = own.firstCorner + own.corners;
+        for (auto k = own.firstSide; k < own.firstSide + own.sides; ++k) {
+            const Side& arc = shapes_.sides[k];
+            const Real radius = arcRadius(arc);
+            if (!(radius > 0)) continue;
+            const auto c = centre++;
+            const Way p = wayOf(c), top = wayAt(shapes_.corners[c].mover, arc.offset, arc.middle);
+            const Way& from = corners.ways[arc.a - own.firstCorner];
+            const auto isOnArc = [&](Xy normal) {
+                const Xy out = top.start - p.start, end = from.start - p.start;
+                return -dot(normal, out) >= dot(end, out) / radius;
+            };
+            for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
+                const Side& side = shapes_.sides[s];
+                if (side.a == side.b || arcRadius(side) > 0 ||
+                    neverTouches(state_, c, side, other.body))
+                    continue;
+                cross(c, p, side, ends.ways[side.a - other.firstCorner],
+                      ends.ways[side.b - other.firstCorner],
+                      shapes_.corners[c].radius + side.radius, isOnArc);
             }
         }
     }
@@ -146,9 +182,58 @@ private:
              std::sqrt(distance2) - thickness);
     }
 
-    /// A corner and the straight part of a side.
+    /// A corner and an arc, which it is before where its circle is met.
+    void crossArc(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b,
+                  Real thickness) {
+        const auto mover = shapes_.corners[side.a].mover;
+        const Real radius = arcRadius(side);
+        const Way top = wayAt(mover, side.offset, side.middle),
+                  beyond = wayAt(mover, side.offset + side.outX, side.middle + side.outY);
+        const auto outwardsAt = [&](Real moment) {
+            const Xy u = beyond.at(moment) - top.at(moment);
+            const Real length = std::sqrt(dot(u, u));
+            return Xy{u.x / length, u.y / length};
+        };
+        const auto outAt = [&](Real moment) {
+            const Xy from = p.at(moment) - top.at(moment), u = outwardsAt(moment);
+            const Real more = 2 * radius * dot(from, u) + dot(from, from);
+            return more / (std::sqrt(std::max<Real>(radius * radius + more, 0)) + radius);
+        };
+        const Xy out = outwardsAt(0), chord = b.start - a.start;
+        Real outward = static_cast<Real>(side.outward);
+        if (detail::cross(out, chord) < 0) outward = -outward;
+        if (outward == 0) outward = outAt(0) < 0 ? Real(-1) : Real(1);
+        const Real start = outward * outAt(0), end = outward * outAt(1);
+        if (!(start > 0)) return;
+        const Real limit = std::min(left_ * thickness, start);
+        if (!(end < limit)) return;
+        const auto [low, high] =
+            firstBelow([&](Real moment) { return outward * outAt(moment); }, limit);
+        const Xy u = outwardsAt(high), from = p.at(high) - top.at(high);
+        const Xy spoke{from.x + radius * u.x, from.y + radius * u.y};
+        const Real length = std::sqrt(dot(spoke, spoke)), halfChord2 = dot(chord, chord) / 4;
+        const Real sine = detail::cross(u, spoke) / std::max(length, Real(1e-30));
+        if (!(dot(u, spoke) >= 0 && sine * sine * radius * radius <= halfChord2)) return;
+        const Xy normal{outward * spoke.x / length, outward * spoke.y / length};
+        note(corner, p, side.a, side.a, 0, low, normal, limit - end, start - thickness);
+    }
+
+    /// The moments between which a height that begins above the limit first falls below it, by
+    /// halving: that of what turns is no line.
+    template <class Height>
+    static std::pair<Real, Real> firstBelow(Height&& heightAt, Real limit) {
+        Real low = 0, high = 1;
+        for (int i = 0; i < mostSteps; ++i) {
+            const Real middle = (low + high) / 2;
+            (heightAt(middle) < limit ? high : low) = middle;
+        }
+        return {low, high};
+    }
+
+    /// A corner and the straight part of a side, where `counts(normal)`.
+    template <class Counts>
     void cross(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b,
-               Real thickness) {
+               Real thickness, Counts&& counts) {
         const auto heightAt = [&](Real moment) {
             const Xy along = b.at(moment) - a.at(moment);
             const Real length = std::sqrt(dot(along, along));
@@ -162,12 +247,8 @@ private:
         if (!(start > 0)) return;
         const Real limit = std::min(left_ * thickness, start);
         if (!(end < limit)) return;
-        // The height of what turns is no line: its first fall below the limit by halving.
-        Real low = 0, high = 1;
-        for (int i = 0; i < mostSteps; ++i) {
-            const Real middle = (low + high) / 2;
-            (outward * heightAt(middle) < limit ? high : low) = middle;
-        }
+        const auto [low, high] =
+            firstBelow([&](Real moment) { return outward * heightAt(moment); }, limit);
         const Xy along = b.at(high) - a.at(high);
         const Real foot = dot(p.at(high) - a.at(high), along), length2 = dot(along, along);
         if (foot < 0 || foot > length2 || !(length2 > 0)) return;
@@ -184,6 +265,7 @@ private:
             last = end;
             normal = {outward * turned.y / lengthNow, -outward * turned.x / lengthNow};
         }
+        if (!counts(normal)) return;
         note(corner, p, side.a, side.b, share, low, normal, limit - last, start - thickness);
     }
 

@@ -20,22 +20,23 @@ namespace {
 /// when the point is inside.
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
-    std::uint32_t body = none;
-    std::uint32_t a = 0, b = 0, joint = none;
-    double along = 0;
+    Collider on;
+    double along = 0;       // of the collider's own length
     bool outlined = false;  // the point is inside of the body's outline
 };
 
 /// By distance; equal ones by joint, then particle, so that the order of the search decides
 /// nothing.
 bool nearer(const Nearest& x, const Nearest& y) {
-    return std::tie(x.distance, x.joint, x.a) < std::tie(y.distance, y.joint, y.a);
+    return std::tie(x.distance, x.on.joint, x.on.a) < std::tie(y.distance, y.on.joint, y.on.a);
 }
 
-double distanceToAxis(const State& state, const Point& point, Nearest& place) {
-    const Point &a = state.particles.position[place.a], &b = state.particles.position[place.b];
-    place.along = nearestAlong<Point>(point, a, b);
-    return (a + place.along * (b - a) - point).norm();
+Point axisAt(const Nearest& place) {
+    return place.on.from + place.along * (place.on.to - place.on.from);
+}
+double distanceToAxis(const Point& point, Nearest& place) {
+    place.along = nearestAlong<Point>(point, place.on.from, place.on.to);
+    return (axisAt(place) - point).norm();
 }
 
 /// Capsules of a body's outlines as it is now.
@@ -50,12 +51,14 @@ std::vector<RimEdge> outlineOf(const State& state, std::uint32_t body) {
 Nearest wayOut(const State& state, std::uint32_t body, const Point& point) {
     Nearest best;
     for (const RimEdge& edge : outlineOf(state, body)) {
-        Nearest place{0, body, edge.from, edge.to, edge.joint};
-        place.outlined = true;
-        const double radius = static_cast<double>(state.joints.radius[edge.joint]);
-        const double depth = distanceToAxis(state, point, place) + radius;
-        place.distance = depth;
-        if (nearer(place, best)) best = place;
+        const auto j = edge.joint;
+        const Collider whole{state.joints.a[j], state.joints.b[j], body, j, state.joints.radius[j]};
+        forEachPiece(state, whole, [&](const Collider& c) {
+            Nearest place{0, c};
+            place.outlined = true;
+            place.distance = distanceToAxis(point, place) + static_cast<double>(c.radius);
+            if (nearer(place, best)) best = place;
+        });
     }
     best.distance = -best.distance;
     return best;
@@ -67,8 +70,8 @@ Nearest nearestCollider(const State& state, const Point& point, double reach,
                         const QueryFilter& filter, const std::vector<std::uint32_t>& around) {
     Nearest best;
     const auto test = [&](const Collider& c) {
-        Nearest place{0, c.body, c.a, c.b, c.joint};
-        place.distance = distanceToAxis(state, point, place) - static_cast<double>(c.radius);
+        Nearest place{0, c};
+        place.distance = distanceToAxis(point, place) - static_cast<double>(c.radius);
         if (place.distance > reach || !nearer(place, best)) return;
         if (std::binary_search(around.begin(), around.end(), c.body)) return;
         if (admits(state, filter, c.body)) best = place;
@@ -86,27 +89,26 @@ Nearest nearestCollider(const State& state, const Point& point, double reach,
 Point normalAt(const State& state, const Nearest& place, const Point& point, const Point& axis) {
     const Point away = place.outlined ? Point(axis - point) : Point(point - axis);
     if (away.norm() > 0) return away.normalized();
-    const auto& x = state.particles.position;
-    const Point along = x[place.b] - x[place.a];
+    const Point along = place.on.to - place.on.from;
     if (along.isZero(0)) return {0, 1};
     Point right = Point(along[1], -along[0]).normalized();
-    for (const RimEdge& edge : outlineOf(state, place.body))
-        if (edge.joint == place.joint && edge.from == place.b) right = -right;
+    for (const RimEdge& edge : outlineOf(state, place.on.body))
+        if (edge.joint == place.on.joint && edge.from == place.on.b) right = -right;
     return right;
 }
 
 ClosestPoint describe(const State& state, const Nearest& place, const Point& point) {
-    const auto& x = state.particles.position;
-    const Point axis = x[place.a] + place.along * (x[place.b] - x[place.a]);
+    const Point axis = axisAt(place);
+    const double along = place.on.begin + place.along * (place.on.end - place.on.begin);
     const Point normal = normalAt(state, place, point, axis);
     ClosestPoint found;
-    found.body = state.bodies[place.body].id;
-    if (place.joint != none) found.joint = state.joints.id[place.joint];
-    found.particle = state.particles.id[place.along < 0.5 ? place.a : place.b];
+    found.body = state.bodies[place.on.body].id;
+    if (place.on.joint != none) found.joint = state.joints.id[place.on.joint];
+    found.particle = state.particles.id[along < 0.5 ? place.on.a : place.on.b];
     found.distance = place.distance;
     found.normal = normal.cast<Real>();
     found.point = point - place.distance * normal;
-    found.along = static_cast<Real>(place.along);
+    found.along = static_cast<Real>(along);
     return found;
 }
 
@@ -127,7 +129,7 @@ std::optional<ClosestPoint> World::closestPoint(Point point, double reach,
         const Nearest out = wayOut(state, body, point);
         if (nearer(out, best)) best = out;
     }
-    if (best.body == none) return std::nullopt;
+    if (best.on.body == none) return std::nullopt;
     return describe(state, best, point);
 }
 

@@ -12,18 +12,39 @@
 #include <vector>
 
 #include "model/state.hpp"
+#include "shape/arc.hpp"
 
 namespace sulfur::detail {
 
-/// A thick segment between two particles; a disc when both are the same particle.
+/// A thick segment between two particles; a disc when both are the same particle. Of an arc, a
+/// chord of it.
 struct Collider {
     std::uint32_t a = none, b = none;  // particles, dense indices
     std::uint32_t body = none;         // dense index; of a joint between bodies, one of them
     std::uint32_t joint = none;        // dense index, or none for a disc
     Real radius = 0;                   // m
+    Point from{0, 0}, to{0, 0};        // m
+    double begin = 0, end = 1;         // which part of the way from a to b that is
 
     friend bool operator==(const Collider&, const Collider&) = default;
 };
+
+/// Calls f(collider) for what a joint or a disc is.
+template <class Function>
+void forEachPiece(const State& state, Collider c, Function&& f) {
+    c.from = state.particles.position[c.a];
+    c.to = state.particles.position[c.b];
+    if (c.joint == none || state.joints.bend[c.joint].angle == 0) return f(c);
+    const Arc arc = arcBetween(c.from, c.to, static_cast<double>(state.joints.bend[c.joint].angle));
+    const double within = static_cast<double>(c.radius) / 100;
+    forEachChord(arc, within, [&](const Point& from, const Point& to, double begin, double end) {
+        c.from = from;
+        c.to = to;
+        c.begin = begin;
+        c.end = end;
+        f(c);
+    });
+}
 
 /// Makes what is derived of the boxes fit the present world. Complexity: nothing where no tick and
 /// no change has come since the last call; otherwise linear in bodies and awake chunks. Throws
@@ -46,12 +67,13 @@ void forEachColliderOf(const State& state, std::uint32_t index, Function&& f) {
     const Joints& joints = state.joints;
     for (const JointId id : body.joints) {
         const auto j = state.jointSlots.dense(id);
-        if (joints.radius[j] > 0) f(Collider{joints.a[j], joints.b[j], index, j, joints.radius[j]});
+        if (joints.radius[j] > 0)
+            forEachPiece(state, {joints.a[j], joints.b[j], index, j, joints.radius[j]}, f);
     }
     for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
         const auto i = body.firstParticle + k;
         if (state.particles.radius[i] > 0)
-            f(Collider{i, i, index, none, state.particles.radius[i]});
+            forEachPiece(state, {i, i, index, none, state.particles.radius[i]}, f);
     }
 }
 
@@ -62,7 +84,7 @@ void forEachColliderApart(const State& state, Function&& f) {
     for (const auto body : state.nearby.apart) forEachColliderOf(state, body, f);
     for (const auto j : state.nearby.tied) {
         const auto body = state.particles.body[joints.a[j]];
-        f(Collider{joints.a[j], joints.b[j], body, j, joints.radius[j]});
+        forEachPiece(state, {joints.a[j], joints.b[j], body, j, joints.radius[j]}, f);
     }
 }
 
@@ -78,8 +100,11 @@ void forEachColliderOf(const State& state, const Chunk& chunk, Function&& f) {
     };
     for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
         const Side& side = shapes.sides[s];
-        f(Collider{particle(side.a), particle(side.b), index,
-                   side.joint == none ? none : state.jointSlots.denseOf(side.joint), side.radius});
+        forEachPiece(
+            state,
+            {particle(side.a), particle(side.b), index,
+             side.joint == none ? none : state.jointSlots.denseOf(side.joint), side.radius},
+            f);
     }
 }
 

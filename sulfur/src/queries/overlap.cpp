@@ -11,9 +11,8 @@ namespace detail {
 
 namespace {
 
-bool touches(const State& state, const Collider& c, const QueryShape& shape) {
-    const auto& x = state.particles.position;
-    return ConvexHull::difference(x[c.a], x[c.b], shape.points()).distance() <=
+bool touches(const Collider& c, const QueryShape& shape) {
+    return ConvexHull::difference(c.from, c.to, shape.points()).distance() <=
            static_cast<double>(c.radius) + shape.radius();
 }
 
@@ -34,7 +33,7 @@ std::vector<Overlap> touching(const State& state, const QueryShape& shape,
     const Point margin(shape.radius(), shape.radius());
     std::vector<Collider> found;
     forEachColliderIn(state, low - margin, high + margin, [&](const Collider& c) {
-        if (touches(state, c, shape) && admits(state, filter, c.body)) found.push_back(c);
+        if (touches(c, shape) && admits(state, filter, c.body)) found.push_back(c);
     });
     std::sort(found.begin(), found.end(), [](const Collider& c, const Collider& d) {
         return std::tie(c.joint, c.a) < std::tie(d.joint, d.a);

@@ -31,14 +31,13 @@ std::vector<std::uint32_t> enclosing(State& state, const Point& point, const Que
 
 CastHit hitAt(const State& state, const Strike& strike, const Point& point) {
     const Collider& c = strike.collider;
-    const auto& x = state.particles.position;
     CastHit hit;
     hit.body = state.bodies[c.body].id;
     if (c.joint != none) hit.joint = state.joints.id[c.joint];
     hit.point = point;
     hit.normal = strike.entry.normal.cast<Real>();
     hit.fraction = strike.entry.fraction;
-    const double along = nearestAlong<Point>(point, x[c.a], x[c.b]);
+    const double along = c.begin + nearestAlong<Point>(point, c.from, c.to) * (c.end - c.begin);
     hit.along = static_cast<Real>(along);
     hit.particle = state.particles.id[along < 0.5 ? c.a : c.b];
     return hit;

@@ -21,10 +21,9 @@ template <class Meet>
 void cast(State& state, const Point& from, const Point& way, const QueryFilter& filter,
           Meet&& meet) {
     prepareNearby(state);
-    const auto& x = state.particles.position;
     double enough = 1;
     forEachColliderAlong(state, from, way, 0, [&](const Collider& c) {
-        const auto entry = ConvexHull::difference(x[c.a], x[c.b], {&from, 1})
+        const auto entry = ConvexHull::difference(c.from, c.to, {&from, 1})
                                .enter(way, static_cast<double>(c.radius));
         if (entry && admits(state, filter, c.body)) enough = meet(Strike{*entry, c});
         return enough;

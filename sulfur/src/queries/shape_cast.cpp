@@ -33,10 +33,9 @@ Cover coverOf(const QueryShape& shape) {
 constexpr double flatness = 1e-9;
 
 /// Where on a capsule the moved shape touches it when the normal there is `normal`.
-Point touchingPoint(const State& state, const Collider& c, const QueryShape& shape,
-                    const Point& moved, const Point& normal) {
-    const auto& x = state.particles.position;
-    const Point &a = x[c.a], &b = x[c.b];
+Point touchingPoint(const Collider& c, const QueryShape& shape, const Point& moved,
+                    const Point& normal) {
+    const Point &a = c.from, &b = c.to;
     const double radius = static_cast<double>(c.radius);
     const double rise = normal.dot(b - a), length = (b - a).norm();
     if (std::abs(rise) > flatness * length) return (rise > 0 ? b : a) + radius * normal;
@@ -59,9 +58,8 @@ Point touchingPoint(const State& state, const Collider& c, const QueryShape& sha
 /// A hit at the start: the point is the place of the capsule's axis nearest to the shape's middle.
 CastHit hitAtStart(const State& state, const Strike& strike, const Point& middle) {
     const Collider& c = strike.collider;
-    const auto& x = state.particles.position;
-    const double along = nearestAlong<Point>(middle, x[c.a], x[c.b]);
-    return hitAt(state, strike, x[c.a] + along * (x[c.b] - x[c.a]));
+    const double along = nearestAlong<Point>(middle, c.from, c.to);
+    return hitAt(state, strike, c.from + along * (c.to - c.from));
 }
 
 }  // namespace
@@ -75,10 +73,9 @@ std::optional<CastHit> World::castShape(const QueryShape& shape, Point translati
     State& state = impl_->state();
     prepareNearby(state);
     const Cover cover = coverOf(shape);
-    const auto& x = state.particles.position;
     Strike best{{std::numeric_limits<double>::infinity(), {0, 0}}, {}};
     forEachColliderAlong(state, cover.centre, translation, cover.radius, [&](const Collider& c) {
-        const auto entry = ConvexHull::difference(x[c.a], x[c.b], shape.points())
+        const auto entry = ConvexHull::difference(c.from, c.to, shape.points())
                                .enter(translation, static_cast<double>(c.radius) + shape.radius());
         if (entry && admits(state, filter, c.body)) best = std::min(best, Strike{*entry, c});
         return best.entry.fraction;
@@ -94,9 +91,9 @@ std::optional<CastHit> World::castShape(const QueryShape& shape, Point translati
     }
     if (best.collider.body == none) return std::nullopt;
     if (best.entry.fraction == 0) return hitAtStart(state, best, cover.centre);
-    return hitAt(state, best,
-                 touchingPoint(state, best.collider, shape, best.entry.fraction * translation,
-                               best.entry.normal));
+    return hitAt(
+        state, best,
+        touchingPoint(best.collider, shape, best.entry.fraction * translation, best.entry.normal));
 }
 
 }  // namespace sulfur

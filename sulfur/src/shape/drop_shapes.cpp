@@ -41,7 +41,7 @@ void makeRoomToDrop(State& state, std::uint32_t bodySlot) {
         const Chunk& chunk = shapes.chunks[c];
         for (auto k = chunk.firstCorner; k < chunk.firstCorner + chunk.corners; ++k)
             shapes.spokePool.makeRoomToRelease(shapes.corners[k].spokes, corners);
-        shapes.cornerPool.makeRoomToRelease(chunk.corners, chunks);
+        shapes.cornerPool.makeRoomToRelease(chunk.corners + arcsOf(shapes.sides, chunk), chunks);
         shapes.sidePool.makeRoomToRelease(chunk.sides, chunks);
         shapes.usePool.makeRoomToRelease(chunk.uses, chunks);
     }
@@ -57,7 +57,7 @@ void dropShape(State& state, std::uint32_t bodySlot) {
         if (chunk.uses > 1) state.core.movers.remove(chunk.frame);
         for (auto u = chunk.firstUse; u < chunk.firstUse + chunk.uses; ++u)
             endUse(state, u, shapes.uses[u].mover);
-        shapes.cornerPool.release(chunk.firstCorner, chunk.corners);
+        shapes.cornerPool.release(chunk.firstCorner, chunk.corners + arcsOf(shapes.sides, chunk));
         shapes.sidePool.release(chunk.firstSide, chunk.sides);
         shapes.usePool.release(chunk.firstUse, chunk.uses);
         shapes.chunks[c] = {};

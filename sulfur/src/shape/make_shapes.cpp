@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "core/trigonometry.hpp"
 #include "model/clusters.hpp"
 #include "model/state.hpp"
+#include "shape/arc.hpp"
 #include "shape/make_shapes.hpp"
 #include "shape/materials.hpp"
+#include "shape/one_mover.hpp"
 #include "shape/outline.hpp"
 
 namespace sulfur::detail {
@@ -15,6 +18,8 @@ namespace sulfur::detail {
 namespace {
 
 constexpr std::size_t mostConvexCorners = mostOfChunk;
+/// Corner::owned of the hull of an arc, until all corners are made.
+constexpr std::uint32_t ofHull = 2;
 
 /// Sine of the angle below which two edges go on in one line.
 constexpr double straight = 1e-6;
@@ -84,18 +89,30 @@ private:
     std::uint32_t moverOf(std::uint32_t i) {
         const Particles& p = state_.particles;
         const auto owner = p.body[i];
-        if (state_.bodies[owner].kind == BodyKind::fixed) return frameOf(owner);
+        const BodyRecord& body = state_.bodies[owner];
+        if (body.kind == BodyKind::fixed) return frameOf(owner);
         const auto c = p.cluster[i];
-        const auto leader = c == none ? i : state_.clusters.members[state_.clusters.list[c].first];
+        const bool wholeBody = c == none && isWhole(owner);
+        const auto leader = c != none   ? state_.clusters.members[state_.clusters.list[c].first]
+                            : wholeBody ? body.firstParticle
+                                        : i;
         auto& known = shapes_.moverOfParticle;
         const auto slot = slotOf(p.id[leader]);
         if (known.size() <= slot) known.resize(slot + 1, none);
         if (known[slot] != none) return known[slot];
-        const auto mover = c == none ? newMover(owner, p.position[i], Point(1, 0))
-                                     : newMover(owner, state_.clusters.list[c].centre,
-                                                state_.clusters.list[c].heading);
+        const auto mover =
+            wholeBody ? newMover(owner, p.position[leader], headingOfWhole(state_, body))
+            : c == none
+                ? newMover(owner, p.position[i], Point(1, 0))
+                : newMover(owner, state_.clusters.list[c].centre, state_.clusters.list[c].heading);
         movers_.particle[mover] = slot;
         return known[slot] = mover;
+    }
+    /// (Remembered of the body whose shape is made.)
+    bool isWhole(std::uint32_t body) {
+        if (body != body_) return standsOnOneMover(state_, state_.bodies[body]);
+        if (!whole_) whole_ = standsOnOneMover(state_, record());
+        return *whole_;
     }
     /// All of a fixed body stands on one mover.
     std::uint32_t frameOf(std::uint32_t body) {
@@ -129,6 +146,12 @@ private:
             const Point& place = clusters.places[static_cast<std::size_t>(k)];
             corner.x = static_cast<Real>(place[0]);
             corner.y = static_cast<Real>(place[1]);
+        } else if (isWhole(p.body[i])) {
+            const BodyRecord& body = state_.bodies[p.body[i]];
+            const Point place = p.position[i] - p.position[body.firstParticle],
+                        turn = headingOfWhole(state_, body);
+            corner.x = static_cast<Real>(turn.dot(place));
+            corner.y = static_cast<Real>(cross(turn, place));
         } else if (state_.bodies[p.body[i]].kind == BodyKind::fixed) {
             const Point place = p.position[i] - movers_.placeAtReference(corner.mover);
             corner.x = static_cast<Real>(place[0]);
@@ -142,14 +165,46 @@ private:
         if (isNew) {
             at->second = firstCorner_ + static_cast<std::uint32_t>(newCorners_.size());
             newCorners_.push_back(cornerAt(i));
-            movers_.reach[newCorners_.back().mover] = std::max(
-                movers_.reach[newCorners_.back().mover],
-                std::hypot(newCorners_.back().x, newCorners_.back().y) + newCorners_.back().radius);
+            reachTo(newCorners_.back());
             auto& fineness = movers_.fineness[newCorners_.back().mover];
             const Real radius = newCorners_.back().radius;
             fineness = fineness > 0 ? std::min(fineness, radius) : radius;
         }
         return at->second;
+    }
+    void reachTo(const Corner& corner) {
+        Real& reach = movers_.reach[corner.mover];
+        reach = std::max(reach, std::hypot(corner.x, corner.y) + corner.radius);
+    }
+
+    // --- arcs --------------------------------------------------------------------------------
+
+    bool isBent(std::uint32_t j) const { return state_.joints.bend[j].angle != 0; }
+
+    /// In the frame of its mover.
+    Arc arcOf(std::uint32_t j, const Corner& a, const Corner& b) const {
+        return arcBetween(Vec2(a.x, a.y).cast<double>(), Vec2(b.x, b.y).cast<double>(),
+                          static_cast<double>(state_.joints.bend[j].angle));
+    }
+    /// A corner beside those of particles, at a place that the mover of one of these carries.
+    static Corner beside(Corner corner, const Point& place, Real radius) {
+        corner.x = static_cast<Real>(place[0]);
+        corner.y = static_cast<Real>(place[1]);
+        corner.radius = radius;
+        return corner;
+    }
+    /// The hull of an arc, to which its tangents lead, and its centre.
+    void addArc(std::uint32_t j, const Side& side) {
+        const Corner a = newCorners_[side.a], b = newCorners_[side.b];
+        const Arc arc = arcOf(j, a, b);
+        hulls_[side.joint] = static_cast<std::uint32_t>(newCorners_.size());
+        for (const Point& place : arc.hull()) {
+            newCorners_.push_back(beside(a, place, side.radius));
+            newCorners_.back().owned = ofHull;
+            reachTo(newCorners_.back());
+        }
+        newCentres_.push_back(beside(a, arc.centre, static_cast<Real>(arc.radius) + side.radius));
+        newCentres_.back().surface = side.joint;
     }
 
     Side sideOf(std::uint32_t j) {
@@ -160,11 +215,24 @@ private:
         side.radius = state_.joints.radius[j];
         const auto found = outward_.find(j);
         side.outward = found == outward_.end() ? 0 : found->second;
+        if (isBent(j) && newCorners_[side.a].mover == newCorners_[side.b].mover) addArc(j, side);
         return side;
     }
 
-    /// The line on which a side lies, with the outside to the right of the way from a to b.
-    static void placeSide(Side& side, const Corner& a, const Corner& b) {
+    /// The line on which a side lies, with the outside to the right of the way from a to b, or its
+    /// circle.
+    void placeSide(Side& side, const Corner& a, const Corner& b) const {
+        if (side.joint != none)
+            if (const auto j = state_.jointSlots.denseOf(side.joint);
+                isBent(j) && a.mover == b.mover) {
+                const Arc arc = arcOf(j, a, b);
+                side.outX = static_cast<Real>(arc.middle[0]);
+                side.outY = static_cast<Real>(arc.middle[1]);
+                side.offset = static_cast<Real>(arc.top()[0]);
+                side.middle = static_cast<Real>(arc.top()[1]);
+                side.half = static_cast<Real>(-arc.radius);
+                return;
+            }
         const double ax = static_cast<double>(a.x), ay = static_cast<double>(a.y);
         const double wx = static_cast<double>(b.x) - ax, wy = static_cast<double>(b.y) - ay;
         const double length = std::hypot(wx, wy);
@@ -182,6 +250,7 @@ private:
     void begin() {
         firstCorner_ = static_cast<std::uint32_t>(0);
         newCorners_.clear();
+        newCentres_.clear();
         corners_.clear();
         newSides_.clear();
     }
@@ -195,15 +264,19 @@ private:
         chunk.kind = kind;
         chunk.corners = static_cast<std::uint32_t>(newCorners_.size());
         chunk.sides = static_cast<std::uint32_t>(newSides_.size());
-        chunk.firstCorner = shapes_.cornerPool.allocate(chunk.corners);
+        const auto centres = static_cast<std::uint32_t>(newCentres_.size());
+        chunk.firstCorner = shapes_.cornerPool.allocate(chunk.corners + centres);
         chunk.firstSide = shapes_.sidePool.allocate(chunk.sides);
         shapes_.corners.resize(shapes_.cornerPool.size());
         shapes_.sides.resize(shapes_.sidePool.size());
         std::copy(newCorners_.begin(), newCorners_.end(),
                   shapes_.corners.begin() + chunk.firstCorner);
+        std::copy(newCentres_.begin(), newCentres_.end(),
+                  shapes_.corners.begin() + chunk.firstCorner + chunk.corners);
         for (std::uint32_t k = 0; k < chunk.sides; ++k) {
             Side side = newSides_[k];
             placeSide(side, newCorners_[side.a], newCorners_[side.b]);
+            if (arcRadius(side) > 0) hulls_[side.joint] += chunk.firstCorner;
             side.a += chunk.firstCorner;
             side.b += chunk.firstCorner;
             shapes_.sides[chunk.firstSide + k] = side;
@@ -262,6 +335,9 @@ private:
     /// Closed, of one mover and one thickness, and nowhere bent inwards.
     bool isConvex(const std::vector<RimEdge>& loop) {
         if (loop.size() < 3 || loop.size() > mostConvexCorners || !hasOneMover(loop)) return false;
+        if (std::any_of(loop.begin(), loop.end(),
+                        [&](const RimEdge& edge) { return isBent(edge.joint); }))
+            return false;
         const auto& rest = state_.particles.rest;
         double turns = 0;
         for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -326,7 +402,7 @@ private:
     /// A capsule of one mover that shares no end with another.
     bool isLone(std::uint32_t j) {
         const auto a = state_.joints.a[j], b = state_.joints.b[j];
-        if (moverOf(a) != moverOf(b)) return false;
+        if (moverOf(a) != moverOf(b) || isBent(j)) return false;
         return std::none_of(capsules_.begin(), capsules_.end(), [&](std::uint32_t k) {
             return k != j && (state_.joints.a[k] == a || state_.joints.b[k] == a ||
                               state_.joints.a[k] == b || state_.joints.b[k] == b);
@@ -397,8 +473,10 @@ private:
             for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
                 const Side& side = shapes_.sides[s];
                 if (side.a == side.b) continue;
-                ends[shapes_.corners[side.a].particle].push_back(side.b);
-                ends[shapes_.corners[side.b].particle].push_back(side.a);
+                const bool bent = arcRadius(side) > 0;
+                const auto hull = bent ? hulls_.at(side.joint) : none;
+                ends[shapes_.corners[side.a].particle].push_back(bent ? hull : side.b);
+                ends[shapes_.corners[side.b].particle].push_back(bent ? hull + 1 : side.a);
                 for (const auto end : {side.a, side.b}) {
                     Real& radius = thickest[shapes_.corners[end].particle];
                     radius = std::max(radius, side.radius);
@@ -408,6 +486,10 @@ private:
         forEachOwnChunk([&](const Chunk& chunk) {
             for (auto c = chunk.firstCorner; c < chunk.firstCorner + chunk.corners; ++c) {
                 Corner& corner = shapes_.corners[c];
+                if (corner.owned == ofHull) {
+                    corner.owned = 0;
+                    continue;
+                }
                 auto& spokes = ends[corner.particle];
                 // What a joint to another body makes thicker than all of them is a disc by itself.
                 if (corner.radius > thickest[corner.particle]) spokes.clear();
@@ -427,7 +509,7 @@ private:
         if (corner.spokes != 2) return false;
         const Corner &a = shapes_.corners[shapes_.spokes[corner.firstSpoke]],
                      &b = shapes_.corners[shapes_.spokes[corner.firstSpoke + 1]];
-        if (a.mover != corner.mover || b.mover != corner.mover || a.particle == b.particle)
+        if (a.mover != corner.mover || b.mover != corner.mover || (a.x == b.x && a.y == b.y))
             return false;
         const Vec2 u(a.x - corner.x, a.y - corner.y), v(b.x - corner.x, b.y - corner.y);
         return u.dot(v) < -Real(0.999999) * u.norm() * v.norm();
@@ -437,12 +519,15 @@ private:
     Shapes& shapes_;
     Movers& movers_;
     std::uint32_t body_;
+    std::optional<bool> whole_;            // whether all of it stands on one mover
     std::vector<std::uint32_t> capsules_;  // joints
     std::ptrdiff_t own_ = 0;               // of these, the first are no joints between bodies
     std::map<std::uint32_t, std::int32_t> outward_;   // by joint
     std::map<std::uint32_t, std::uint32_t> corners_;  // by particle, of the present chunk
     std::uint32_t firstCorner_ = 0;
     std::vector<Corner> newCorners_;
+    std::vector<Corner> newCentres_;                // of arcs
+    std::map<std::uint32_t, std::uint32_t> hulls_;  // by joint slot: the first of an arc's hull
     std::vector<Side> newSides_;
 };
 

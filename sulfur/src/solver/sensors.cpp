@@ -19,12 +19,11 @@ bool feels(const State& state, std::uint32_t sensor, std::uint32_t visitor) {
 
 /// Whether a visitor's collider touches a sensor's or is inside of its outline.
 bool isIn(const State& state, std::uint32_t sensor, const Collider& c) {
-    const auto& x = state.particles.position;
-    if (encloses(state, sensor, x[c.a])) return true;
+    if (encloses(state, sensor, c.from)) return true;
     bool touches = false;
     forEachColliderOf(state, sensor, [&](const Collider& own) {
-        const std::array ends{x[own.a], x[own.b]};
-        touches = touches || ConvexHull::difference(x[c.a], x[c.b], ends).distance() <=
+        const std::array ends{own.from, own.to};
+        touches = touches || ConvexHull::difference(c.from, c.to, ends).distance() <=
                                  static_cast<double>(own.radius + c.radius);
     });
     return touches;
@@ -46,6 +45,12 @@ public:
             low = low.cwiseMin((p.position[i].array() - room).matrix());
             high = high.cwiseMax((p.position[i].array() + room).matrix());
         }
+        // Its arcs go farther than its particles.
+        forEachColliderOf(state_, sensor_, [&](const Collider& c) {
+            const double room = static_cast<double>(c.radius);
+            low = low.cwiseMin((c.from.array() - room).matrix());
+            high = high.cwiseMax((c.from.array() + room).matrix());
+        });
         forEachColliderIn(state_, low, high, [&](const Collider& c) { look(c); });
         // A visitor may be so large that all of the sensor is in its hollow.
         for (const auto visitor : bodiesAround(state_, p.position[body.firstParticle]))

@@ -1,6 +1,7 @@
 #include <sulfur/blueprint.hpp>
 #include <sulfur/error.hpp>
 
+#include "core/bend.hpp"
 #include "core/error_checks.hpp"
 #include "core/limits.hpp"
 #include "joints/turn.hpp"
@@ -49,6 +50,10 @@ void validateJoint(const JointSpec& joint, std::size_t i,
         throw Error(ErrorCode::degenerate, named("rest length is 0; a rigid or colliding joint "
                                                  "needs more than 0")
                                                .text());
+    requireRange(static_cast<double>(joint.bend), -mostBend, mostBend, named("bend"));
+    if (joint.bend != 0 && !(joint.stiffness == infinite && joint.radius > 0))
+        throw Error(ErrorCode::outOfRange,
+                    named("is bent; allowed is that of rigid joints with a radius").text());
     if (!joint.material) return;
     try {
         validate(*joint.material);

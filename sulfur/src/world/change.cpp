@@ -228,6 +228,9 @@ void World::setStiffness(JointId id, Real stiffness) {
     if (stiffness == infinite && state.joints.restLength[j] == 0)
         throw Error(ErrorCode::degenerate,
                     "a joint of rest length 0 cannot be rigid; allowed is a finite stiffness");
+    if (stiffness != infinite && state.joints.bend[j].angle != 0)
+        throw Error(ErrorCode::outOfRange,
+                    "a joint whose capsule is bent is rigid; allowed is an infinite stiffness");
     state.joints.stiffness[j] = stiffness;
     detail::jointChanged(state, j);
 }

@@ -64,7 +64,7 @@ void addParticle(State& state, const ParticleSpec& spec, const Pose& pose, const
 }
 
 JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOptions& options,
-                 Real restLength, std::uint32_t body) {
+                 Real restLength, std::uint32_t body, Real bend = 0) {
     Joints& j = state.joints;
     const auto index = static_cast<std::uint32_t>(j.size());
     j.a.push_back(a);
@@ -80,6 +80,7 @@ JointId addJoint(State& state, std::uint32_t a, std::uint32_t b, const ConnectOp
     j.inCluster.push_back(0);
     j.braced.push_back(0);
     j.radius.push_back(options.radius);
+    j.bend.push_back({std::abs(static_cast<double>(bend)) < leastBend ? 0 : bend});
     j.strength.push_back(options.strength);
     j.material.push_back(options.material.value_or(Material{}));
     j.ownMaterial.push_back(options.material.has_value() ? 1 : 0);
@@ -270,7 +271,7 @@ Body World::add(const Blueprint& plan, const Pose& pose) {
         body.joints.push_back(detail::addJoint(
             state, a, b,
             {spec.stiffness, spec.damping, {}, spec.radius, spec.strength, spec.material},
-            spec.restLength.value_or(apart.norm()), index));
+            spec.restLength.value_or(apart.norm()), index, spec.bend));
     }
     detail::addAngles(state, plan, body, joints);
     state.placed.push_back(body.id.index - 1);

@@ -56,7 +56,8 @@ MemoryUse ofHotJoints(const State& state) {
 MemoryUse ofColdJoints(const State& state) {
     const auto& j = state.joints;
     return Sum()
-        .add(j.radius, j.strength, j.material, j.ownMaterial, j.body, j.id, state.structure.colours)
+        .add(j.radius, j.bend, j.strength, j.material, j.ownMaterial, j.body, j.id,
+             state.structure.colours)
         .as("joints: surface, strength, owner", j.size(), false);
 }
 

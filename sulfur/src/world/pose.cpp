@@ -9,6 +9,7 @@
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/cluster_motion.hpp"
+#include "shape/arc.hpp"
 #include "shape/make_shapes.hpp"
 #include "solver/work_lists.hpp"
 #include "world/impl.hpp"
@@ -163,17 +164,25 @@ Bounds World::bounds(BodyId id) const {
     const BodyRecord& body = state.bodies[indexOf(state, id)];
     const detail::Particles& p = state.particles;
     Bounds bounds{p.position[body.firstParticle], p.position[body.firstParticle]};
-    const auto include = [&](std::uint32_t i, Real radius) {
+    const auto includePoint = [&](const Point& at, Real radius) {
         const Point around = Point::Constant(static_cast<double>(radius));
-        bounds.low = bounds.low.cwiseMin(p.position[i] - around);
-        bounds.high = bounds.high.cwiseMax(p.position[i] + around);
+        bounds.low = bounds.low.cwiseMin(at - around);
+        bounds.high = bounds.high.cwiseMax(at + around);
     };
+    const auto include = [&](std::uint32_t i, Real radius) { includePoint(p.position[i], radius); };
     for (std::uint32_t k = 0; k < body.particles.size(); ++k)
         include(body.firstParticle + k, p.radius[body.firstParticle + k]);
     for (const JointId joint : body.joints) {
         const auto j = state.jointSlots.dense(joint);
         for (const auto end : {state.joints.a[j], state.joints.b[j]})
             include(end, state.joints.radius[j]);
+        const double bend = static_cast<double>(state.joints.bend[j].angle);
+        if (bend == 0) continue;
+        const detail::Arc arc =
+            detail::arcBetween(p.position[state.joints.a[j]], p.position[state.joints.b[j]], bend);
+        for (const Point& axis : {Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)})
+            if (arc.reachesTo(axis))
+                includePoint(arc.centre + arc.radius * axis, state.joints.radius[j]);
     }
     return bounds;
 }

@@ -68,6 +68,9 @@ std::string validateJoints(const State& state) {
         if (j.a[i] >= state.particles.size() || j.b[i] >= state.particles.size())
             return problem("joint end out of range", i);
         if (j.a[i] == j.b[i]) return problem("joint from a particle to itself", i);
+        if (const double bend = std::abs(static_cast<double>(j.bend[i].angle));
+            bend != 0 && !(bend >= leastBend && bend <= mostBend && isRigid(j, i)))
+            return problem("joint with a bend that there is not", i);
         if (j.body[i] != none && j.body[i] >= state.bodies.size())
             return problem("joint of a body that there is not", i);
         if (state.bodies[state.particles.body[j.a[i]]].gone > 0) continue;

@@ -380,7 +380,8 @@ JointInfo World::info(JointId id) const {
             j.damping[i],
             j.radius[i],
             j.strength[i],
-            j.force[i]};
+            j.force[i],
+            j.bend[i].angle};
 }
 
 Point World::position(ParticleId id) const {

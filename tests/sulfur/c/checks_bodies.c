@@ -247,6 +247,7 @@ static const char* make_stick(SulfurBlueprint** plan) {
     joint.a = a;
     joint.b = b;
     joint.radius = 0.125;
+    joint.bend = 0.5;
     joint.has_material = true;
     joint.material = sulfur_material_default();
     joint.material.surface_speed = 2;
@@ -273,6 +274,7 @@ static const char* check_stick(SulfurBlueprint* plan) {
     OK(sulfur_blueprint_joint_count(plan, &count));
     OK(sulfur_blueprint_joint(plan, 0, &joint));
     CHECK(count == 1 && joint.has_material && joint.material.surface_speed == 2);
+    CHECK(joint.bend == 0.5);
     CHECK(joint.material.rolling_resistance == 0.5);
     CHECK(!joint.has_rest_length && joint.radius == 0.125 && isinf(joint.stiffness));
     joint.stiffness = 50;

@@ -207,7 +207,7 @@ class Plans(unittest.TestCase):
     def test_of_all_shapes_make_bodies(self):
         world = sulfur.World()
         line, triangle = [(0, 0), (3, 0), (4, 1)], [(0, 0), (1, 0), (0, 1)]
-        for plan in (sulfur.ground(points=line), sulfur.floor((0, 0), (1, 0)), sulfur.box(),
+        for plan in (sulfur.ground(points=line, bends=[1, -0.5]), sulfur.floor((0, 0), (1, 0)), sulfur.box(),
                      sulfur.polygon(points=triangle), sulfur.ball(), sulfur.wheel(),
                      sulfur.rope(end=(3, 0), slack=0.5, links=10, bending=2), sulfur.chain(), sulfur.bridge(),
                      sulfur.jelly(), sulfur.cloth(), sulfur.wall(), sulfur.blob()):

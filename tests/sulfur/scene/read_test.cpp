@@ -208,6 +208,10 @@ const Mistake mistakes[] = {
     {R"({"shape": "wall", "columns": 999, "rows": 999})", "1000000 particles"},
     {R"({"shape": "ground", "points": [[0, 0]]})", "2 to 24000"},
     {R"({"shape": "ground"})", "\"points\""},
+    {R"({"shape": "ground", "points": [[0, 0], [1, 0]], "bends": [1, 2]})", "one for each of its 1"},
+    {R"({"shape": "ground", "points": [[0, 0], [1, 0]], "bends": [4]})", "-3.14"},
+    {R"({"particles": [{"position": [0, 0]}, {"position": [1, 0]}], "joints": [{"a": 0, "b": 1, "bend": 1}]})",
+     "rigid joint with a radius"},
 };
 INSTANTIATE_TEST_SUITE_P(Read, BadBlueprint, ::testing::ValuesIn(mistakes));
 

@@ -26,7 +26,7 @@ inline const std::string fullScene = R"({
       "joints": [
         {"a": 0, "b": 1, "stiffness": 123.456, "damping": 0.7, "restLength": 1.5, "radius": 0.01,
          "strength": 900, "tag": {"deep": [1, 2.50, -0e1]}},
-        {"a": 1, "b": 2, "stiffness": "rigid", "strength": "unbreakable",
+        {"a": 1, "b": 2, "stiffness": "rigid", "strength": "unbreakable", "radius": 0.02, "bend": -0.5,
          "material": {"kineticFriction": 0.3, "surfaceSpeed": -2.5, "slick": 1}}
       ],
       "angles": [
@@ -44,7 +44,7 @@ inline const std::string fullScene = R"({
     "floor": {"shape": "floor", "from": [-20, 0], "to": [20, 0.5], "radius": 0.1,
               "material": {"restitution": 0.25}},
     "ground": {"shape": "ground", "points": [[0, 0], [3, 1], [5, -1]], "closed": true,
-               "radius": 0.2, "material": {"kineticFriction": 0.1}},
+               "radius": 0.2, "material": {"kineticFriction": 0.1}, "bends": [0.5, -1, 0.25]},
     "box": {"shape": "box", "size": [1.5, 0.75], "mass": 2.5, "radius": 0.03, "stiffness": 5000,
             "damping": 0.5, "strength": 77, "solidInertia": false, "rounded": true, "kind": "dynamic",
             "material": {"restitution": 0.1}, "filter": {"group": 5}, "sensor": true,

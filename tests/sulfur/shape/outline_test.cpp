@@ -34,6 +34,7 @@ State stateOf(const std::vector<Blueprint>& plans) {
             state.joints.a.push_back(first + j.a);
             state.joints.b.push_back(first + j.b);
             state.joints.radius.push_back(j.radius);
+            state.joints.bend.push_back({j.bend});
             state.joints.body.push_back(body);
         }
     }

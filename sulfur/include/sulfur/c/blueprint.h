@@ -31,6 +31,7 @@ typedef struct SulfurJointSpec {
     double strength;          ///< newtons, beyond which it breaks
     bool has_material;        ///< else its surface is its body's
     SulfurMaterial material;  ///< of its surface
+    double bend;              ///< radians by which its capsule turns from a to b; 0: straight
 } SulfurJointSpec;
 /// Rigid and unbreakable, without a surface, between no particles yet.
 SULFUR_API SulfurJointSpec sulfur_joint_spec_default(void);

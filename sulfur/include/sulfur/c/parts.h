@@ -86,6 +86,7 @@ typedef struct SulfurJointInfo {
     double radius;       ///< m
     double strength;     ///< N
     double force;        ///< N in the last tick, positive when it pulls
+    double bend;         ///< radians by which its capsule turns from a to b
 } SulfurJointInfo;
 /// Joins two particles; World::connect.
 SULFUR_API SulfurResult sulfur_world_connect(SulfurWorld* world, SulfurParticleId a,

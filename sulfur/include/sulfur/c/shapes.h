@@ -19,6 +19,8 @@ typedef struct SulfurGroundOptions {
     bool closed;              ///< also joins the last point to the first
     double radius;            ///< metres: half the thickness
     SulfurMaterial material;  ///< of the surface
+    const double* bends;      ///< radians by which each capsule turns, or NULL: all are straight
+    size_t bend_count;        ///< none, or as many as there are capsules
 } SulfurGroundOptions;
 /// Those of the C++ header; without points, which the caller gives.
 SULFUR_API SulfurGroundOptions sulfur_ground_options_default(void);
