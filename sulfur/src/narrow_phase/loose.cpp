@@ -309,9 +309,9 @@ private:
         });
     }
 
-    /// Looks from a corner at all sides that it may touch.
-    const SidesSeen& lookAtSides(std::uint32_t corner, const CornerWay& p, Real radius,
-                                 const Chunk& other, ChunkLanes& lanes) {
+    /// Looks from a corner at all sides that it may touch. Returns their bits.
+    std::uint32_t lookAtSides(std::uint32_t corner, const CornerWay& p, Real radius,
+                              const Chunk& other, ChunkLanes& lanes) {
         forEachBit(lanes.twoSided, [&](std::uint32_t k) {
             lanes.sides.outward[k] = static_cast<Real>(sideSoFar(corner, other.firstSide + k));
         });
@@ -321,14 +321,15 @@ private:
         kernels_.sides(p, radius, lanes.sides, may & ~lanes.arcs, seen);
         forEachBit(may & lanes.arcs,
                    [&](std::uint32_t k) { lookAtArc(p, radius, lanes, k, other, seen); });
-        result_.gap = std::min(result_.gap, seen.gap);
-        spare_ = std::min(spare_, seen.spare);
-        return seen;
+        return may;
     }
 
     void againstSides(std::uint32_t corner, const CornerWay& p, Real radius, const Chunk& other,
                       ChunkLanes& lanes) {
-        const SidesSeen& seen = lookAtSides(corner, p, radius, other, lanes);
+        lookAtSides(corner, p, radius, other, lanes);
+        const SidesSeen& seen = result_.sidesSeen;
+        result_.gap = std::min(result_.gap, seen.gap);
+        spare_ = std::min(spare_, seen.spare);
         const auto nearest = seen.nearest;
         if (nearest == mostOfChunk) return;
         const bool oneSided = (lanes.twoSided >> nearest & 1) == 0;
@@ -404,36 +405,48 @@ private:
     }
 
     /// The curved surfaces of a chunk's arcs against the other's sides: discs, as far as they are
-    /// there.
+    /// there. What is within the circle of an arc without an inside is before its hollow surface.
     void centresAgainstSides(const Chunk& own, const ChunkLanes& lanes, const Chunk& other,
                              ChunkLanes& sides) {
         std::uint32_t centre = own.firstCorner + own.corners;
         forEachBit(lanes.arcs, [&](std::uint32_t k) {
             const ArcWay arc = arcWayOf(own, k);
             const Wedge wedge = wedgeOf(arc, taken(lanes.sides.a, k), taken(lanes.sides.b, k), 0);
-            const bool hollow = shapes_.sides[own.firstSide + k].outward * wedge.turns < 0;
-            if (!hollow) centreAgainstSides(centre, arc, wedge, other, sides);
+            const Real outside =
+                static_cast<Real>(shapes_.sides[own.firstSide + k].outward) * wedge.turns;
+            if (outside >= 0) centreAgainstSides(centre, arc, wedge, outside == 0, other, sides);
             ++centre;
         });
     }
     void centreAgainstSides(std::uint32_t centre, const ArcWay& arc, const Wedge& wedge,
-                            const Chunk& other, ChunkLanes& sides) {
+                            bool hasNoInside, const Chunk& other, ChunkLanes& sides) {
         const CornerWay p = wayOf(centre);
-        const SidesSeen& seen =
-            lookAtSides(centre, p, shapes_.corners[centre].radius, other, sides);
+        const Real radius = shapes_.corners[centre].radius;
+        const std::uint32_t may = lookAtSides(centre, p, radius, other, sides);
+        const SidesSeen& seen = result_.sidesSeen;
         // What turns by an angle moves its own surface less than that of the whole circle.
         const Real lever = std::min<Real>(1, wedge.halfChord / arc.radius);
         Real entrance = seen.enter;
-        forEachBit(seen.before, [&](std::uint32_t k) {
-            if (!(seen.height[k] > 0)) return;
+        bool anyBefore = false;
+        forEachBit(may, [&](std::uint32_t k) {
+            const auto side = other.firstSide + k;
+            const bool within = seen.far[k] < arc.radius && sideSoFar(centre, side) == 0;
+            if (!(seen.height[k] > 0) || (hasNoInside && within)) return;
+            const Real apart = seen.far[k] - radius - sides.sides.radius[k];
+            if ((seen.before >> k & 1) == 0) {
+                spare_ = std::min(spare_, std::max(apart, Real(0)));
+                return;
+            }
             const Xy toSide = outOf(other, sides, k, p);
-            const Real outside = wedge.beside(at(p) - seen.outward[k] * arc.radius * toSide);
-            if (outside <= 0)
-                result_.near.push_back({centre, other.firstSide + k, 0,
-                                        static_cast<std::int32_t>(seen.outward[k]), seen.far[k]});
-            entrance = std::min(entrance, lever * std::abs(outside));
+            const Real beyond = wedge.beside(at(p) - seen.outward[k] * arc.radius * toSide);
+            entrance = std::min(entrance, lever * std::abs(beyond));
+            if (beyond > 0) return;
+            anyBefore = true;
+            result_.gap = std::min(result_.gap, apart);
+            result_.near.push_back(
+                {centre, side, 0, static_cast<std::int32_t>(seen.outward[k]), seen.far[k]});
         });
-        enter(entrance, seen.before != 0);
+        enter(entrance, anyBefore);
     }
     /// Unit: away from the right of a side, or from the middle of its circle, at a place.
     Xy outOf(const Chunk& chunk, const ChunkLanes& lanes, std::uint32_t k,

@@ -147,6 +147,9 @@ private:
             const auto c = centre++;
             const Way p = wayOf(c), top = wayAt(shapes_.corners[c].mover, arc.offset, arc.middle);
             const Way& from = corners.ways[arc.a - own.firstCorner];
+            const Xy chord = corners.ways[arc.b - own.firstCorner].start - from.start;
+            const bool outsideIsRight = detail::cross(top.start - p.start, chord) > 0;
+            if (arc.outward != 0 && (arc.outward > 0) != outsideIsRight) continue;  // hollow
             const auto isOnArc = [&](Xy normal) {
                 const Xy out = top.start - p.start, end = from.start - p.start;
                 return -dot(normal, out) >= dot(end, out) / radius;
@@ -156,9 +159,14 @@ private:
                 if (side.a == side.b || arcRadius(side) > 0 ||
                     neverTouches(state_, c, side, other.body))
                     continue;
-                cross(c, p, side, ends.ways[side.a - other.firstCorner],
-                      ends.ways[side.b - other.firstCorner],
-                      shapes_.corners[c].radius + side.radius, isOnArc);
+                const Way& a = ends.ways[side.a - other.firstCorner];
+                const Way& b = ends.ways[side.b - other.firstCorner];
+                const Xy along = b.start - a.start;
+                const Real height = std::abs(detail::cross(p.start - a.start, along)) /
+                                    std::max(std::sqrt(dot(along, along)), Real(1e-30));
+                // Within its circle is before the hollow surface of an arc without an inside.
+                if (arc.outward == 0 && height < radius) continue;
+                cross(c, p, side, a, b, shapes_.corners[c].radius + side.radius, isOnArc);
             }
         }
     }

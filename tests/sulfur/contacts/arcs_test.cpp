@@ -6,6 +6,7 @@
 #include <sulfur/draw.hpp>
 #include <sulfur/queries.hpp>
 #include <sulfur/sulfur.hpp>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -209,6 +210,65 @@ TEST(Arcs, ADrumTurnsWhatIsInIt) {
     // What the wall drags along rolls round, and is pressed to the wall by that.
     EXPECT_NEAR(world.position(ball[0]).norm(), 0.65, 1e-3);
     EXPECT_GT(std::abs(world.velocity(ball[0]).norm()), 0.3);
+}
+
+TEST(Arcs, WhatIsInTheHollowOfOneOnBothSidesIsNotPushedThroughIt) {
+    // A thin bowl without an inside, which lies on the ground, with a crate in it.
+    World world;
+    world.add(shapes::floor({-5, 0}, {5, 0}));
+    const Body bowl = world.add(rocker(), {.position = {0, 1.1}});
+    const Body crate = world.add(
+        shapes::box(
+            {.size = {Real(0.4), Real(0.3)}, .mass = Real(0.2), .material = withFriction(1)}),
+        {.position = {0.2, 0.6}});
+    test::run(world, 5);
+    const Point middle = (world.position(bowl[0]) + world.position(bowl[1])) / 2;
+    EXPECT_LT((world.centreOfMass(crate) - middle).norm(), 0.95);
+    EXPECT_LT(static_cast<double>(world.meanVelocity(crate).norm()), 0.05);
+    EXPECT_GT(middle.y(), 1);
+}
+
+TEST(Arcs, ClosedCrowdsOfThemKeepTheirLaws) {
+    test::Random random(11);
+    for (int round = 0; round < 20; ++round) {
+        WorldSettings settings;
+        settings.gravity = {0, 0};
+        settings.sleeping = false;
+        World world(settings);
+        std::vector<Body> bodies;
+        for (int i = 0; i < 12; ++i) {
+            Blueprint plan = rocker();
+            for (JointSpec& joint : plan.joints)
+                if (joint.radius > 0) joint.bend = static_cast<Real>(random.uniform(-3, 3));
+            bodies.push_back(
+                world.add(plan, {.position = {random.uniform(-6, 6), random.uniform(-6, 6)},
+                                 .angle = random.uniform(0, 6)}));
+            world.setVelocity(
+                bodies.back(),
+                Vec2(Point(random.uniform(-9, 9), random.uniform(-9, 9)).cast<Real>()),
+                static_cast<Real>(random.uniform(-5, 5)));
+        }
+        const auto sums = [&] {
+            Point momentum(0, 0);
+            double energy = 0, angular = 0;
+            for (const Body& body : bodies)
+                for (const ParticleId id : body.particles()) {
+                    const ParticleInfo info = world.info(id);
+                    const Point v = info.velocity.cast<double>();
+                    const double mass = static_cast<double>(info.mass);
+                    momentum += mass * v;
+                    angular += mass * cross(info.position, v);
+                    energy += mass * v.squaredNorm() / 2;
+                }
+            return std::tuple(momentum, angular, energy);
+        };
+        const auto [momentum, angular, energy] = sums();
+        test::run(world, 2);
+        const auto [momentumNow, angularNow, energyNow] = sums();
+        EXPECT_LT((momentumNow - momentum).norm(), 1e-3) << round;
+        EXPECT_NEAR(angularNow, angular, 1e-2) << round;
+        EXPECT_LT(energyNow, 1.01 * energy) << round;
+    }
 }
 
 TEST(Arcs, NothingFastPassesThroughThem) {
