@@ -130,6 +130,9 @@ Blueprint Caller::rawPlan() {
         if (oneIn(4)) joint.restLength = sane ? positive() : number();
         if (either()) joint.radius = sane ? Real(0.02) : number();
         joint.strength = strength();
+        const bool mayBend = joint.stiffness == infinite && joint.radius > 0;
+        if (oneIn(3))
+            joint.bend = !sane ? number() : mayBend ? static_cast<Real>(4 * unit() - 2) : 0;
         plan.joints.push_back(joint);
     }
     for (std::size_t count = oneIn(3) ? numbers_->below(4) : 0; count > 0 && ends > 0; --count) {
