@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <quaoar/skin/outline.hpp>
 
 #include "dice.hpp"
 #include "ice_image.hpp"
-#include "outline.hpp"
 
 namespace quaoar {
 
@@ -41,47 +41,34 @@ const BodyShape& BodyPainter::shape(sulfur::BodyId body) {
     return shapes_[body] = shapeOf(session_, body);
 }
 
-std::vector<Vec2> BodyPainter::dressedPlaces(sulfur::BodyId body, const BodyShape& shape,
-                                             double alpha) const {
-    std::vector<Vec2> places;
-    for (const sulfur::ParticleId particle : session_.world().particles(body)) {
-        places.emplace_back(session_.world().interpolated(particle, alpha));
-    }
-    std::vector<Vec2> border;
-    for (const std::uint32_t i : shape.outline) border.push_back(places[i]);
-    const std::vector<Vec2> outer = grown(border, shape.thickness);
-    for (std::size_t k = 0; k < outer.size(); ++k) places[shape.outline[k]] = outer[k];
-    return places;
-}
-
 BodyPainter::Dress BodyPainter::dressOf(const BodyShape& shape, const Surface& surface) const {
-    Dress dress{
-        shape.texture, palette::ice, palette::deep, palette::frost, palette::night.withAlpha(0.8f),
-        surface.deadly};
+    Dress dress{shape.texture,
+                {palette::ice, palette::deep, palette::frost, palette::night.withAlpha(0.8f)},
+                surface.deadly};
     const bool net = shape.outline.empty() && shape.soft && shape.triangles.size() > 8;
     // What comes loose from the ground is of the world's own stone.
     const Theme& theme = session_.level().theme;
     if (surface.look == Surface::Look::ice && theme.world != Theme::World::dawn) {
-        dress.light = mix(Color::hex(theme.ice), palette::frost, 0.25f);
-        dress.dark = mix(Color::hex(theme.ice), palette::night, 0.4f);
-        dress.rim = Color::hex(theme.rim);
+        dress.colors.light = mix(Color::hex(theme.ice), palette::frost, 0.25f);
+        dress.colors.dark = mix(Color::hex(theme.ice), palette::night, 0.4f);
+        dress.colors.rim = Color::hex(theme.rim);
     }
     switch (surface.look) {
         case Surface::Look::metal:
             if (dress.texture.empty()) dress.texture = "plate.svg";
-            dress.light = Color::hex(0x8492AC);
-            dress.dark = Color::hex(0x39414F);
-            dress.rim = Color::hex(0xC7D0DE);
+            dress.colors.light = Color::hex(0x8492AC);
+            dress.colors.dark = Color::hex(0x39414F);
+            dress.colors.rim = Color::hex(0xC7D0DE);
             break;
         case Surface::Look::rock:
             if (dress.texture.empty()) dress.texture = "boulder.svg";
-            dress.light = Color::hex(0x9A8672);
-            dress.dark = Color::hex(0x4A3B33);
-            dress.rim = Color::hex(0xE6D3B8);
+            dress.colors.light = Color::hex(0x9A8672);
+            dress.colors.dark = Color::hex(0x4A3B33);
+            dress.colors.rim = Color::hex(0xE6D3B8);
             break;
         case Surface::Look::mirror:
-            dress.light = Color::hex(0xD9FBFF);
-            dress.dark = Color::hex(0x5FB6CE);
+            dress.colors.light = Color::hex(0xD9FBFF);
+            dress.colors.dark = Color::hex(0x5FB6CE);
             break;
         case Surface::Look::ice:
         case Surface::Look::peg:
@@ -95,15 +82,15 @@ BodyPainter::Dress BodyPainter::dressOf(const BodyShape& shape, const Surface& s
             break;
     }
     if (surface.deadly) {
-        dress.light = palette::danger;
-        dress.dark = Color::hex(0x5A1236);
-        dress.rim = Color::hex(0xFF9CC0);
+        dress.colors.light = palette::danger;
+        dress.colors.dark = Color::hex(0x5A1236);
+        dress.colors.rim = Color::hex(0xFF9CC0);
         if (shape.texture.empty()) dress.texture.clear();
     }
     // Kills only by its speed: no spikes, but the colour of danger along its edges.
     if (surface.deadlySpeed) {
-        dress.rim = palette::danger;
-        dress.ink = Color::hex(0x4A0E2C);
+        dress.colors.rim = palette::danger;
+        dress.colors.ink = Color::hex(0x4A0E2C);
     }
     return dress;
 }
@@ -119,21 +106,22 @@ void BodyPainter::drawBody(atlax::Canvas& canvas, sulfur::BodyId body, double al
     const BodyShape& form = shape(body);
     const Dress dress = dressOf(form, surface);
     if (form.particles == 1) {
-        drawBall(canvas, body, dress, alpha);
+        drawBall(canvas, body, form, dress, alpha);
         return;
     }
-    const std::vector<Vec2> places = dressedPlaces(body, form, alpha);
+    const std::vector<Vec2> places = dressedPlaces(world, body, form, alpha);
     drawLoose(canvas, form, dress, places);
     std::vector<Vec2> loop;
     for (const std::uint32_t i : form.outline) loop.push_back(places[i]);
     if (dress.spikes) drawSpikes(canvas, loop, seconds);
     if (form.triangles.empty() && !loop.empty()) {
-        canvas.polygon(loop, dress.dark);
+        canvas.polygon(loop, dress.colors.dark);
         canvas.polygon(grown(loop, -std::min(0.05f, form.thickness)),
-                       mix(dress.dark, dress.light, 0.55f));
+                       mix(dress.colors.dark, dress.colors.light, 0.55f));
     }
-    drawFilled(canvas, form, dress, places);
-    drawBorder(canvas, form, dress, places);
+    const atlax::Texture* picture = dress.texture.empty() ? nullptr : &art_.picture(dress.texture);
+    drawSkin(canvas, picture, form, dress.colors, places);
+    drawSkinBorder(canvas, form, dress.colors, places);
     drawHub(canvas, body, form, alpha);
     const auto worn = static_cast<float>(session_.workings().crumbling.worn(body));
     if (surface.crumbles) drawCracks(canvas, loop, worn);
@@ -141,16 +129,21 @@ void BodyPainter::drawBody(atlax::Canvas& canvas, sulfur::BodyId body, double al
     if (speed != 0 && !loop.empty()) drawBelt(canvas, loop, speed, seconds, look_.accent);
 }
 
-void BodyPainter::drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const Dress& dress,
-                           double alpha) const {
+void BodyPainter::drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const BodyShape& shape,
+                           const Dress& dress, double alpha) const {
     const sulfur::World& world = session_.world();
     const sulfur::ParticleId particle = world.particles(body).front();
     const auto radius = static_cast<float>(world.info(particle).radius);
     const Vec2 at(world.interpolated(particle, alpha));
     if (radius <= 0) return;
+    if (!shape.texture.empty()) {
+        const double turn = world.interpolatedPose(body, alpha).angle;
+        drawSkinnedDisc(canvas, art_.picture(shape.texture), at, radius, static_cast<float>(turn));
+        return;
+    }
     const bool snow = session_.surface(body).look == Surface::Look::ice && !dress.spikes;
-    const Color low = snow ? Color::hex(0xA9C4E8) : dress.dark;
-    const Color high = snow ? palette::frost : dress.light;
+    const Color low = snow ? Color::hex(0xA9C4E8) : dress.colors.dark;
+    const Color high = snow ? palette::frost : dress.colors.light;
     canvas.circle(at, radius, mix(low, palette::night, 0.25f));
     canvas.circle(at + Vec2{-0.04f, 0.06f} * radius, radius * 0.9f, low);
     canvas.circle(at + Vec2{-0.14f, 0.2f} * radius, radius * 0.66f, high);
@@ -159,54 +152,6 @@ void BodyPainter::drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const Dre
     for (int i = 0; i < 3; ++i) {
         const auto a = static_cast<float>(angle + 2.1 * i);
         canvas.circle(at + Vec2{std::cos(a), std::sin(a)} * (radius * 0.55f), radius * 0.16f, low);
-    }
-}
-
-/// The picture, or colours from light above to dark below.
-void BodyPainter::drawFilled(atlax::Canvas& canvas, const BodyShape& shape, const Dress& dress,
-                             const std::vector<Vec2>& places) {
-    if (shape.triangles.empty()) return;
-    std::vector<float> light(places.size(), 0.55f);
-    for (const auto& edge : shape.border) {
-        const Vec2 out = -perpendicular(normalized(places[edge[1]] - places[edge[0]]));
-        for (const std::uint32_t i : edge)
-            light[i] =
-                0.5f * light[i] + 0.5f * (0.35f + 0.65f * std::max(0.0f, 0.5f + 0.5f * out.y));
-    }
-    std::vector<atlax::MeshVertex> vertices;
-    std::vector<std::uint32_t> indices;
-    const bool pictured = !dress.texture.empty();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Color shade = pictured
-                                ? mix(Color::hex(0x8C9ABF), atlax::colors::white, light[i] * 1.2f)
-                                : mix(dress.dark, dress.light, light[i]);
-        vertices.push_back({places[i], shape.uv[i], shade});
-    }
-    for (const auto& t : shape.triangles) indices.insert(indices.end(), t.begin(), t.end());
-    if (pictured)
-        canvas.mesh(art_.picture(dress.texture), vertices, indices);
-    else
-        canvas.mesh({}, vertices, indices);
-}
-
-/// A dark outline, and the light of the sky where it faces up.
-void BodyPainter::drawBorder(atlax::Canvas& canvas, const BodyShape& shape, const Dress& dress,
-                             const std::vector<Vec2>& places) const {
-    std::vector<BodyShape::Edge> edges = shape.border;
-    if (shape.triangles.empty()) {
-        for (std::size_t i = 0; i < shape.outline.size(); ++i)
-            edges.push_back({shape.outline[i], shape.outline[(i + 1) % shape.outline.size()]});
-    }
-    const bool thin = shape.outline.empty();
-    for (const auto& edge : edges)
-        canvas.line(places[edge[0]], places[edge[1]],
-                    thin ? std::max(0.012f, 2 * shape.thickness) : 0.02f, dress.ink);
-    for (const auto& edge : edges) {
-        const Vec2 a = places[edge[0]], b = places[edge[1]];
-        const Vec2 out = -perpendicular(normalized(b - a));
-        const float lit = lightOn(out);
-        if (lit < 0.2f) continue;
-        canvas.line(a - out * 0.012f, b - out * 0.012f, 0.009f, dress.rim.withAlpha(0.7f * lit));
     }
 }
 
@@ -228,7 +173,8 @@ void BodyPainter::drawLoose(atlax::Canvas& canvas, const BodyShape& shape, const
         } else if (radius > 0.034f && length(b - a) > 3 * radius) {
             // A plank.
             canvas.capsule(a, b, radius, Color::hex(0x2A1F1A));
-            canvas.capsule(a, b, radius * 0.8f, dress.spikes ? dress.dark : Color::hex(0x7C5B43));
+            canvas.capsule(a, b, radius * 0.8f,
+                           dress.spikes ? dress.colors.dark : Color::hex(0x7C5B43));
             const Vec2 up = perpendicular(way) * (radius * 0.45f);
             const Vec2 lit = up.y > 0 ? up : -up;
             canvas.line(a + lit, b + lit, radius * 0.35f, Color::hex(0xC39A73).withAlpha(0.8f));

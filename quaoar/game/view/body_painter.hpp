@@ -5,6 +5,7 @@
 #include <atlax/canvas.hpp>
 #include <map>
 #include <quaoar/session.hpp>
+#include <quaoar/skin/skin_painter.hpp>
 #include <quaoar/view/art.hpp>
 
 #include "body_shape.hpp"
@@ -24,26 +25,18 @@ public:
 
     /// Found anew when it has changed; valid until the next call.
     const BodyShape& shape(sulfur::BodyId body);
-    /// Particles where they are, those of the outline moved out by its thickness, so that the skin
-    /// covers what collides.
-    std::vector<atlax::Vec2> dressedPlaces(sulfur::BodyId body, const BodyShape& shape,
-                                           double alpha) const;
 
 private:
     struct Dress {
         std::string texture;  ///< empty: plain colours
-        atlax::Color light, dark, rim, ink;
+        SkinColors colors;
         bool spikes = false;
     };
 
     Dress dressOf(const BodyShape& shape, const Surface& surface) const;
     void drawBody(atlax::Canvas& canvas, sulfur::BodyId body, double alpha, double seconds);
-    void drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const Dress& dress,
-                  double alpha) const;
-    void drawFilled(atlax::Canvas& canvas, const BodyShape& shape, const Dress& dress,
-                    const std::vector<atlax::Vec2>& places);
-    void drawBorder(atlax::Canvas& canvas, const BodyShape& shape, const Dress& dress,
-                    const std::vector<atlax::Vec2>& places) const;
+    void drawBall(atlax::Canvas& canvas, sulfur::BodyId body, const BodyShape& shape,
+                  const Dress& dress, double alpha) const;
     void drawLoose(atlax::Canvas& canvas, const BodyShape& shape, const Dress& dress,
                    const std::vector<atlax::Vec2>& places) const;
     void drawCracks(atlax::Canvas& canvas, const std::vector<atlax::Vec2>& loop, float worn) const;

@@ -1,31 +1,10 @@
-// What of a body can be filled, bordered and dressed, found in its joints.
+// The shape of a body of a session.
 #pragma once
 
-#include <array>
-#include <atlax/vec.hpp>
 #include <quaoar/session.hpp>
-#include <string>
-#include <vector>
+#include <quaoar/skin/body_shape.hpp>
 
 namespace quaoar {
-
-/// Found anew whenever the body has lost joints, so that skins tear where they break. Indices are
-/// those of the body's particles.
-struct BodyShape {
-    using Edge = std::array<std::uint32_t, 2>;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<Edge> border;  ///< edges of one triangle only, the body to their left
-    std::vector<Edge> loose;   ///< joints that belong to no triangle: chains, ropes, threads
-    std::vector<std::uint32_t> outline;  ///< the loop of its capsules, counter-clockwise, or empty
-    std::vector<atlax::Vec2> uv;         ///< by particle; 0..1, v points down
-    std::string texture;                 ///< of its skin; empty without
-    float thickness = 0;                 ///< metres, the largest radius of its joints
-    float width = 0, height = 0;         ///< metres, as its blueprint
-    bool soft = false;                   ///< it gives way
-    std::size_t particles = 0, joints = 0;
-
-    bool fits(const sulfur::World& world, sulfur::BodyId body) const;
-};
 
 BodyShape shapeOf(const Session& session, sulfur::BodyId body);
 

@@ -1,4 +1,5 @@
 // The picture's parts in their order, the camera, and the bodies of the world.
+#include <quaoar/skin/outline.hpp>
 #include <quaoar/view/game_view.hpp>
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include "ice.hpp"
 #include "mechanics_view.hpp"
 #include "monster_view.hpp"
-#include "outline.hpp"
 
 namespace quaoar {
 

@@ -31,7 +31,7 @@ std::vector<Vec2> ellipse(Vec2 centre, Vec2 half) {
 
 void GameView::drawHero(atlax::Canvas& canvas, double alpha) {
     const BodyShape& plan = painter_->shape(session_.hero());
-    const std::vector<Vec2> places = painter_->dressedPlaces(session_.hero(), plan, alpha);
+    const std::vector<Vec2> places = dressedPlaces(session_.world(), session_.hero(), plan, alpha);
     const Vec2 middle = places.front();
     std::vector<Vec2> border;
     for (const std::uint32_t i : plan.outline) border.push_back(places[i]);

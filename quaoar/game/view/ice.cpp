@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <quaoar/skin/outline.hpp>
 #include <quaoar/view/art.hpp>
 
 #include "body_painter.hpp"
 #include "dice.hpp"
 #include "ice_image.hpp"
-#include "outline.hpp"
 
 namespace quaoar {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <quaoar/skin/skin_painter.hpp>
 
 namespace quaoar {
 
@@ -118,10 +119,6 @@ void fillInside(Grid& grid, const std::vector<Vec2>& loop) {
 }
 
 }  // namespace
-
-float lightOn(Vec2 normal) {
-    return std::max(0.0f, dot(normal, normalized(Vec2{-0.35f, 0.94f})));
-}
 
 atlax::Image insideImage(const std::vector<Vec2>& loop, atlax::Rect box, const InsideLook& look) {
     Grid grid;

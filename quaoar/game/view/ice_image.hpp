@@ -17,9 +17,6 @@ struct InsideLook {
     std::uint32_t seed = 1;
 };
 
-/// 0 in the shade to 1 in the light, for an outward normal.
-float lightOn(atlax::Vec2 normal);
-
 /// The block within `loop`, as far as it lies in `box`: light that seeps in from the border, and
 /// clouds and layers in it. Transparent outside of the border, from which it keeps a pixel away.
 atlax::Image insideImage(const std::vector<atlax::Vec2>& loop, atlax::Rect box,

@@ -22,7 +22,7 @@ void MonsterView::draw(atlax::Canvas& canvas, double alpha, double seconds) {
         const sulfur::BodyId body = bodies_[i];
         if (!session_.world().contains(body) || !session_.world().isEnabled(body)) continue;
         const BodyShape& shape = painter_.shape(body);
-        const std::vector<Vec2> places = painter_.dressedPlaces(body, shape, alpha);
+        const std::vector<Vec2> places = dressedPlaces(session_.world(), body, shape, alpha);
         std::vector<Vec2> border;
         for (const std::uint32_t k : shape.outline) border.push_back(places[k]);
         if (border.empty()) border = places;

@@ -1,9 +1,8 @@
+#include <quaoar/skin/outline.hpp>
 #include <quaoar/view/open_space.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include "outline.hpp"
 
 namespace quaoar {
 

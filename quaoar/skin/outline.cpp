@@ -1,4 +1,4 @@
-#include "outline.hpp"
+#include <quaoar/skin/outline.hpp>
 
 #include <algorithm>
 
