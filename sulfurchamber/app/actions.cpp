@@ -32,6 +32,10 @@ void MainFrame::addFileActions() {
          [this] { newFile(); }});
     add({"open", m, wxString::FromUTF8("&Open\xE2\x80\xA6\tCtrl+O"), 0, "Open a scene or a level",
          "open", [this] { openDialog(); }});
+    add({"open-recent", m,
+         wxString::FromUTF8("Recent scenes in &pictures\xE2\x80\xA6\tCtrl+Shift+O"), 0,
+         "Choose one of the files that were opened lately by its picture", "",
+         [this] { showRecent(); }, [this] { return recent_.GetCount() > 0; }});
     add({"save", m, "&Save\tCtrl+S", 0, "Save the scene as it was built, whatever has moved since",
          "save", [this] { save(); }});
     add({"save-as", m, wxString::FromUTF8("Save &as\xE2\x80\xA6\tCtrl+Shift+S"), 0,
@@ -102,6 +106,8 @@ void MainFrame::addEditActions() {
          }});
     addTransformActions();
     addArrangeActions();
+    addTemplateActions();
+    addSkinActions();
     const auto left = [this] { return strays_ > 0; };
     add({"bring-back", m, "&Bring back what has left", 0,
          "Put what fell out of the world's bounds back to its place", "",
@@ -272,11 +278,10 @@ void MainFrame::addViewActions() {
         const char* name;
         const char* label;
     };
-    static constexpr Page pages[] = {{"scene", "Page of the scene\tCtrl+1"},
-                                     {"object", "Page of the object\tCtrl+2"},
-                                     {"history", "Page of the history\tCtrl+3"},
-                                     {"measure", "Page of the measuring\tCtrl+4"},
-                                     {"outline", "Page of the outline\tCtrl+5"}};
+    static constexpr Page pages[] = {
+        {"scene", "Page of the scene\tCtrl+1"},     {"object", "Page of the object\tCtrl+2"},
+        {"history", "Page of the history\tCtrl+3"}, {"measure", "Page of the measuring\tCtrl+4"},
+        {"outline", "Page of the outline\tCtrl+5"}, {"library", "Page of the library\tCtrl+L"}};
     for (const Page& page : pages)
         add({"page-" + std::string(page.name), m, page.label, 0,
              "Bring this page of the side panel to the front", "",

@@ -14,8 +14,10 @@ constexpr std::size_t mostSceneBytes = std::size_t{64} << 20;
 
 }  // namespace
 
-// The table: who has another use for files adds a line.
+// The table: who has another use for files adds a line. The first that fits is the default.
 void MainFrame::makeDropUses() {
+    addSkinDropUse();
+    addTemplateDropUse();
     const auto isScene = [](const DroppedFile& dropped) { return dropped.kind == FileKind::scene; };
     dropUses_.push_back({"open", "&Open this scene", isScene, [this](const DroppedFile& dropped) {
                              if (mayDiscard()) openFile(dropped.file);

@@ -1,37 +1,19 @@
 #include "gallery.hpp"
 
-#include <wx/bitmap.h>
 #include <wx/button.h>
-#include <wx/image.h>
 #include <wx/sizer.h>
 
 #include <algorithm>
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
 #include <sulfur/scene.hpp>
-#include <utility>
 
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
 
-constexpr int pictureWidth = 208;
-constexpr int pictureHeight = 130;
-
-wxBitmap bitmapOf(const atlax::Image& picture) {
-    wxImage image(picture.width(), picture.height());
-    const auto bytes = picture.bytes();
-    unsigned char* out = image.GetData();
-    for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) out = std::copy_n(&bytes[i], 3, out);
-    return wxBitmap(image);
-}
-
-wxBitmap empty() {
-    wxImage image(pictureWidth, pictureHeight);
-    image.SetRGB(wxRect(0, 0, pictureWidth, pictureHeight), 0x13, 0x1D, 0x42);
-    return wxBitmap(image);
-}
+constexpr int newPicturesMs = 100;  // how often they are looked for
 
 }  // namespace
 
@@ -58,68 +40,65 @@ std::vector<Example> findExamples() {
     return examples;
 }
 
-GalleryDialog::GalleryDialog(wxWindow* parent, SceneView& view,
+GalleryDialog::GalleryDialog(wxWindow* parent, const wxString& title,
+                             std::vector<PictureGrid::Item> items, Thumbnails& thumbnails,
                              std::function<void(const std::filesystem::path&)> open)
-    : wxDialog(parent, wxID_ANY, wxTr("Example scenes"), wxDefaultPosition, wxDefaultSize,
+    : wxDialog(parent, wxID_ANY, title, wxDefaultPosition, wxDefaultSize,
                wxDEFAULT_DIALOG_STYLE | wxRESIZE_BORDER),
-      examples_(findExamples()),
-      view_(view),
-      open_(std::move(open)),
-      images_(pictureWidth, pictureHeight, false, static_cast<int>(examples_.size())) {
-    list_ = new wxListCtrl(this, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(720, 430)),
-                           wxLC_ICON | wxLC_SINGLE_SEL | wxLC_AUTOARRANGE);
-    list_->SetImageList(&images_, wxIMAGE_LIST_NORMAL);
-    for (std::size_t i = 0; i < examples_.size(); ++i) {
-        images_.Add(empty());
-        list_->InsertItem(static_cast<long>(i), wxTr(examples_[i].title), static_cast<int>(i));
-        askPicture(i);
-    }
+      thumbnails_(thumbnails),
+      open_(std::move(open)) {
+    // Those that are not seen yet, too: one scrolls through pictures, not through gaps.
+    for (const PictureGrid::Item& item : items) thumbnails_.of(item.file);
+    grid_ = new PictureGrid(this, thumbnails_);
+    grid_->SetMinSize(FromDIP(wxSize(600, 380)));
+    grid_->show(std::move(items));
     text_ = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(-1, 54)),
                              wxST_NO_AUTORESIZE);
     auto* rows = new wxBoxSizer(wxVERTICAL);
-    rows->Add(list_, wxSizerFlags(1).Expand().Border(wxALL, FromDIP(12)));
+    rows->Add(grid_, wxSizerFlags(1).Expand().Border(wxALL, FromDIP(12)));
     rows->Add(text_, wxSizerFlags(0).Expand().Border(wxLEFT | wxRIGHT, FromDIP(16)));
     rows->Add(CreateButtonSizer(wxOK | wxCANCEL),
               wxSizerFlags(0).Expand().Border(wxALL, FromDIP(12)));
     SetSizerAndFit(rows);
     if (auto* ok = FindWindow(wxID_OK)) ok->SetLabel(wxTr("Open"));
     if (auto* cancel = FindWindow(wxID_CANCEL)) cancel->SetLabel(wxTr("Cancel"));
-    list_->Bind(wxEVT_LIST_ITEM_SELECTED, [this](wxListEvent&) { tell(); });
-    list_->Bind(wxEVT_LIST_ITEM_ACTIVATED, [this](wxListEvent&) { openChosen(); });
+    bind();
+    grid_->choose(0);
+    tell();
+    grid_->SetFocus();
+    CentreOnParent();
+}
+
+void GalleryDialog::bind() {
+    grid_->onChosen = [this](std::size_t) { tell(); };
+    grid_->onActivated = [this](std::size_t) { openChosen(); };
     Bind(
         wxEVT_BUTTON, [this](wxCommandEvent&) { openChosen(); }, wxID_OK);
     Bind(
         wxEVT_BUTTON, [this](wxCommandEvent&) { Close(); }, wxID_CANCEL);
     Bind(wxEVT_CLOSE_WINDOW, [this](wxCloseEvent&) { Destroy(); });
-    if (!examples_.empty()) list_->SetItemState(0, wxLIST_STATE_SELECTED, wxLIST_STATE_SELECTED);
-    tell();
-    CentreOnParent();
+    // The frames of the window behind draw the pictures.
+    timer_.Bind(wxEVT_TIMER, [this](wxTimerEvent&) { grid_->refreshPictures(); });
+    timer_.Start(newPicturesMs);
 }
 
-GalleryDialog::~GalleryDialog() {
-    view_.forgetThumbnails();
-}
-
-void GalleryDialog::askPicture(std::size_t example) {
-    view_.askThumbnail(examples_[example].file, {pictureWidth, pictureHeight},
-                       [this, example](const atlax::Image& picture) {
-                           images_.Replace(static_cast<int>(example), bitmapOf(picture));
-                           list_->RefreshItem(static_cast<long>(example));
-                           ++pictures_;
-                       });
+std::size_t GalleryDialog::pictures() const {
+    const auto& items = grid_->items();
+    return static_cast<std::size_t>(std::count_if(
+        items.begin(), items.end(),
+        [this](const PictureGrid::Item& item) { return thumbnails_.of(item.file) != nullptr; }));
 }
 
 void GalleryDialog::tell() {
-    const long at = list_->GetNextItem(-1, wxLIST_NEXT_ALL, wxLIST_STATE_SELECTED);
-    text_->SetLabel(at < 0 ? wxString()
-                           : wxTr(examples_[static_cast<std::size_t>(at)].description));
+    const auto chosen = grid_->chosen();
+    text_->SetLabel(chosen ? wxString::FromUTF8(grid_->items()[*chosen].help) : wxString());
     text_->Wrap(std::max(FromDIP(200), text_->GetClientSize().GetWidth()));
 }
 
 void GalleryDialog::openChosen() {
-    const long at = list_->GetNextItem(-1, wxLIST_NEXT_ALL, wxLIST_STATE_SELECTED);
-    if (at < 0) return;
-    const std::filesystem::path file = examples_[static_cast<std::size_t>(at)].file;
+    const auto chosen = grid_->chosen();
+    if (!chosen) return;
+    const std::filesystem::path file = grid_->items()[*chosen].file;
     const auto open = open_;
     Close();
     open(file);

@@ -1,17 +1,16 @@
-// Example scenes that come with the program, with pictures.
+// Scenes that are chosen by their pictures, such as the examples that come with the program.
 #pragma once
 
 #include <wx/dialog.h>
-#include <wx/imaglist.h>
-#include <wx/listctrl.h>
 #include <wx/stattext.h>
+#include <wx/timer.h>
 
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "../view/scene_view.hpp"
+#include "picture_grid.hpp"
 
 namespace sulfurchamber {
 
@@ -27,25 +26,22 @@ std::vector<Example> findExamples();
 /// A window beside the program's: what is chosen in it is opened, and it goes.
 class GalleryDialog final : public wxDialog {
 public:
-    /// `view` draws the pictures, one in each of its frames; it must outlive the window.
-    GalleryDialog(wxWindow* parent, SceneView& view,
-                  std::function<void(const std::filesystem::path&)> open);
-    ~GalleryDialog() override;
-    /// How many examples have their pictures by now.
-    int pictures() const { return pictures_; }
+    /// The frames of a SceneView draw the pictures, which must outlive the window.
+    GalleryDialog(wxWindow* parent, const wxString& title, std::vector<PictureGrid::Item> items,
+                  Thumbnails& thumbnails, std::function<void(const std::filesystem::path&)> open);
+    /// How many scenes have their pictures by now.
+    std::size_t pictures() const;
 
 private:
-    void askPicture(std::size_t example);
+    void bind();
     void tell();
     void openChosen();
 
-    std::vector<Example> examples_;
-    SceneView& view_;
+    Thumbnails& thumbnails_;
     std::function<void(const std::filesystem::path&)> open_;
-    wxImageList images_;
-    wxListCtrl* list_ = nullptr;
+    PictureGrid* grid_ = nullptr;
     wxStaticText* text_ = nullptr;
-    int pictures_ = 0;
+    wxTimer timer_;
 };
 
 }  // namespace sulfurchamber

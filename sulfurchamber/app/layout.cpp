@@ -11,6 +11,7 @@
 
 #include "icons.hpp"
 #include "level_panel.hpp"
+#include "library_panel.hpp"
 #include "main_frame.hpp"
 #include "wx_words.hpp"
 
@@ -194,8 +195,13 @@ void MainFrame::makePanels() {
     window.maxFramesPerSecond = 60;
     window.tickRateHz = bench_.document().world().settings().tickRate;
     canvas_ = new atlax::wx::View(centre_, view_, window);
-    side_ = new SidePanel(centre_, bench_, view_,
-                          [this](const std::string& problem) { tell(problem); });
+    side_ = new SidePanel(
+        centre_, bench_, view_, desk_, thumbnails_,
+        [this](const std::string& action) { perform(action); },
+        [this](const std::string& problem) { tell(problem); });
+    side_->library().onDropped = [this](const std::string& name, wxPoint at) {
+        dropTemplate(name, at);
+    };
     levelPanel_ = new LevelPanel(
         side_, bench_, *stage_, [this](const std::string& action) { perform(action); },
         [this](const std::string& problem) { tell(problem); });

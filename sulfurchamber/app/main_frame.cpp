@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <atlax/backend.hpp>
+#include <atlax/files.hpp>
 #include <atlax/log.hpp>
 #include <cctype>
 
@@ -20,10 +21,17 @@
 #include "chamber_app.hpp"
 #include "icons.hpp"
 #include "level_panel.hpp"
+#include "picture_grid.hpp"
+#include "program_files.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
+
+SkinTextures* withSkins(SceneView& view) {
+    view.setSkins(skinStore());
+    return view.textures();
+}
 
 constexpr std::int64_t refreshNs = 100'000'000;  // panels follow ten times a second
 
@@ -34,6 +42,9 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
       bench_(bench),
       options_(options),
       view_(bench),
+      library_(templateLibrary()),
+      desk_(bench_, library_),
+      thumbnails_(atlax::cacheFolder("sulfurchamber") / "thumbnails", withSkins(view_), {192, 144}),
       language_(options.language) {
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
@@ -55,6 +66,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
         notify(tr("The film is {}", {file.string()}));
     };
     view_.onFrame = [this] { onFrame(); };
+    view_.whileDrawing = [this](atlax::Canvas& canvas) { thumbnails_.work(canvas); };
     canvas_->setOnEnd([this](int code, const std::string& error) {
         if (!error.empty()) tellInDialog(error, "SulfurChamber cannot draw");
         finish(code);
@@ -72,7 +84,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
 
 MainFrame::~MainFrame() {
     canvas_->stop();  // what it draws ends before it
-    delete gallery_;  // it uses the view, which goes before what the frame owns
+    delete gallery_;  // it uses the pictures, which go before what the frame owns
     manager_.UnInit();
 }
 
@@ -141,7 +153,9 @@ void MainFrame::bindControls() {
 
 void MainFrame::onKey(wxKeyEvent& event) {
     const wxWindow* focus = wxWindow::FindFocus();
-    const bool typing = dynamic_cast<const wxTextEntry*>(focus) != nullptr;
+    // Fields and grids have keys of their own.
+    const bool typing = dynamic_cast<const wxTextEntry*>(focus) != nullptr ||
+                        dynamic_cast<const PictureGrid*>(focus) != nullptr;
     // While a level is played its keys are the game's, but for the one that ends it.
     if (stage_->playing() && !typing && !event.ControlDown() && !event.AltDown()) {
         if (event.GetKeyCode() == WXK_ESCAPE)

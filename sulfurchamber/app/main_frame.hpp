@@ -22,7 +22,9 @@
 #include "../level/level_stage.hpp"
 #include "../model/drawing.hpp"
 #include "../model/recovery.hpp"
+#include "../model/template_desk.hpp"
 #include "../view/scene_view.hpp"
+#include "../view/thumbnails.hpp"
 #include "drop_use.hpp"
 #include "gallery.hpp"
 #include "lesson_panel.hpp"
@@ -76,6 +78,8 @@ public:
     GalleryDialog* gallery() { return gallery_; }
     /// The middle of an action's button on a bar, in pixels of the screen.
     std::optional<wxPoint> buttonOnScreen(const std::string& name) const;
+    TemplateDesk& templates() { return desk_; }
+    Thumbnails& thumbnails() { return thumbnails_; }
     /// The measurements as a picture (.png) or a table; the reason of a failure is shown.
     bool savePlot(const std::filesystem::path& file);
 
@@ -99,6 +103,8 @@ public:
     /// Does with a file, at the pointer, what the table of uses has for it (dropping.cpp): the use
     /// of this name, or what the user chooses. The reason of a failure is told.
     void dropFile(const std::filesystem::path& file, const std::string& use = "");
+    /// Dresses what is selected in a picture; the reason of a failure is shown.
+    bool wearFile(const std::filesystem::path& file);
     /// What was last told to be wrong; empty at the start.
     const std::string& lastProblem() const { return lastProblem_; }
     /// What the menu says of an action, without its key; "" when there is none.
@@ -119,6 +125,7 @@ private:
     void addArrangeActions();
     void addAlignActions();
     void addSnapActions();
+    void addTemplateActions();
     void addToolActions();
     void addViewActions();
     void addSimulationActions();
@@ -169,6 +176,10 @@ private:
     void openRecent(int index);
     void showGallery();
     void openExample(const std::filesystem::path& file);
+    void showRecent();
+    void showScenes(const wxString& title, std::vector<PictureGrid::Item> items,
+                    std::function<void(const std::filesystem::path&)> open);
+    void openRecentFile(const std::filesystem::path& file);
     void adoptDocument();
     void loadPreferences();
     void savePreferences();
@@ -187,6 +198,19 @@ private:
     // dropping.cpp
     void makeDropUses();
     const DropUse* chooseDropUse(const std::vector<const DropUse*>& fitting);
+
+    // skin_actions.cpp
+    void addSkinActions();
+    void wearPicture(const std::vector<sulfur::BodyId>& bodies, const std::filesystem::path& file);
+    void placeSkin();
+    void addSkinDropUse();
+
+    // template_actions.cpp
+    void addTemplateDropUse();
+    void saveTemplateDialog();
+    void dropTemplate(const std::string& name, wxPoint screen);
+    std::string templateInQuestion() const;
+    void editTemplate();
 
     // main_frame.cpp
     void onClose(wxCloseEvent& event);
@@ -221,6 +245,9 @@ private:
     Workbench& bench_;
     const Options& options_;
     SceneView view_;
+    Library library_;
+    TemplateDesk desk_;
+    Thumbnails thumbnails_;
     std::string language_;  ///< that is chosen; empty for the system's
     std::vector<Action> actions_;
     std::vector<DropUse> dropUses_;

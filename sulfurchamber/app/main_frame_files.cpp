@@ -7,6 +7,7 @@
 
 #include "gallery.hpp"
 #include "main_frame.hpp"
+#include "program_files.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -50,6 +51,10 @@ bool MainFrame::saveFile(const std::filesystem::path& file) {
     bench_.cancel();
     try {
         bench_.document().save(file);
+        // What it wears goes with it.
+        for (const std::string& problem :
+             skinStore().copyBeside(bench_.document().scene(), file.parent_path()))
+            tell(problem);
     } catch (const std::exception& error) {
         tellInDialog(error.what(), "The scene cannot be saved");
         return false;
@@ -175,17 +180,47 @@ bool MainFrame::saveDialog() {
 }
 
 void MainFrame::openRecent(int index) {
-    const auto at = static_cast<std::size_t>(index);
-    const std::filesystem::path file = recent_.GetHistoryFile(at).utf8_string();
+    openRecentFile(recent_.GetHistoryFile(static_cast<std::size_t>(index)).utf8_string());
+}
+
+// What is no longer there leaves the list.
+void MainFrame::openRecentFile(const std::filesystem::path& file) {
     if (!mayDiscard() || openFile(file)) return;
-    recent_.RemoveFileFromHistory(at);
+    for (std::size_t i = 0; i < recent_.GetCount(); ++i)
+        if (recent_.GetHistoryFile(i).utf8_string() == file.string()) {
+            recent_.RemoveFileFromHistory(i);
+            break;
+        }
     if (preferences_) preferences_->forgetFile(file);
 }
 
+void MainFrame::showRecent() {
+    std::vector<PictureGrid::Item> items;
+    for (std::size_t i = 0; i < recent_.GetCount(); ++i) {
+        const std::filesystem::path file = recent_.GetHistoryFile(i).utf8_string();
+        items.push_back({"", file.stem().string(), "", file.string(), file, false});
+    }
+    showScenes(wxTr("Recent scenes"), std::move(items),
+               [this](const std::filesystem::path& file) { openRecentFile(file); });
+}
+
 void MainFrame::showGallery() {
+    std::vector<PictureGrid::Item> items;
+    for (const Example& one : findExamples())
+        items.push_back({"", one.title, tr(one.title), tr(one.description), one.file, false});
+    showScenes(wxTr("Example scenes"), std::move(items),
+               [this](const std::filesystem::path& file) { openExample(file); });
+}
+
+// One such window at a time.
+void MainFrame::showScenes(const wxString& title, std::vector<PictureGrid::Item> items,
+                           std::function<void(const std::filesystem::path&)> open) {
+    if (gallery_ != nullptr && gallery_->GetTitle() != title) {
+        delete gallery_;
+        gallery_ = nullptr;
+    }
     if (gallery_ == nullptr) {
-        gallery_ = new GalleryDialog(
-            this, view_, [this](const std::filesystem::path& file) { openExample(file); });
+        gallery_ = new GalleryDialog(this, title, std::move(items), thumbnails_, std::move(open));
         gallery_->Bind(wxEVT_DESTROY, [this](wxWindowDestroyEvent& event) {
             if (event.GetEventObject() == gallery_) gallery_ = nullptr;
             event.Skip();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "../view/scene_view.hpp"
+#include "program_files.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -15,7 +16,9 @@ namespace {
 class PictureApp final : public atlax::Application {
 public:
     PictureApp(Workbench& bench, const Options& options)
-        : bench_(bench), options_(options), view_(bench) {}
+        : bench_(bench), options_(options), view_(bench) {
+        view_.setSkins(skinStore());
+    }
 
     void start(atlax::Platform& platform) override {
         platform_ = &platform;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../model/instances.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -17,6 +18,7 @@ wxString utf8(std::string_view text) {
 }  // namespace
 
 PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
+                                 const std::function<void(const std::string&)>& run,
                                  std::function<void(const std::string&)> refuse)
     : wxScrolledWindow(parent, wxID_ANY, wxDefaultPosition, wxDefaultSize, wxVSCROLL),
       bench_(bench),
@@ -26,6 +28,9 @@ PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
     title_->SetFont(title_->GetFont().Bold().Larger());
     all->Add(title_, wxSizerFlags(0).Expand().Border(wxBOTTOM, FromDIP(6)));
     body_ = new wxBoxSizer(wxVERTICAL);
+    membership_ = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
+                                   wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
+    all->Add(membership_, wxSizerFlags(0).Expand().Border(wxBOTTOM, FromDIP(6)));
     makeHead(body_);
     for (const NumberProperty& property : numberProperties()) {
         // These are the frame's, which all bodies have.
@@ -34,6 +39,7 @@ PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
         if (property.key == "strength") makeLayers(body_);
     }
     for (const PlaceProperty& property : placeProperties()) addPlace(body_, property);
+    skinSection_ = std::make_unique<SkinSection>(this, body_, bench_, run, refuse_);
     auto* fittingSizer = new wxBoxSizer(wxVERTICAL);
     fitting_ = std::make_unique<FittingRows>(this, fittingSizer, bench_, refuse_);
     all->Add(fittingSizer, wxSizerFlags(0).Expand());
@@ -323,6 +329,32 @@ void PropertiesPanel::showSwitches() {
         show(*switches_[i], common(document, bodies, properties[i]).on);
 }
 
+// What differs from the template is marked, here and in the rows.
+void PropertiesPanel::showMembership() {
+    const Document& document = bench_.document();
+    const auto& bodies = bench_.selection();
+    const std::string id = bodies.size() == 1 ? document.idOf(bodies[0]) : "";
+    std::optional<Membership> membership;
+    if (!id.empty()) membership = membershipOf(document.plan().body(id));
+    std::vector<Override> overrides;
+    if (membership) overrides = overridesOf(document, id);
+    wxString text;
+    if (membership)
+        text = wxTr("Part \xE2\x80\x9C{}\xE2\x80\x9D of \xE2\x80\x9C{}\xE2\x80\x9D",
+                    {membership->part, membership->instance});
+    std::string differs;
+    for (const Override& one : overrides)
+        differs += (differs.empty() ? "" : ", ") + trInside(one.name);
+    if (!differs.empty()) text = wxTr("{}; differs: {}", {text.utf8_string(), differs});
+    membership_->SetLabel(text);
+    membership_->SetToolTip(text);
+    membership_->Show(membership.has_value());
+    for (Number& number : numbers_)
+        number.row->mark(std::any_of(overrides.begin(), overrides.end(), [&](const auto& one) {
+            return one.key == number.property->key;
+        }));
+}
+
 void PropertiesPanel::refresh() {
     const Document& document = bench_.document();
     const auto& bodies = bench_.selection();
@@ -335,6 +367,8 @@ void PropertiesPanel::refresh() {
             for (Number& number : numbers_) number.first = number.now;
         showHead();
         body_->ShowItems(!bodies.empty());
+        skinSection_->read();
+        showMembership();
         for (Number& number : numbers_) number.row->show(!bodies.empty() && number.now.applies);
         for (std::size_t i = 0; i < switches_.size(); ++i)
             switches_[i]->Show(common(document, bodies, switchProperties()[i]).applies);
@@ -353,6 +387,7 @@ void PropertiesPanel::refresh() {
     for (Number& number : numbers_)
         if (number.now.applies) number.row->refresh();
     for (const auto& row : places_) row->refresh();
+    skinSection_->refresh();
 }
 
 }  // namespace sulfurchamber

@@ -21,14 +21,17 @@
 #include "../model/transform.hpp"
 #include "../model/workbench.hpp"
 #include "fitting_rows.hpp"
+#include "skin_section.hpp"
 #include "value_row.hpp"
 
 namespace sulfurchamber {
 
 class PropertiesPanel final : public wxScrolledWindow {
 public:
-    /// `refuse` tells the user in one sentence why something was not taken.
+    /// `run` performs an action of the menus, `refuse` tells the user in one sentence why something
+    /// was not taken.
     PropertiesPanel(wxWindow* parent, Workbench& bench,
+                    const std::function<void(const std::string&)>& run,
                     std::function<void(const std::string&)> refuse);
     ~PropertiesPanel() override;
 
@@ -49,10 +52,13 @@ private:
     void rename();
     void readSelection();
     void showHead();
+    void showMembership();
 
     Workbench& bench_;
     std::function<void(const std::string&)> refuse_;
     wxStaticText* title_ = nullptr;
+    wxStaticText* membership_ = nullptr;  ///< of which instance it is a part
+    std::unique_ptr<SkinSection> skinSection_;
     wxTextCtrl* name_ = nullptr;
     wxChoice* preset_ = nullptr;
     wxCheckBox* held_ = nullptr;

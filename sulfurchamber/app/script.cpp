@@ -13,9 +13,11 @@
 
 #include "../model/fitting_properties.hpp"
 #include "../model/properties.hpp"
+#include "../model/skins.hpp"
 #include "../model/switches.hpp"
 #include "../model/transform.hpp"
 #include "chamber_app.hpp"
+#include "library_panel.hpp"
 #include "outline_panel.hpp"
 #include "screen_picture.hpp"
 
@@ -93,8 +95,14 @@ std::string scriptHelp() {
            "  material NAME           makes what is selected of ice, rubber, wood, steel, ...\n"
            "  outline WHAT ROW        clicks the page Outline: name double eye lock arrow, or\n"
            "                          search with a word, - for all\n"
+           "  place X Y TEMPLATE      an instance of a template of the library\n"
+           "  library WORDS           searches the library, whose first find is then chosen\n"
+           "  drop-template X Y       drags what is chosen in the library into the scene\n"
+           "  save-template NAME      makes a template of what is selected\n"
+           "  skin FILE               a picture that is worn by what is selected\n"
            "  open FILE, save FILE    without questions\n"
-           "  drop FILE X Y [USE]     drop a file on the scene; uses: open, add, outline\n"
+           "  drop FILE X Y [USE]     drop a file on the scene; uses: wear, place,\n"
+           "                          open, add, outline\n"
            "  import FILE KIND METRES bodies from outlines: rigid, soft or fixed, so large\n"
            "  save-moment FILE        the state of this moment as a scene of its own\n"
            "  export-cpp FILE         the selection, or the scene, as C++ source\n"
@@ -109,6 +117,9 @@ std::string scriptHelp() {
            "                          hidden locked outline-rows zoom (metres of a pixel)\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          film lesson.step lesson.showing gallery.pictures\n"
+           "                          instances overrides (of what is selected) templates (shown)\n"
+           "                          skins (bodies that wear one)\n"
+           "                          pictures (of templates that are still to come)\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "                          level.things level.problems level.checked level.proof\n"
            "                          level.survival playtest playtest.first playtest.time\n"
@@ -230,8 +241,8 @@ void Script::start(const Words& words) {
         });
     } else if (words[0] == "plot-wheel" && words.size() == 3) {
         frame_.plot().turnWheel(number(words[1]), static_cast<int>(number(words[2])));
-    } else if (!startPointer(words) && !startWorld(words) && !startFile(words) &&
-               !startLevel(words) && !startOutline(words)) {
+    } else if (!startPointer(words) && !startWorld(words) && !startTemplate(words) &&
+               !startFile(words) && !startLevel(words) && !startOutline(words)) {
         fail("\"" + words[0] + "\" with " + std::to_string(words.size() - 1) +
              " words is no command; see --script-help");
     }
@@ -556,6 +567,50 @@ void Script::clickScreen(const wxPoint& place, bool twice) {
     });
 }
 
+bool Script::startTemplate(const Words& words) {
+    const auto rest = [&](std::size_t first) {
+        std::string text;
+        for (std::size_t i = first; i < words.size(); ++i)
+            text += (i > first ? " " : "") + words[i];
+        return text;
+    };
+    LibraryPanel& library = frame_.side().library();
+    if (words[0] == "place" && words.size() > 3) {
+        frame_.templates().library().rescan();
+        frame_.templates().place(rest(3), {number(words[1]), number(words[2])});
+    } else if (words[0] == "skin" && words.size() == 2) {
+        frame_.wearFile(words[1]);
+    } else if (words[0] == "save-template" && words.size() > 1) {
+        frame_.templates().save(rest(1), "", false);
+    } else if (words[0] == "library") {
+        frame_.perform("page-library");
+        library.search(wxString::FromUTF8(rest(1)));
+        library.grid().choose(library.grid().items().empty() ? std::nullopt
+                                                             : std::optional<std::size_t>(0));
+    } else if (words[0] == "drop-template" && words.size() == 3) {
+        const auto chosen = library.grid().chosen();
+        if (!chosen) fail("nothing is chosen in the library");
+        const wxRect cell = library.grid().onScreen(*chosen);
+        simulator_.MouseMove(cell.GetLeft() + cell.GetWidth() / 2,
+                             cell.GetTop() + cell.GetHeight() / 2);
+        simulator_.MouseDown();
+        waitForFrames(10, [this, to = sulfur::Point(number(words[1]), number(words[2]))] {
+            const atlax::Vec2 pixels = frame_.sceneView().toPixels(to);
+            const auto scale = static_cast<float>(frame_.canvas().GetContentScaleFactor());
+            const wxPoint at = frame_.canvas().ClientToScreen(
+                wxPoint(static_cast<int>(pixels.x / scale), static_cast<int>(pixels.y / scale)));
+            simulator_.MouseMove(at);
+            waitForFrames(10, [this] {
+                simulator_.MouseUp();
+                waitForFrames(20, {});
+            });
+        });
+    } else {
+        return false;
+    }
+    return true;
+}
+
 bool Script::startFile(const Words& words) {
     if (words[0] == "drop" && (words.size() == 4 || words.size() == 5)) {
         moveMouse({number(words[2]), number(words[3])},
@@ -682,6 +737,22 @@ double Script::quantity(const std::string& name) const {
     if (name == "plot.to") return frame_.plot().shown().second;
     if (name == "plot.fit") return frame_.plot().fitValue().value_or(none);
     if (name == "plot.cursor") return frame_.plot().cursorValue().value_or(none);
+    if (name == "instances") return static_cast<double>(instancesOf(document.scene()).size());
+    if (name == "overrides") {
+        std::size_t count = 0;
+        for (const auto& one : instancesOf(document, bench.selection()))
+            count += overrideCount(document, one);
+        return static_cast<double>(count);
+    }
+    if (name == "templates")
+        return static_cast<double>(frame_.side().library().grid().items().size());
+    if (name == "skins") {
+        std::size_t count = 0;
+        for (const auto& body : document.scene().bodies)
+            if (!skinOf(document.plan().prefab(body.blueprint)).empty()) ++count;
+        return static_cast<double>(count);
+    }
+    if (name == "pictures") return frame_.thumbnails().working() ? 1 : 0;
     if (name == "strays") return static_cast<double>(bench.strays().size());
     if (name == "film") return frame_.sceneView().guide().film() ? 1 : 0;
     if (name == "lesson.step") {
@@ -689,7 +760,7 @@ double Script::quantity(const std::string& name) const {
         return run == nullptr ? none : static_cast<double>(run->step());
     }
     if (name == "gallery.pictures")
-        return frame_.gallery() == nullptr ? 0 : frame_.gallery()->pictures();
+        return frame_.gallery() == nullptr ? 0 : static_cast<double>(frame_.gallery()->pictures());
     if (name == "lesson.showing") return frame_.lesson().showing() ? 1 : 0;
     if (name == "steps") return static_cast<double>(document.historyPlace());
     if (name == "newest.x" || name == "newest.y") {

@@ -40,6 +40,7 @@ private:
     bool startPointer(const Words& words);
     void setOfSelection(const std::string& key, double value);
     bool startWorld(const Words& words);
+    bool startTemplate(const Words& words);
     bool startFile(const Words& words);
     // level_script.cpp
     bool startLevel(const Words& words);

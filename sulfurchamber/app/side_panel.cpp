@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "constants_panel.hpp"
+#include "library_panel.hpp"
 #include "measure_panel.hpp"
 #include "outline_panel.hpp"
 #include "properties_panel.hpp"
@@ -13,18 +14,21 @@
 
 namespace sulfurchamber {
 
-SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
-                     std::function<void(const std::string&)> refuse)
+SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view, TemplateDesk& desk,
+                     Thumbnails& thumbnails, const std::function<void(const std::string&)>& run,
+                     const std::function<void(const std::string&)>& refuse)
     : wxChoicebook(parent, wxID_ANY), bench_(bench) {
     constants_ = new ConstantsPanel(this, bench, view, refuse);
-    properties_ = new PropertiesPanel(this, bench, refuse);
-    outline_ = new OutlinePanel(this, bench, view, std::move(refuse));
+    properties_ = new PropertiesPanel(this, bench, run, refuse);
+    library_ = new LibraryPanel(this, bench, desk, thumbnails, run, refuse);
+    outline_ = new OutlinePanel(this, bench, view, refuse);
     AddPage(constants_, wxTr("Scene"));
     AddPage(properties_, wxTr("Object"));
     makeHistory();
     measures_ = new MeasurePanel(this, bench, view);
     AddPage(measures_, wxTr("Measure"));
     AddPage(outline_, wxTr("Outline"));
+    AddPage(library_, wxTr("Library"));
 }
 
 // A click goes to the moment after a step.
@@ -69,11 +73,12 @@ void SidePanel::refresh() {
     measures_->watch(looking);
     if (looking) measures_->refresh();
     if (GetCurrentPage() == outline_) outline_->refresh();
+    if (GetCurrentPage() == library_) library_->refresh();
 }
 
 bool SidePanel::showPage(const std::string& name) {
-    static constexpr std::array<std::string_view, 5> names{"scene", "object", "history", "measure",
-                                                           "outline"};
+    static constexpr std::array<std::string_view, 6> names{"scene",   "object",  "history",
+                                                           "measure", "outline", "library"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (names[i] != name) continue;
         ChangeSelection(i);

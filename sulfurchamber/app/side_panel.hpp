@@ -1,8 +1,8 @@
 // What stands beside the scene.
 #pragma once
 
-#include <wx/listbox.h>
 #include <wx/choicebk.h>
+#include <wx/listbox.h>
 
 #include <functional>
 #include <string>
@@ -13,20 +13,26 @@
 namespace sulfurchamber {
 
 class ConstantsPanel;
+class LibraryPanel;
 class MeasurePanel;
 class OutlinePanel;
 class PropertiesPanel;
+class TemplateDesk;
+class Thumbnails;
 
 class SidePanel final : public wxChoicebook {
 public:
     /// `refuse` tells the user in one sentence why something was not taken.
-    SidePanel(wxWindow* parent, Workbench& bench, SceneView& view,
-              std::function<void(const std::string&)> refuse);
+    /// `run` performs an action of the menus.
+    SidePanel(wxWindow* parent, Workbench& bench, SceneView& view, TemplateDesk& desk,
+              Thumbnails& thumbnails, const std::function<void(const std::string&)>& run,
+              const std::function<void(const std::string&)>& refuse);
 
+    LibraryPanel& library() { return *library_; }
     /// Shows what the document and the simulation say now. Cheap; may be called often.
     void refresh();
-    /// Brings a page to the front: "scene", "object", "history", "measure" or "outline". False
-    /// when there is no such page.
+    /// Brings a page to the front: "scene", "object", "history", "measure", "outline" or "library".
+    /// False when there is no such page.
     bool showPage(const std::string& name);
     MeasurePanel& measures() { return *measures_; }
     OutlinePanel& outline() { return *outline_; }
@@ -36,6 +42,7 @@ private:
     void refreshHistory();
 
     Workbench& bench_;
+    LibraryPanel* library_ = nullptr;
     ConstantsPanel* constants_ = nullptr;
     PropertiesPanel* properties_ = nullptr;
     MeasurePanel* measures_ = nullptr;

@@ -20,7 +20,7 @@ wxString shortNumber(double value) {
         text.Replace("e+0", "e");
         return text;
     }
-    return wxString::Format("%g", std::round(value * 1000) / 1000);
+    return wxString::Format("%g", std::round(value * 1000) / 1000 + 0.0);  // never "-0"
 }
 
 }  // namespace
@@ -105,6 +105,14 @@ void ValueRow::bind() {
         spec_.finish();
         refresh();
     });
+}
+
+void ValueRow::mark(bool on) {
+    if (std::exchange(marked_, on) == on) return;
+    name_->SetFont(on ? name_->GetFont().Bold() : name_->GetParent()->GetFont());
+    const wxString dot = wxString::FromUTF8("\xE2\x97\x86 ");
+    name_->SetLabel(on ? dot + spec_.name : spec_.name);
+    name_->SetToolTip(on ? spec_.help + "\n" + wxTr("It differs from the template.") : spec_.help);
 }
 
 // Where in its range a value is, 0 to 1, and back.

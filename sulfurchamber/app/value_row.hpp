@@ -52,6 +52,8 @@ public:
 
     /// Shows what the document says now. Cheap; may be called often.
     void refresh();
+    /// Marks it as something that differs from a template.
+    void mark(bool on);
     /// Hides it where it means nothing.
     void show(bool on);
     const ValueSpec& spec() const { return spec_; }
@@ -79,6 +81,7 @@ private:
     std::optional<double> shown_;
     bool fresh_ = true;  ///< nothing was shown yet
     bool sliding_ = false;
+    bool marked_ = false;
 };
 
 }  // namespace sulfurchamber

@@ -230,6 +230,12 @@ std::string Document::idOf(BodyId body) const {
     return world_->particles(body).size() == blueprint.particles.size() ? id : "";
 }
 
+std::string Document::originOf(BodyId body) const {
+    const auto key = world_->userData(body);
+    if (key == 0 || key > ids_.size() || !plan_.contains(ids_[key - 1])) return "";
+    return ids_[key - 1];
+}
+
 BodyId Document::bodyOf(std::string_view id) const {
     const auto key = keys_.find(std::string(id));
     if (key == keys_.end()) return {};

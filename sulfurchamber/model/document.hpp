@@ -97,6 +97,8 @@ public:
     const sulfur::World& world() const { return *world_; }
     /// The id in the plan; "" for pieces and for what rained.
     std::string idOf(sulfur::BodyId body) const;
+    /// The id in the plan of what a body was made as, also of a piece of it; "" for what rained.
+    std::string originOf(sulfur::BodyId body) const;
     /// The body of an id, null when it has broken or the plan has none.
     sulfur::BodyId bodyOf(std::string_view id) const;
     /// Bodies of this moment that mechanisms have made for themselves: their pins.
@@ -241,6 +243,9 @@ public:
     void refit(const FittingRef& ref, const std::function<void(Fitting&)>& change, bool live);
     /// Takes one away, with gears that need it and pegs that only it had.
     void unfit(const FittingRef& ref);
+    /// Changes the plan as a whole. The world becomes what the plan says then: a moment is left, to
+    /// which undo leads back.
+    void rebuild(const std::function<void(Plan&)>& change);
     /// For members of the plan that are not of bodies and blueprints: texts, the level, fields.
     sulfur::scene::Scene& planForEditing() { return plan_.scene(); }
     sulfur::scene::Placement& placementForEditing(std::string_view id) { return plan_.body(id); }

@@ -6,6 +6,7 @@
 
 #include "document_steps.hpp"
 #include "follow.hpp"
+#include "instances.hpp"
 #include "level_things.hpp"
 #include "words.hpp"
 
@@ -177,6 +178,9 @@ std::vector<BodyId> Document::insert(const sulfur::scene::Scene& scene, const Po
         own.push_back(std::move(thruster));
     }
     setThrusters(plan, own);
+    // Instances that come along follow their templates here too.
+    takeDefinitions(plan, scene);
+    renameInstances(plan, idsOf(bodies));
     return bodies;
 }
 
@@ -369,6 +373,13 @@ void Document::changePiece(BodyId body, const std::function<void(Prefab&)>& chan
     const sulfur::Blueprint before = prefab.blueprint;
     change(prefab);
     follow(*world_, body, before, prefab.blueprint);
+}
+
+void Document::rebuild(const std::function<void(Plan&)>& change) {
+    change(plan_);
+    plan_ = Plan(sulfur::scene::parse(sulfur::scene::format(plan_.scene()), "the scene"));
+    playing_ = false;
+    stamp();
 }
 
 void Document::rename(BodyId body, const std::string& to) {

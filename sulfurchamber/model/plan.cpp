@@ -254,6 +254,7 @@ void Plan::rename(const std::string& id, const std::string& to) {
                                      [&](const auto& thruster) { return thruster.body == id; });
     for (const auto& member : scene_.extra)
         if (member.key != "meters" && !(thrusts && member.key == "devices") &&
+            member.key != "templates" &&  // have names of their own
             member.json.find('"' + id + '"') != std::string::npos)
             throw std::runtime_error(
                 tr("the {} of the scene names “{}”; change it there first", {member.key, id}));

@@ -25,6 +25,8 @@ public:
     virtual void tick() {}
     /// Enter: ends what takes several clicks.
     virtual void finish() {}
+    /// Whether it has done what it was taken for: then one selects again.
+    virtual bool done() const { return false; }
     virtual Preview preview() const { return {}; }
     /// Whether it shows the selection's frame itself.
     virtual bool showsFrame() const { return false; }

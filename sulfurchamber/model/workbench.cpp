@@ -8,6 +8,7 @@
 #include "cpp_source.hpp"
 #include "geometry.hpp"
 #include "share_text.hpp"
+#include "templates.hpp"
 #include "tool.hpp"
 #include "transform.hpp"
 #include "words.hpp"
@@ -80,7 +81,9 @@ sulfur::scene::Scene only(sulfur::scene::Scene scene, const std::set<std::string
     scene.fields.clear();
     auto thrusters = thrustersOf(scene);
     std::erase_if(thrusters, [&](const auto& thruster) { return !ids.contains(thruster.body); });
-    scene.extra.clear();
+    // Instances take their templates along.
+    std::erase_if(scene.extra, [](const auto& member) { return member.key != "templates"; });
+    forgetUnusedDefinitions(scene);
     setThrusters(scene, thrusters);
     return scene;
 }
@@ -130,6 +133,12 @@ std::optional<LevelPiece> Workbench::placing() const {
     return toolKind_ == ToolKind::place ? std::optional(placing_) : std::nullopt;
 }
 
+void Workbench::take(std::unique_ptr<Tool> tool) {
+    tool_->cancel();
+    tool_ = std::move(tool);
+    toolKind_ = ToolKind::select;
+}
+
 void Workbench::press(const Pointer& pointer) {
     snapMark_.reset();
     making([&] { tool_->press(pointer); });
@@ -142,6 +151,7 @@ void Workbench::release(const Pointer& pointer) {
     making([&] { tool_->release(pointer); });
     snapMark_.reset();
     forgetRemoved();
+    if (tool_->done()) setTool(ToolKind::select);
 }
 void Workbench::finish() {
     making([&] { tool_->finish(); });

@@ -119,7 +119,8 @@ struct Preview {
         ruler,
         path,
         arrow,
-        frame
+        frame,
+        skin  ///< the frame of a picture, `to` is the knob that turns it
     };
     Kind kind = Kind::none;
     sulfur::Point from{0, 0};
@@ -152,6 +153,8 @@ public:
     /// To what creating tools and moved things go.
     void setSnapping(const SnapOptions& options) { snapping_ = options; }
     const SnapOptions& snapping() const { return snapping_; }
+    /// Takes a tool that is not in the palette, until it is done or another one is chosen.
+    void take(std::unique_ptr<Tool> tool);
     /// Distance to which creating tools round their points, metres; 0: not at all.
     void setSnap(double metres) { snapping_.grid = metres; }
     double snap() const { return snapping_.grid; }

@@ -177,7 +177,11 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     options_ = &options;
     alpha_ = alpha;
     pixel_ = canvas.pixel() * canvas.scaleFactor();
-    if (revision_ != document.revision()) looks_.clear();
+    if (revision_ != document.revision()) {
+        looks_.clear();
+        dresses_.clear();
+        if (textures_ != nullptr) textures_->lookAgain();
+    }
     revision_ = document.revision();
 
     FittingPainter fittings(canvas, bench, pixel_);
@@ -192,10 +196,13 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     paintPins();
     if (options.contacts) paintContacts();
     if (options.velocities) paintVelocities();
-    const bool handles = bench.tool() == ToolKind::select && !bench.stretching();
+    const Preview preview = bench.preview();
+    // A picture that is being placed has handles of its own.
+    const bool handles = bench.tool() == ToolKind::select && !bench.stretching() &&
+                         preview.kind != Preview::Kind::skin;
     if (options.tools && handles) paintHandles(bench);
     if (bench.trails()) paintTrails(bench);
-    if (options.tools) paintPreview(bench.preview());
+    if (options.tools) paintPreview(preview);
     if (options.tools && bench.snapMark()) paintSnap(*bench.snapMark());
 }
 
@@ -316,6 +323,7 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
     const bool drawn = !options_->bodies && !(selected && document_->editing());
     if (selected) capsules(3 * pixel_, palette::ice.withAlpha(drawn ? 0.5f : 0.9f));
     if (drawn) return;
+    if (paintSkin(body)) return;
     capsules(0, body.rim);
     if (body.look->filled) paintFill(body);
     if (options_->joints && !body.look->fills.empty()) paintJoints(body);
@@ -339,6 +347,48 @@ void ScenePainter::paintFill(const Posed& body) {
         for (const std::uint32_t index : region.outer) polygon.push_back(body.points[index]);
         canvas_->polygon(polygon, body.fill);
     }
+}
+
+// As the game draws it, with the same code. False where the body wears none that can be drawn.
+bool ScenePainter::paintSkin(const Posed& body) {
+    const auto& skin = world_->skin(body.id);
+    if (!skin || textures_ == nullptr) return false;
+    const atlax::Texture* picture = textures_->of(*canvas_, skin->texture, *document_);
+    if (picture == nullptr) return false;
+    const quaoar::BodyShape& shape = dressOf(body.id);
+    if (shape.particles == 1) {
+        const auto particle = world_->particles(body.id).front();
+        const float radius = toFloat(world_->info(particle).radius);
+        if (!(radius > 0)) return false;
+        const double angle = world_->interpolatedPose(body.id, alpha_).angle;
+        quaoar::drawSkinnedDisc(*canvas_, *picture, body.points.front(), radius,
+                                static_cast<float>(angle));
+        canvas_->circleOutline(body.points.front(), radius, 1.4f * pixel_, body.rim);
+        return true;
+    }
+    if (shape.triangles.empty()) return false;
+    const quaoar::SkinColors colors{body.rim, body.fill, palette::ice,
+                                    palette::deep.withAlpha(0.8f)};
+    const auto places = quaoar::dressedPlaces(*world_, body.id, shape, alpha_);
+    // Joints that are left without a triangle hang on as threads.
+    for (const auto& edge : shape.loose)
+        canvas_->line(places[edge[0]], places[edge[1]],
+                      std::max(2 * shape.thickness, 1.2f * pixel_), body.rim);
+    quaoar::drawSkin(*canvas_, picture, shape, colors, places);
+    quaoar::drawSkinBorder(*canvas_, shape, colors, places);
+    return true;
+}
+
+// Found anew when joints have gone: skins tear there.
+const quaoar::BodyShape& ScenePainter::dressOf(BodyId body) {
+    const auto found = dresses_.find(body);
+    if (found != dresses_.end() && found->second.fits(*world_, body)) return found->second;
+    const std::string id = document_->originOf(body);
+    if (id.empty())
+        return dresses_.insert_or_assign(body, quaoar::shapeOf(*world_, body, nullptr))
+            .first->second;
+    const sulfur::Blueprint plan = document_->plan().blueprint(id);
+    return dresses_.insert_or_assign(body, quaoar::shapeOf(*world_, body, &plan)).first->second;
 }
 
 void ScenePainter::paintJoints(const Posed& body) {
@@ -514,6 +564,23 @@ void ScenePainter::paintContacts() {
     }
 }
 
+// Where the picture of a body lies, with the handles that move it.
+void ScenePainter::paintSkinFrame(const Preview& preview) {
+    std::vector<Vec2> corners;
+    for (const sulfur::Point& corner : preview.points) corners.emplace_back(corner);
+    if (corners.size() != 4) return;
+    canvas_->polygonOutline(corners, 1.6f * pixel_, palette::amber);
+    const Vec2 knob(preview.to);
+    canvas_->line((corners[2] + corners[3]) * 0.5f, knob, 1.2f * pixel_, palette::amber);
+    for (const Vec2& corner : corners) {
+        const Vec2 half = Vec2{4, 4} * pixel_;
+        canvas_->rect({corner - half, half * 2.0f}, palette::ice);
+        canvas_->rect({corner - half * 0.6f, half * 1.2f}, palette::amber);
+    }
+    canvas_->circle(knob, 5 * pixel_, palette::ice);
+    canvas_->circle(knob, 3 * pixel_, palette::amber);
+}
+
 void ScenePainter::paintPreview(const Preview& preview) {
     const Vec2 from = preview.from;
     const Vec2 to = preview.to;
@@ -575,6 +642,9 @@ void ScenePainter::paintPreview(const Preview& preview) {
         }
         case Preview::Kind::frame:
             paintFrame(preview.points);
+            break;
+        case Preview::Kind::skin:
+            paintSkinFrame(preview);
             break;
         case Preview::Kind::stroke:
             canvas_->dashedLine(from, to, 2 * pixel_, 8 * pixel_, 5 * pixel_, palette::hot);

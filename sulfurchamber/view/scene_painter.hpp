@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <quaoar/skin/skin_painter.hpp>
 #include <vector>
 
 #include "../model/loop_region.hpp"
 #include "../model/workbench.hpp"
+#include "skin_textures.hpp"
 
 namespace sulfurchamber {
 
@@ -38,6 +40,9 @@ struct ViewOptions {
 /// Keeps what it finds out about bodies between frames.
 class ScenePainter {
 public:
+    /// Where pictures of skins come from; null: bodies are drawn without. It must outlive the
+    /// painter.
+    void setTextures(SkinTextures* textures) { textures_ = textures; }
     /// The canvas must be in world space; `alpha` as Application::draw has it.
     void paint(atlax::Canvas& canvas, const Workbench& bench, const ViewOptions& options,
                double alpha);
@@ -86,6 +91,9 @@ private:
     void paintTrails(const Workbench& bench);
     void paintContacts();
     void paintPreview(const Preview& preview);
+    void paintSkinFrame(const Preview& preview);
+    bool paintSkin(const Posed& body);
+    const quaoar::BodyShape& dressOf(sulfur::BodyId body);
     void paintHandles(const Workbench& bench);
     void paintFrame(const std::vector<sulfur::Point>& corners);
     void paintSnap(const SnapPlace& place);
@@ -95,6 +103,8 @@ private:
     atlax::Vec2 place(sulfur::ParticleId particle) const;
 
     std::map<sulfur::BodyId, Look> looks_;
+    std::map<sulfur::BodyId, quaoar::BodyShape> dresses_;
+    SkinTextures* textures_ = nullptr;
     std::uint64_t revision_ = 0;
     // Of the frame that is being painted.
     atlax::Canvas* canvas_ = nullptr;

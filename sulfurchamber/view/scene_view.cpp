@@ -13,11 +13,11 @@
 #include "../model/geometry.hpp"
 #include "../model/words.hpp"
 #include "debug_painter.hpp"
+#include "fitting_camera.hpp"
 #include "force_painter.hpp"
 #include "grid_painter.hpp"
 #include "meter_painter.hpp"
 #include "palette.hpp"
-#include "thumbnail.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -35,6 +35,11 @@ void SceneView::start(atlax::Platform& platform) {
     font_ = atlax::Font::standard();
     painter_.setFont(&*font_);
     applyTime();
+}
+
+void SceneView::setSkins(SkinStore store) {
+    textures_.emplace(std::move(store));
+    painter_.setTextures(&*textures_);
 }
 
 // The document decides about time; the clock follows.
@@ -78,6 +83,7 @@ void SceneView::dismiss() {
 }
 
 bool SceneView::restoreGraphics() {
+    if (textures_) textures_->forget();
     dismiss();
     if (onGraphicsLost) onGraphicsLost();
     return true;
@@ -172,11 +178,15 @@ void SceneView::event(const atlax::Event& event) {
         onFile(dropped->file);
 }
 
-Pointer SceneView::pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const {
+double SceneView::reach() const {
     const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
+    return static_cast<double>(reachPixels * scale / camera_.pixelsPerMetre);
+}
+
+Pointer SceneView::pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) const {
     Pointer pointer;
     pointer.position = toWorld(position);
-    pointer.reach = static_cast<double>(reachPixels * scale / camera_.pixelsPerMetre);
+    pointer.reach = reach();
     pointer.shift = has(modifiers, atlax::Modifiers::Shift);
     pointer.control = has(modifiers, atlax::Modifiers::Control);
     pointer.alt = has(modifiers, atlax::Modifiers::Alt);
@@ -319,30 +329,13 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     paintLabels(canvas);
     paintClock(canvas);
     paintGuide(canvas);
-    makeThumbnail(canvas);
+    if (whileDrawing) whileDrawing(canvas);
 }
 
 void SceneView::paintGuide(atlax::Canvas& canvas) {
     const std::int64_t now = atlax::monotonicNs();
     const double seconds = static_cast<double>(now - std::exchange(drawnNs_, now)) / 1e9;
     guide_.paint(canvas, *font_, bench_, camera_, options_.rulers ? rulersTake : 0, seconds);
-}
-
-void SceneView::askThumbnail(const std::filesystem::path& scene, atlax::PixelSize size,
-                             std::function<void(atlax::Image)> use) {
-    thumbnails_.push_back({scene, size, std::move(use)});
-}
-
-// One in a frame: reading and stamping a scene takes a while.
-void SceneView::makeThumbnail(atlax::Canvas& canvas) {
-    if (thumbnails_.empty()) return;
-    const Thumbnail next = std::move(thumbnails_.front());
-    thumbnails_.pop_front();
-    guarded([&] {
-        Workbench bench;
-        bench.document().open(next.scene);
-        next.use(thumbnail(canvas, bench, next.size));
-    });
 }
 
 void SceneView::paintWorld(atlax::Canvas& canvas, const atlax::Camera& camera,

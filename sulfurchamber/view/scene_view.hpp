@@ -4,7 +4,6 @@
 
 #include <atlax/application.hpp>
 #include <atlax/image.hpp>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -41,6 +40,10 @@ public:
     bool restoreGraphics() override;
     void stop() override;
 
+    /// Where bodies have their skins from; without it they are drawn without.
+    void setSkins(SkinStore store);
+    SkinTextures* textures() { return textures_ ? &*textures_ : nullptr; }
+
     // -- looking --
     ViewOptions& options() { return options_; }
     const ViewOptions& options() const { return options_; }
@@ -58,6 +61,8 @@ public:
     /// Pixels of the drawing area for a place in the world, and back.
     atlax::Vec2 toPixels(const sulfur::Point& point) const;
     sulfur::Point toWorld(atlax::Vec2 pixels) const;
+    /// Metres within which the pointer hits.
+    double reach() const;
     /// Where the pointer is, metres; nothing until it was seen.
     std::optional<sulfur::Point> pointer() const;
     /// The same, nothing where it is not over the drawing area.
@@ -68,11 +73,6 @@ public:
     std::optional<atlax::Vec2> mousePixels() const { return mouse_; }
     /// Films, the hand of a lesson.
     GuideOverlay& guide() { return guide_; }
-    /// Hands over a picture of a scene's file, some frames later; one that cannot be read is told
-    /// of as a problem.
-    void askThumbnail(const std::filesystem::path& scene, atlax::PixelSize size,
-                      std::function<void(atlax::Image)> use);
-    void forgetThumbnails() { thumbnails_.clear(); }
     /// Frames that were drawn so far.
     std::uint64_t frames() const { return frames_; }
 
@@ -131,6 +131,8 @@ public:
     std::function<void()> onFrame;
     /// The canvas is another one: a guest was dismissed.
     std::function<void()> onGraphicsLost;
+    /// Within each frame, for pictures of something else.
+    std::function<void(atlax::Canvas&)> whileDrawing;
 
 private:
     void applyTime();
@@ -149,7 +151,6 @@ private:
     void paintLabels(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
     void paintGuide(atlax::Canvas& canvas);
-    void makeThumbnail(atlax::Canvas& canvas);
     std::string clockState() const;
 
     Workbench& bench_;
@@ -158,15 +159,10 @@ private:
     std::function<atlax::Application*(atlax::Canvas&)> make_;
     int guestRate_ = 500;
     std::optional<atlax::Font> font_;
+    std::optional<SkinTextures> textures_;
     ScenePainter painter_;
     GuideOverlay guide_;
     std::int64_t drawnNs_ = 0;
-    struct Thumbnail {
-        std::filesystem::path scene;
-        atlax::PixelSize size;
-        std::function<void(atlax::Image)> use;
-    };
-    std::deque<Thumbnail> thumbnails_;  // that are asked for
     ViewOptions options_;
     atlax::Camera camera_{{0, 2}, 90};
     std::optional<atlax::Vec2> mouse_;

@@ -7,6 +7,7 @@
 #include "model/fitting_properties.hpp"
 #include "model/measurement.hpp"
 #include "model/properties.hpp"
+#include "model/templates.hpp"
 #include "model/words.hpp"
 #include "visible_texts.hpp"
 
@@ -29,7 +30,7 @@ const std::set<std::string> sameWords{"SulfurChamber",
                                       "y"};
 const std::set<std::string> sameInGerman{"Radius", "Radius {}, {}", "Pol&ygon", "{} particle",
                                          "Esc",    "Motor",         "&Motor",   "Wind",
-                                         "&Wind",  "&Level",        "Level"};
+                                         "&Wind",  "&Level",        "Level",    "Sensor"};
 const std::set<std::string> sameInItalian{"Home", "Esc", "&File", "fast"};
 
 /// Leaves English behind, whatever a test has done.
@@ -63,6 +64,13 @@ std::vector<VisibleText> everything() {
         const auto scene = sulfur::scene::read(entry.path());
         add(scene.title, "a scene");
         add(scene.description, "a scene");
+    }
+    for (const auto& entry : fs::directory_iterator(SULFURCHAMBER_TEMPLATES)) {
+        if (entry.path().extension() != ".json") continue;
+        const Template made = readTemplate(sulfur::scene::read(entry.path()));
+        add(made.name(), "a template");
+        add(made.category, "a template");
+        add(made.scene.description, "a template");
     }
     return all;
 }

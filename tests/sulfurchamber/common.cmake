@@ -8,6 +8,8 @@ set(ENV{ASAN_OPTIONS} detect_leaks=0)
 set(ENV{GSETTINGS_BACKEND} memory)
 set(ENV{XDG_CONFIG_HOME} ${WORK}/config)
 set(ENV{XDG_STATE_HOME} ${WORK}/state)
+set(ENV{XDG_DATA_HOME} ${WORK}/data)
+set(ENV{XDG_CACHE_HOME} ${WORK}/cache)
 
 # run(<expected exit code> <command>...): sets `out` and `err`.
 macro(run expected)

@@ -56,8 +56,7 @@ run_window(0 --script ${WORK}/lesson.txt)
 # The gallery draws its pictures.
 file(WRITE ${WORK}/gallery.txt "
 do gallery
-run 1.5
-expect gallery.pictures > 24
+await gallery.pictures > 24 60
 screenshot ${WORK}/gallery.png
 ")
 run_window(0 --script ${WORK}/gallery.txt)

@@ -41,7 +41,7 @@ drop ${SCENES}/jelly-tower.json 0 2 add
 expect bodies > 4
 drop ${SCENES}/rope.json 0 2
 label undo Undo
-drop ${WORK}/bad.svg 0 2
+drop ${WORK}/bad.svg 0 2 outline
 expect problem = 1
 ")
 run_window(0 --script ${WORK}/share.txt)

@@ -1,11 +1,11 @@
-// Small pictures of scenes.
+// The camera that shows a scene as a whole.
 #pragma once
 
 #include <atlax/canvas.hpp>
-#include <atlax/image.hpp>
 #include <optional>
 
-#include "../model/workbench.hpp"
+#include "../model/document.hpp"
+#include "../model/geometry.hpp"
 
 namespace sulfurchamber {
 
@@ -13,9 +13,5 @@ namespace sulfurchamber {
 /// this size.
 atlax::Camera fittingCamera(const Document& document, atlax::PixelSize size,
                             const std::optional<Bounds>& wanted);
-
-/// Draws what is open in `bench`, as it is now, into a picture of its own. In a frame of the
-/// canvas. Throws atlax::Error when the card has no room.
-atlax::Image thumbnail(atlax::Canvas& canvas, const Workbench& bench, atlax::PixelSize size);
 
 }  // namespace sulfurchamber

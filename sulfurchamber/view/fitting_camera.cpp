@@ -1,11 +1,9 @@
-#include "thumbnail.hpp"
+#include "fitting_camera.hpp"
 
 #include <algorithm>
 
 #include "../model/geometry.hpp"
 #include "../model/level_things.hpp"
-#include "palette.hpp"
-#include "scene_painter.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -46,19 +44,6 @@ atlax::Camera fittingCamera(const Document& document, atlax::PixelSize size,
         std::min(width / extent(shown.x()), height / extent(shown.y())), leastZoom, mostZoom);
     camera.centre = atlax::Vec2(interesting->centre());
     return camera;
-}
-
-atlax::Image thumbnail(atlax::Canvas& canvas, const Workbench& bench, atlax::PixelSize size) {
-    const atlax::RenderTarget target = canvas.createTarget(size);
-    canvas.pushTarget(target);
-    canvas.gradientRect({{0, 0}, size.toVec()}, palette::above, palette::deep);
-    canvas.setCamera(fittingCamera(bench.document(), size, {}));
-    ViewOptions options;
-    options.grid = options.rulers = false;
-    ScenePainter painter;
-    painter.paint(canvas, bench, options, 1);
-    canvas.popTarget();
-    return canvas.read(target);
 }
 
 }  // namespace sulfurchamber
