@@ -6,6 +6,9 @@
 
 namespace sulfurchamber {
 
+/// How messages name the text of a plan.
+inline constexpr const char* planName = "the scene";
+
 /// What a document was on one side of a step, beside its plan.
 struct Document::Side {
     Constants constants;
