@@ -13,7 +13,6 @@
 namespace sulfurchamber {
 namespace {
 
-constexpr int newPicturesMs = 100;  // how often they are looked for
 
 }  // namespace
 
@@ -77,9 +76,11 @@ void GalleryDialog::bind() {
     Bind(
         wxEVT_BUTTON, [this](wxCommandEvent&) { Close(); }, wxID_CANCEL);
     Bind(wxEVT_CLOSE_WINDOW, [this](wxCloseEvent&) { Destroy(); });
-    // The frames of the window behind draw the pictures.
-    timer_.Bind(wxEVT_TIMER, [this](wxTimerEvent&) { grid_->refreshPictures(); });
-    timer_.Start(newPicturesMs);
+    // The frames of the window behind draw the pictures, and are drawn when nothing else is done.
+    Bind(wxEVT_IDLE, [this](wxIdleEvent& event) {
+        grid_->refreshPictures();
+        event.Skip();
+    });
 }
 
 std::size_t GalleryDialog::pictures() const {

@@ -3,7 +3,6 @@
 
 #include <wx/dialog.h>
 #include <wx/stattext.h>
-#include <wx/timer.h>
 
 #include <filesystem>
 #include <functional>
@@ -41,7 +40,6 @@ private:
     std::function<void(const std::filesystem::path&)> open_;
     PictureGrid* grid_ = nullptr;
     wxStaticText* text_ = nullptr;
-    wxTimer timer_;
 };
 
 }  // namespace sulfurchamber

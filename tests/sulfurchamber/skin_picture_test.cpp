@@ -1,9 +1,11 @@
 // Skins as they are drawn: where a picture lies, turned with its body, torn with it.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <atlax/offscreen.hpp>
 #include <filesystem>
+#include <string>
 
 #include "model/skins.hpp"
 #include "view/scene_painter.hpp"
@@ -19,7 +21,8 @@ using sulfur::Point;
 class SkinPicture : public testing::Test {
 protected:
     void SetUp() override {
-        folder = std::filesystem::temp_directory_path() / "sulfur-skin-picture";
+        folder = std::filesystem::temp_directory_path() /
+                 ("sulfur-skin-picture-" + std::to_string(getpid()));
         std::filesystem::create_directories(folder);
         atlax::Image halves({64, 64});
         for (int y = 0; y < 64; ++y)

@@ -1,10 +1,12 @@
 // Skins: what can wear a picture, where it lies, and where its file is.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atlax/files.hpp>
 #include <atlax/image.hpp>
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "model/skins.hpp"
 #include "model/tool.hpp"
@@ -129,7 +131,8 @@ TEST(Skins, HandlesMoveScaleAndTurnThePicture) {
 class SkinFiles : public testing::Test {
 protected:
     void SetUp() override {
-        folder = std::filesystem::temp_directory_path() / "sulfur-skin-test";
+        folder = std::filesystem::temp_directory_path() /
+                 ("sulfur-skin-test-" + std::to_string(getpid()));
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder / "scene" / "art");
         atlax::Image red({4, 4}), blue({8, 8});

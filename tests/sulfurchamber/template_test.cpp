@@ -1,8 +1,10 @@
 // Templates: made, placed, followed, overridden, unlinked; and the library that holds them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 #include "model/fitting.hpp"
 #include "model/instances.hpp"
@@ -315,7 +317,8 @@ TEST_F(Templates, BadNamesChangeNothing) {
 class LibraryTest : public testing::Test {
 protected:
     void SetUp() override {
-        folder = std::filesystem::temp_directory_path() / "sulfur-library-test";
+        folder = std::filesystem::temp_directory_path() /
+                 ("sulfur-library-test-" + std::to_string(getpid()));
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
     }

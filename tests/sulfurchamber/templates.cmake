@@ -46,9 +46,9 @@ expect instances = 1
 do undo
 expect instances = 2
 do select-all
-save-template Pair
+save-template Twosome
 expect instances = 1
-library pair
+library twosome
 expect templates = 1
 expect problem = 0
 save ${WORK}/scene.json
@@ -58,7 +58,7 @@ foreach(name library override differs)
   run(0 ${PICTURE_CHECK} colourful ${WORK}/${name}.png)
 endforeach()
 # One's own templates and the pictures have their folders.
-if(NOT EXISTS ${WORK}/data/sulfurchamber/templates/pair.json OR
+if(NOT EXISTS ${WORK}/data/sulfurchamber/templates/twosome.json OR
    NOT EXISTS ${WORK}/data/sulfurchamber/templates/pip.json)
   message(FATAL_ERROR "the templates were not saved")
 endif()

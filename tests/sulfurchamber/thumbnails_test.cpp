@@ -1,11 +1,13 @@
 // Small pictures of scenes: drawn once, kept in a folder, drawn anew when a file changes.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <atlax/files.hpp>
 #include <atlax/offscreen.hpp>
 #include <chrono>
 #include <filesystem>
 #include <set>
+#include <string>
 #include <thread>
 
 #include "view/skin_textures.hpp"
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 class ThumbnailsTest : public testing::Test {
 protected:
     void SetUp() override {
-        folder = fs::temp_directory_path() / "sulfur-thumbnails-test";
+        folder = fs::temp_directory_path() / ("sulfur-thumbnails-test-" + std::to_string(getpid()));
         fs::remove_all(folder);
         fs::create_directories(folder);
         write("a.json", 1);
