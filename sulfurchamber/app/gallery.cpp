@@ -11,11 +11,6 @@
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
-namespace {
-
-
-}  // namespace
-
 std::vector<Example> findExamples() {
     const atlax::Assets assets({.application = "sulfur/scenes",
                                 .environmentVariable = "SULFUR_SCENES",
