@@ -278,6 +278,7 @@ static const char* check_stick(SulfurBlueprint* plan) {
     CHECK(joint.material.rolling_resistance == 0.5);
     CHECK(!joint.has_rest_length && joint.radius == 0.125 && isinf(joint.stiffness));
     joint.stiffness = 50;
+    joint.bend = 0; /* what is elastic is straight */
     OK(sulfur_blueprint_set_joint(plan, 0, joint));
     particle.mass = 2;
     OK(sulfur_blueprint_set_particle(plan, 1, particle));
