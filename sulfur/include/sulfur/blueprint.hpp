@@ -37,9 +37,11 @@ struct JointSpec {
     std::optional<Material> material = std::nullopt;
     /// Radians, -pi to pi (3.1416): the axis of a capsule is an arc that turns by so much from a to
     /// b, anticlockwise where it is positive, and pushes with its curved surfaces, both of them.
-    /// Only of a rigid joint with a radius. What is nearer to 0 than 0.001 is straight. Exact to
-    /// 1e-7 of the arc's radius. Casts, overlaps and the debug drawing see it as chords, which
-    /// leave it by at most a hundredth of the capsule's radius.
+    /// Only of a rigid joint with a radius, and only while both ends move as one: as parts of what
+    /// rigid joints hold rigid, or of a fixed or kinematic body; else it is straight, as a link of
+    /// a chain is. What is nearer to 0 than 0.001 is straight, too. Exact to 1e-7 of the arc's
+    /// radius. Casts, overlaps and the debug drawing see it as chords, which leave it by at most a
+    /// hundredth of the capsule's radius, or are 256.
     Real bend = 0;
 };
 

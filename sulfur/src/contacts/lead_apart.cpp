@@ -58,9 +58,9 @@ Outline surfacesOfBody(State& state, std::uint32_t bodySlot) {
             const Point a = placeOf(core, side.a), b = placeOf(core, side.b);
             if (arcRadius(side) > 0) {
                 const auto j = state.jointSlots.denseOf(side.joint);
-                const double bend = static_cast<double>(state.joints.bend[j].angle);
                 forEachChord(
-                    arcBetween(a, b, bend), static_cast<double>(side.radius) / 4,
+                    arcBetween(a, b, static_cast<double>(state.joints.bend[j].angle)),
+                    static_cast<double>(side.radius) / 4,
                     [&](const Point& from, const Point& to, double, double) { add(from, to); });
             } else {
                 add(a, b);

@@ -15,7 +15,7 @@
 #include "model/state.hpp"
 #include "rigid/cluster_motion.hpp"
 #include "rigid/grip.hpp"
-#include "shape/one_mover.hpp"
+#include "shape/bends.hpp"
 
 namespace sulfur::detail {
 
@@ -68,7 +68,7 @@ inline Seen lookAt(const Cluster& c) {
     const BodyRecord& body = state.bodies[state.particles.body[i]];
     if (body.kind == BodyKind::kinematic) {
         seen.turn = static_cast<Real>(turnOf(state, body));
-        if (i == body.firstParticle && standsOnOneMover(state, body)) {
+        if (body.frame != none) {  // all of it stands on this mover
             const Point heading = headingOfWhole(state, body);
             seen.cosine = heading[0];
             seen.sine = heading[1];

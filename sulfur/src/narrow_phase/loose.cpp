@@ -14,38 +14,18 @@
 
 #include "core/settings.hpp"
 #include "model/state.hpp"
+#include "narrow_phase/arc_at.hpp"
 #include "narrow_phase/convex.hpp"
+#include "narrow_phase/never_touches.hpp"
 
 namespace sulfur::detail {
 
 namespace {
 
-constexpr Real togetherWithin = Real(tuned::togetherWithin);
 /// Where a corner has a row already, whose refresh tells when it leaves what it is before, another
 /// one may come so much too late.
 constexpr Real held = Real(tuned::seam);
 
-struct Xy {
-    Real x = 0, y = 0;
-};
-Xy operator-(Xy a, Xy b) {
-    return {a.x - b.x, a.y - b.y};
-}
-Xy operator+(Xy a, Xy b) {
-    return {a.x + b.x, a.y + b.y};
-}
-Xy operator*(Real s, Xy a) {
-    return {s * a.x, s * a.y};
-}
-Real dot(Xy a, Xy b) {
-    return a.x * b.x + a.y * b.y;
-}
-Real cross(Xy a, Xy b) {
-    return a.x * b.y - a.y * b.x;
-}
-Real norm(Xy a) {
-    return std::sqrt(dot(a, a));
-}
 Xy at(const CornerWay& c) {
     return {c.x, c.y};
 }
@@ -66,87 +46,10 @@ Real momentOfHeight(Real start, Real end, Real limit) {
     return start - end > start - limit ? (start - limit) / (start - end) : 1;
 }
 
-/// How the middle of an arc goes, and what is a metre outwards from there.
-struct ArcWay {
-    CornerWay top, beyond;
-    Real radius = 0;  // m
-
-    Xy outwards(Real moment) const {
-        const Xy u = moment == 0 ? at(beyond) - at(top) : atEnd(beyond) - atEnd(top);
-        return 1 / norm(u) * u;
-    }
-    /// m, by which a point is outside of the circle, when the step begins or ends.
-    Real out(const CornerWay& p, Real moment) const {
-        const Xy from = moment == 0 ? at(p) - at(top) : atEnd(p) - atEnd(top);
-        const Real more = 2 * radius * dot(from, outwards(moment)) + dot(from, from);
-        return more / (std::sqrt(std::max<Real>(radius * radius + more, 0)) + radius);
-    }
-    /// Unit: from the centre to a point.
-    Xy normalAt(Xy p) const {
-        const Xy v = p - at(top) + radius * outwards(0);
-        return 1 / std::max(norm(v), Real(1e-30)) * v;
-    }
-};
-
-/// The angle under which its centre sees an arc.
-struct Wedge {
-    Xy a, b;           // m, the ends
-    Xy before, after;  // unit: from a and b, on along the tangents
-    Real turns = 1;    // +1: the circle's outside is to the right of the way from a to b
-    Real halfChord = 0, slack = 0;  // m
-
-    /// m, by which a point is outside of it; not above 0 within.
-    Real beside(Xy p) const { return std::max(dot(p - a, before), dot(p - b, after)) - slack; }
-};
-Wedge wedgeOf(const ArcWay& arc, const CornerWay& a, const CornerWay& b, Real moment) {
-    const auto when = [&](const CornerWay& c) { return moment == 0 ? at(c) : atEnd(c); };
-    const Xy out = arc.outwards(moment), chord = when(b) - when(a);
-    const auto spoke = [&](const CornerWay& c) {
-        return (1 / arc.radius) * (when(c) - when(arc.top)) + out;
-    };
-    Wedge w{when(a), when(b), {}, {}, cross(out, chord) > 0 ? Real(1) : Real(-1), norm(chord) / 2};
-    const Xy atA = spoke(a), atB = spoke(b);
-    w.before = w.turns * Xy{atA.y, -atA.x};
-    w.after = w.turns * Xy{-atB.y, atB.x};
-    w.slack = Real(tuned::beyondEnds) * 2 * w.halfChord;
-    return w;
-}
-
 /// Calls f(number) for each bit that is set, the lowest first.
 template <class Function>
 void forEachBit(std::uint32_t bits, Function&& f) {
     for (; bits != 0; bits &= bits - 1) f(static_cast<std::uint32_t>(std::countr_zero(bits)));
-}
-
-// --- who may touch whom ---------------------------------------------------------------------
-
-std::uint32_t denseParticle(const State& state, std::uint32_t corner) {
-    return state.particleSlots.denseOf(state.core.shapes.corners[corner].particle);
-}
-bool isTied(const State& state, std::uint32_t corner, std::uint32_t body) {
-    const auto& linked = state.core.linked;
-    return !linked.empty() &&
-           std::binary_search(linked.begin(), linked.end(),
-                              std::pair(state.core.shapes.corners[corner].particle, body));
-}
-/// Whether a corner never touches a side (or, where both ends are the same, a corner).
-bool isBarred(const State& state, std::uint32_t corner, std::uint32_t sideA, std::uint32_t sideB,
-              std::uint32_t body, Real radius) {
-    const auto& corners = state.core.shapes.corners;
-    const Corner &p = corners[corner], &a = corners[sideA], &b = corners[sideB];
-    if (p.particle == a.particle || p.particle == b.particle) return true;
-    if (p.mover == a.mover || p.mover == b.mover) return true;
-    const auto i = denseParticle(state, corner);
-    if (isTied(state, corner, body)) return true;
-    const auto own = state.bodies[state.particles.body[i]].id.index - 1;
-    if (isTied(state, sideA, own) && isTied(state, sideB, own)) return true;
-    if (own != body) return false;
-    const auto& rest = state.particles.rest;
-    const Vec2 from = rest[denseParticle(state, sideA)], to = rest[denseParticle(state, sideB)];
-    const Vec2 along = to - from, v = rest[i] - from;
-    const Real length2 = along.squaredNorm();
-    const Real t = length2 > 0 ? std::clamp(v.dot(along) / length2, Real(0), Real(1)) : Real(0);
-    return (v - t * along).norm() < togetherWithin * (p.radius + radius);
 }
 
 class Looker {
@@ -294,7 +197,7 @@ private:
     /// Between two bodies that nothing ties everything may touch.
     bool bars(std::uint32_t corner, std::uint32_t sideA, std::uint32_t sideB, Real radius,
               const Chunk& other) const {
-        return mayBar_ && isBarred(state_, corner, sideA, sideB, other.body, radius);
+        return mayBar_ && neverTouches(state_, corner, sideA, sideB, other.body, radius);
     }
 
     // --- corners before sides ----------------------------------------------------------------
@@ -319,8 +222,9 @@ private:
         const auto may = every & ~lanes.discs & ~barred(corner, other);
         SidesSeen& seen = result_.sidesSeen;
         kernels_.sides(p, radius, lanes.sides, may & ~lanes.arcs, seen);
-        forEachBit(may & lanes.arcs,
-                   [&](std::uint32_t k) { lookAtArc(p, radius, lanes, k, other, seen); });
+        forEachBit(may & lanes.arcs, [&](std::uint32_t k) {
+            lookAtArc(p, radius, lanes, k, shapes_.sides[other.firstSide + k], seen);
+        });
         return may;
     }
 
@@ -364,28 +268,27 @@ private:
 
     // --- arcs ----------------------------------------------------------------------------------
 
-    ArcWay arcWayOf(const Chunk& chunk, std::uint32_t k) const {
-        const Side& side = shapes_.sides[chunk.firstSide + k];
+    /// When the step begins, or (moment 1) ends.
+    ArcAt arcOf(const Side& side, int moment) const {
         const auto mover = shapes_.corners[side.a].mover;
-        return {wayAt(mover, side.offset, side.middle),
-                wayAt(mover, side.offset + side.outX, side.middle + side.outY), arcRadius(side)};
+        const auto place = [&](const CornerWay& c) { return moment == 0 ? at(c) : atEnd(c); };
+        const Circle circle(place(wayAt(mover, side.offset, side.middle)),
+                            place(wayAt(mover, side.offset + side.outX, side.middle + side.outY)),
+                            arcRadius(side));
+        return {circle, place(wayOf(side.a)), place(wayOf(side.b))};
     }
 
-    /// The same as the kernel does with straight sides. Heights are outside of the arc's circle, if
-    /// `outward` is +1.
+    /// The same as the kernel does with straight sides. `outward` is +1 outside of the circle.
     void lookAtArc(const CornerWay& p, Real radius, const ChunkLanes& lanes, std::uint32_t k,
-                   const Chunk& other, SidesSeen& seen) const {
-        const ArcWay arc = arcWayOf(other, k);
-        const CornerWay a = taken(lanes.sides.a, k), b = taken(lanes.sides.b, k);
-        const Wedge wedge = wedgeOf(arc, a, b, 0), wedgeThen = wedgeOf(arc, a, b, 1);
-        const Real thickness = radius + lanes.sides.radius[k];
-        const Real out = arc.out(p, 0), besideNow = wedge.beside(at(p));
-        const Real toEnds = std::min(norm(at(p) - at(a)), norm(at(p) - at(b)));
-        const Real far = besideNow <= 0 ? std::abs(out) : toEnds;
-        const auto closingTo = [&](const CornerWay& end) { return norm(way(p) - way(end)); };
-        const Real closing = std::max(closingTo(a), closingTo(b)), apart = far - thickness;
-        const bool twoSided = (lanes.twoSided >> k & 1) != 0;
-        Real outward = lanes.sides.outward[k] * (twoSided ? Real(1) : wedge.turns);
+                   const Side& side, SidesSeen& seen) const {
+        const ArcAt now = arcOf(side, 0), then = arcOf(side, 1);
+        const Real thickness = radius + side.radius;
+        const Real out = now.out(at(p)), besideNow = now.beside(at(p)), far = now.distance(at(p));
+        const auto closingTo = [&](std::uint32_t end) { return norm(way(p) - way(wayOf(end))); };
+        const Real closing = std::max(closingTo(side.a), closingTo(side.b)),
+                   apart = far - thickness;
+        // What is known of a side without an inside is of the circle already.
+        Real outward = lanes.sides.outward[k] * (side.outward == 0 ? Real(1) : now.turns);
         if (outward == 0) outward = out < 0 ? Real(-1) : Real(1);
         seen.far[k] = far;
         seen.height[k] = outward * out;
@@ -396,8 +299,8 @@ private:
             seen.spare = std::min(seen.spare, apart);
             return;
         }
-        const Real moment = momentOfHeight(outward * out, outward * arc.out(p, 1), thickness);
-        const Real besideThen = besideNow + moment * (wedgeThen.beside(atEnd(p)) - besideNow);
+        const Real moment = momentOfHeight(outward * out, outward * then.out(atEnd(p)), thickness);
+        const Real besideThen = besideNow + moment * (then.beside(atEnd(p)) - besideNow);
         if (besideThen <= 0)
             seen.before |= 1u << k;
         else
@@ -410,22 +313,21 @@ private:
                              ChunkLanes& sides) {
         std::uint32_t centre = own.firstCorner + own.corners;
         forEachBit(lanes.arcs, [&](std::uint32_t k) {
-            const ArcWay arc = arcWayOf(own, k);
-            const Wedge wedge = wedgeOf(arc, taken(lanes.sides.a, k), taken(lanes.sides.b, k), 0);
-            const Real outside =
-                static_cast<Real>(shapes_.sides[own.firstSide + k].outward) * wedge.turns;
-            if (outside >= 0) centreAgainstSides(centre, arc, wedge, outside == 0, other, sides);
+            const Side& side = shapes_.sides[own.firstSide + k];
+            const ArcAt arc = arcOf(side, 0);
+            const bool isHollow = static_cast<Real>(side.outward) * arc.turns < 0;
+            if (!isHollow) centreAgainstSides(centre, arc, side.outward == 0, other, sides);
             ++centre;
         });
     }
-    void centreAgainstSides(std::uint32_t centre, const ArcWay& arc, const Wedge& wedge,
-                            bool hasNoInside, const Chunk& other, ChunkLanes& sides) {
+    void centreAgainstSides(std::uint32_t centre, const ArcAt& arc, bool hasNoInside,
+                            const Chunk& other, ChunkLanes& sides) {
         const CornerWay p = wayOf(centre);
         const Real radius = shapes_.corners[centre].radius;
         const std::uint32_t may = lookAtSides(centre, p, radius, other, sides);
         const SidesSeen& seen = result_.sidesSeen;
         // What turns by an angle moves its own surface less than that of the whole circle.
-        const Real lever = std::min<Real>(1, wedge.halfChord / arc.radius);
+        const Real lever = std::min<Real>(1, arc.halfChord / arc.radius);
         Real entrance = seen.enter;
         bool anyBefore = false;
         forEachBit(may, [&](std::uint32_t k) {
@@ -437,8 +339,8 @@ private:
                 spare_ = std::min(spare_, std::max(apart, Real(0)));
                 return;
             }
-            const Xy toSide = outOf(other, sides, k, p);
-            const Real beyond = wedge.beside(at(p) - seen.outward[k] * arc.radius * toSide);
+            const Xy toSide = seen.outward[k] * outOf(shapes_.sides[side], at(p));
+            const Real beyond = arc.beside(at(p) - arc.radius * toSide);
             entrance = std::min(entrance, lever * std::abs(beyond));
             if (beyond > 0) return;
             anyBefore = true;
@@ -448,13 +350,11 @@ private:
         });
         enter(entrance, anyBefore);
     }
-    /// Unit: away from the right of a side, or from the middle of its circle, at a place.
-    Xy outOf(const Chunk& chunk, const ChunkLanes& lanes, std::uint32_t k,
-             const CornerWay& p) const {
-        if ((lanes.arcs >> k & 1) != 0) return arcWayOf(chunk, k).normalAt(at(p));
-        const Xy along = at(taken(lanes.sides.b, k)) - at(taken(lanes.sides.a, k));
-        const Real length = norm(along);
-        return {along.y / length, -along.x / length};
+    /// Unit: to the right of a side, or out of its circle, at a place.
+    Xy outOf(const Side& side, Xy p) const {
+        if (arcRadius(side) > 0) return arcOf(side, 0).normalAt(p);
+        const Xy along = at(wayOf(side.b)) - at(wayOf(side.a));
+        return 1 / norm(along) * Xy{along.y, -along.x};
     }
 
     std::int32_t sideSoFar(std::uint32_t corner, std::uint32_t side) const {
@@ -479,6 +379,7 @@ private:
     void leaveThroughNearest(std::uint32_t corner, Xy p, const Chunk& other) {
         Real nearest = Real(1e30);
         std::uint32_t nearestSide = none;
+        std::int32_t outward = 0;
         int turns = 0;
         forEachOutlineSide(other.body, [&](std::uint32_t s, Xy a, Xy b, const Side& side) {
             const Xy along = b - a, from = p - a;
@@ -490,13 +391,24 @@ private:
                 const Real turn = cross(v - u, p - u);
                 if (above ? turn < 0 : turn > 0) turns += above ? -1 : 1;
             }
-            const Real length2 = dot(along, along);
-            if (!(length2 > 0)) return;
-            const Real share = std::clamp<Real>(dot(from, along) / length2, 0, 1);
-            const Real far = norm(from - share * along);
+            Real far;
+            std::int32_t outwardThere = side.outward;
+            if (arcRadius(side) > 0) {
+                const ArcAt arc = arcOf(side, 0);
+                outwardThere *= static_cast<std::int32_t>(arc.turns);
+                // What is between arc and chord is inside where the arc is bent outwards.
+                if (arc.encloses(p)) turns += outwardThere;
+                far = arc.distance(p);
+            } else {
+                const Real length2 = dot(along, along);
+                if (!(length2 > 0)) return;
+                const Real share = std::clamp<Real>(dot(from, along) / length2, 0, 1);
+                far = norm(from - share * along);
+            }
             if (far < nearest) {
                 nearest = far;
                 nearestSide = s;
+                outward = outwardThere;
             }
         });
         // Who is outside comes in through a side, of this chunk or of another.
@@ -504,8 +416,7 @@ private:
         entrance_ = std::min(entrance_, std::max(within, Real(0.25) * finest_));
         if (turns <= 0 || nearestSide == none) return;
         if (nearestSide < other.firstSide || nearestSide >= other.firstSide + other.sides) return;
-        result_.near.push_back(
-            {corner, nearestSide, 0, shapes_.sides[nearestSide].outward, nearest});
+        result_.near.push_back({corner, nearestSide, 0, outward, nearest});
     }
     template <class Function>
     void forEachOutlineSide(std::uint32_t body, Function&& f) const {
@@ -578,10 +489,6 @@ private:
 };
 
 }  // namespace
-
-bool neverTouches(const State& state, std::uint32_t corner, const Side& side, std::uint32_t body) {
-    return isBarred(state, corner, side.a, side.b, body, side.radius);
-}
 
 void lookLoosely(const State& state, const Chunk& a, const Chunk& b,
                  const std::vector<KnownSide>& known, LooseLook& result) {

@@ -8,8 +8,9 @@
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/state.hpp"
+#include "narrow_phase/arc_at.hpp"
 #include "narrow_phase/convex.hpp"
-#include "narrow_phase/loose.hpp"
+#include "narrow_phase/never_touches.hpp"
 
 namespace sulfur::detail {
 
@@ -18,19 +19,6 @@ namespace {
 constexpr int mostSteps = tuned::momentRounds;
 /// Of a chunk: more than any has (see make_shapes.cpp).
 constexpr std::size_t mostCorners = 32;
-
-struct Xy {
-    Real x = 0, y = 0;
-};
-Xy operator-(Xy a, Xy b) {
-    return {a.x - b.x, a.y - b.y};
-}
-Real dot(Xy a, Xy b) {
-    return a.x * b.x + a.y * b.y;
-}
-Real cross(Xy a, Xy b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 /// Where a corner begins and ends, from an origin.
 struct Way {
@@ -122,53 +110,68 @@ private:
                 sides.add(a, side.radius);
                 sides.add(b, side.radius);
                 const bool isBeside = arcRadius(side) == 0 && box.isBeside(sides);
-                if (isBeside || neverTouches(state_, c, side, other.body)) continue;
+                if (isBeside || never(c, side, other)) continue;
                 const Real thickness = shapes_.corners[c].radius + side.radius;
                 meet(c, p, side.a, a, thickness);
                 if (side.a == side.b) continue;
                 meet(c, p, side.b, b, thickness);
-                if (arcRadius(side) > 0)
-                    crossArc(c, p, side, a, b, thickness);
-                else
-                    cross(c, p, side, a, b, thickness, [](Xy) { return true; });
+                crossAny(c, p, side, a, b, thickness, [](Xy) { return true; });
             }
         }
         crossCentres(own, corners, other, ends);
     }
 
-    /// Circles of a chunk's arcs, as far as these go, against the other's straight sides.
+    bool never(std::uint32_t corner, const Side& side, const Chunk& other) const {
+        return neverTouches(state_, corner, side.a, side.b, other.body, side.radius);
+    }
+
+    template <class Counts>
+    void crossAny(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b,
+                  Real thickness, Counts&& counts) {
+        if (arcRadius(side) > 0)
+            crossArc(corner, p, side, a, b, thickness, counts);
+        else
+            cross(corner, p, side, a, b, thickness, counts);
+    }
+
+    /// Circles of a chunk's arcs, as far as these go, against the other's sides.
     void crossCentres(const Chunk& own, const Course& corners, const Chunk& other,
                       const Course& ends) {
         auto centre = own.firstCorner + own.corners;
         for (auto k = own.firstSide; k < own.firstSide + own.sides; ++k) {
-            const Side& arc = shapes_.sides[k];
-            const Real radius = arcRadius(arc);
-            if (!(radius > 0)) continue;
+            const Side& arcSide = shapes_.sides[k];
+            if (!(arcRadius(arcSide) > 0)) continue;
             const auto c = centre++;
-            const Way p = wayOf(c), top = wayAt(shapes_.corners[c].mover, arc.offset, arc.middle);
-            const Way& from = corners.ways[arc.a - own.firstCorner];
-            const Xy chord = corners.ways[arc.b - own.firstCorner].start - from.start;
-            const bool outsideIsRight = detail::cross(top.start - p.start, chord) > 0;
-            if (arc.outward != 0 && (arc.outward > 0) != outsideIsRight) continue;  // hollow
+            const ArcAt arc(circleAt(arcSide, 0), corners.ways[arcSide.a - own.firstCorner].start,
+                            corners.ways[arcSide.b - own.firstCorner].start);
+            const bool isHollow = static_cast<Real>(arcSide.outward) * arc.turns < 0;
+            if (isHollow) continue;
+            const Way p = wayOf(c);
             const auto isOnArc = [&](Xy normal) {
-                const Xy out = top.start - p.start, end = from.start - p.start;
-                return -dot(normal, out) >= dot(end, out) / radius;
+                return arc.beside(p.start - arc.radius * normal) <= 0;
             };
             for (auto s = other.firstSide; s < other.firstSide + other.sides; ++s) {
                 const Side& side = shapes_.sides[s];
-                if (side.a == side.b || arcRadius(side) > 0 ||
-                    neverTouches(state_, c, side, other.body))
-                    continue;
+                if (side.a == side.b || never(c, side, other)) continue;
                 const Way& a = ends.ways[side.a - other.firstCorner];
                 const Way& b = ends.ways[side.b - other.firstCorner];
-                const Xy along = b.start - a.start;
-                const Real height = std::abs(detail::cross(p.start - a.start, along)) /
-                                    std::max(std::sqrt(dot(along, along)), Real(1e-30));
                 // Within its circle is before the hollow surface of an arc without an inside.
-                if (arc.outward == 0 && height < radius) continue;
-                cross(c, p, side, a, b, shapes_.corners[c].radius + side.radius, isOnArc);
+                const Real height = std::abs(heightOver(side, a.start, b.start, p.start));
+                if (arcSide.outward == 0 && height < arc.radius) continue;
+                crossAny(c, p, side, a, b, shapes_.corners[c].radius + side.radius, isOnArc);
             }
         }
+    }
+    /// m, to the right of a side, or outside of its circle, when the step begins.
+    Real heightOver(const Side& side, Xy a, Xy b, Xy p) const {
+        if (arcRadius(side) > 0) return circleAt(side, 0).out(p);
+        return detail::cross(p - a, b - a) / std::max(norm(b - a), Real(1e-30));
+    }
+    Circle circleAt(const Side& side, Real moment) const {
+        const auto mover = shapes_.corners[side.a].mover;
+        return {wayAt(mover, side.offset, side.middle).at(moment),
+                wayAt(mover, side.offset + side.outX, side.middle + side.outY).at(moment),
+                arcRadius(side)};
     }
 
     /// A corner and the rounding of a side's end.
@@ -190,39 +193,24 @@ private:
              std::sqrt(distance2) - thickness);
     }
 
-    /// A corner and an arc, which it is before where its circle is met.
+    /// A corner and an arc, where `counts(normal)`.
+    template <class Counts>
     void crossArc(std::uint32_t corner, const Way& p, const Side& side, const Way& a, const Way& b,
-                  Real thickness) {
-        const auto mover = shapes_.corners[side.a].mover;
-        const Real radius = arcRadius(side);
-        const Way top = wayAt(mover, side.offset, side.middle),
-                  beyond = wayAt(mover, side.offset + side.outX, side.middle + side.outY);
-        const auto outwardsAt = [&](Real moment) {
-            const Xy u = beyond.at(moment) - top.at(moment);
-            const Real length = std::sqrt(dot(u, u));
-            return Xy{u.x / length, u.y / length};
-        };
-        const auto outAt = [&](Real moment) {
-            const Xy from = p.at(moment) - top.at(moment), u = outwardsAt(moment);
-            const Real more = 2 * radius * dot(from, u) + dot(from, from);
-            return more / (std::sqrt(std::max<Real>(radius * radius + more, 0)) + radius);
-        };
-        const Xy out = outwardsAt(0), chord = b.start - a.start;
-        Real outward = static_cast<Real>(side.outward);
-        if (detail::cross(out, chord) < 0) outward = -outward;
-        if (outward == 0) outward = outAt(0) < 0 ? Real(-1) : Real(1);
+                  Real thickness, Counts&& counts) {
+        const auto outAt = [&](Real moment) { return circleAt(side, moment).out(p.at(moment)); };
+        const ArcAt before(circleAt(side, 0), a.start, b.start);
+        Real outward = static_cast<Real>(side.outward) * before.turns;
+        if (outward == 0) outward = before.out(p.start) < 0 ? Real(-1) : Real(1);
         const Real start = outward * outAt(0), end = outward * outAt(1);
         if (!(start > 0)) return;
         const Real limit = std::min(left_ * thickness, start);
         if (!(end < limit)) return;
         const auto [low, high] =
             firstBelow([&](Real moment) { return outward * outAt(moment); }, limit);
-        const Xy u = outwardsAt(high), from = p.at(high) - top.at(high);
-        const Xy spoke{from.x + radius * u.x, from.y + radius * u.y};
-        const Real length = std::sqrt(dot(spoke, spoke)), halfChord2 = dot(chord, chord) / 4;
-        const Real sine = detail::cross(u, spoke) / std::max(length, Real(1e-30));
-        if (!(dot(u, spoke) >= 0 && sine * sine * radius * radius <= halfChord2)) return;
-        const Xy normal{outward * spoke.x / length, outward * spoke.y / length};
+        const ArcAt then(circleAt(side, high), a.at(high), b.at(high));
+        if (then.beside(p.at(high)) > 0) return;
+        const Xy normal = outward * then.normalAt(p.at(high));
+        if (!counts(normal)) return;
         note(corner, p, side.a, side.a, 0, low, normal, limit - end, start - thickness);
     }
 

@@ -113,33 +113,29 @@ void prepareNearby(State& state) {
 bool encloses(const State& state, std::uint32_t body, const Point& point) {
     const Joints& joints = state.joints;
     Winding winding(point);
-    // From one end of a joint to the other.
-    const auto add = [&](std::uint32_t from, std::uint32_t to, std::uint32_t joint) {
-        const Point &a = state.particles.position[from], &b = state.particles.position[to];
-        const Real bend = joint == none ? 0 : joints.bend[joint].angle;
-        if (bend == 0) return winding.add(a, b);
-        const double turn = static_cast<double>(joints.a[joint] == from ? bend : -bend);
-        forEachChord(arcBetween(a, b, turn), static_cast<double>(joints.radius[joint]) / 100,
-                     [&](const Point& c, const Point& d, double, double) { winding.add(c, d); });
+    // From the end a of a joint to b, or back.
+    const auto add = [&](std::uint32_t joint, bool forth) {
+        const auto& x = state.particles.position;
+        forEachPieceOf(state, joint, x[joints.a[joint]], x[joints.b[joint]],
+                       [&](const Point& from, const Point& to, double, double) {
+                           if (forth)
+                               winding.add(from, to);
+                           else
+                               winding.add(to, from);
+                       });
     };
     if (!hasShape(state, body)) {
         for (const auto& loop : findOutlines(state, body))
-            for (const RimEdge& edge : loop) add(edge.from, edge.to, edge.joint);
+            for (const RimEdge& edge : loop) add(edge.joint, joints.a[edge.joint] == edge.from);
         return winding.encloses();
     }
     const Shapes& shapes = state.core.shapes;
-    const auto particle = [&](std::uint32_t corner) {
-        return state.particleSlots.denseOf(shapes.corners[corner].particle);
-    };
     for (auto c = shapes.firstChunk[state.bodies[body].id.index - 1]; c != none;
          c = shapes.chunks[c].nextOfBody) {
         const Chunk& chunk = shapes.chunks[c];
         for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
             const Side& side = shapes.sides[s];
-            if (side.outward == 0) continue;
-            const auto joint = side.joint == none ? none : state.jointSlots.denseOf(side.joint);
-            const bool forth = side.outward > 0;
-            add(particle(forth ? side.a : side.b), particle(forth ? side.b : side.a), joint);
+            if (side.outward != 0) add(state.jointSlots.denseOf(side.joint), side.outward > 0);
         }
     }
     return winding.encloses();

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "model/state.hpp"
-#include "shape/arc.hpp"
+#include "shape/bends.hpp"
 
 namespace sulfur::detail {
 
@@ -34,16 +34,15 @@ template <class Function>
 void forEachPiece(const State& state, Collider c, Function&& f) {
     c.from = state.particles.position[c.a];
     c.to = state.particles.position[c.b];
-    if (c.joint == none || state.joints.bend[c.joint].angle == 0) return f(c);
-    const Arc arc = arcBetween(c.from, c.to, static_cast<double>(state.joints.bend[c.joint].angle));
-    const double within = static_cast<double>(c.radius) / 100;
-    forEachChord(arc, within, [&](const Point& from, const Point& to, double begin, double end) {
-        c.from = from;
-        c.to = to;
-        c.begin = begin;
-        c.end = end;
-        f(c);
-    });
+    if (c.joint == none) return f(c);
+    forEachPieceOf(state, c.joint, c.from, c.to,
+                   [&](const Point& from, const Point& to, double begin, double end) {
+                       c.from = from;
+                       c.to = to;
+                       c.begin = begin;
+                       c.end = end;
+                       f(c);
+                   });
 }
 
 /// Makes what is derived of the boxes fit the present world. Complexity: nothing where no tick and

@@ -57,14 +57,18 @@ inline Arc arcBetween(const Point& a, const Point& b, double bend) {
     return arc;
 }
 
+/// How far chords leave an arc at most, as a share of its capsule's radius; but there are never
+/// more than so many. The interface promises both.
+inline constexpr double chordsWithin = 0.01, mostChords = 256;
+
 /// Calls f(from, to, share at from, share at to) for chords of an arc that leave it by at most
-/// `within`, m; of at most 64.
+/// `within`, m.
 template <class Function>
 void forEachChord(const Arc& arc, double within, Function&& f) {
-    constexpr double most = 256;
     // A chord of the angle t leaves a circle by r (1 - cos(t / 2)), nearly r t^2 / 8.
     const double angle = std::sqrt(8 * within / arc.radius);
-    const int count = static_cast<int>(std::clamp(std::ceil(2 * arc.half / angle), 1.0, most));
+    const int count =
+        static_cast<int>(std::clamp(std::ceil(2 * arc.half / angle), 1.0, mostChords));
     Point from = arc.a;
     for (int k = 1; k <= count; ++k) {
         const Point to = k < count ? arc.at(static_cast<double>(k) / count) : arc.b;

@@ -7,19 +7,17 @@
 #include "core/trigonometry.hpp"
 #include "model/clusters.hpp"
 #include "model/state.hpp"
-#include "shape/arc.hpp"
+#include "shape/bends.hpp"
 #include "shape/make_shapes.hpp"
 #include "shape/materials.hpp"
-#include "shape/one_mover.hpp"
 #include "shape/outline.hpp"
+#include "shape/spokes.hpp"
 
 namespace sulfur::detail {
 
 namespace {
 
 constexpr std::size_t mostConvexCorners = mostOfChunk;
-/// Corner::owned of the hull of an arc, until all corners are made.
-constexpr std::uint32_t ofHull = 2;
 
 /// Sine of the angle below which two edges go on in one line.
 constexpr double straight = 1e-6;
@@ -49,7 +47,7 @@ public:
         }
         addLoose(left);
         addDiscs();
-        giveSpokes();
+        giveSpokes(shapes_, slotOf(record().id), hulls_);
     }
 
 private:
@@ -89,24 +87,21 @@ private:
     std::uint32_t moverOf(std::uint32_t i) {
         const Particles& p = state_.particles;
         const auto owner = p.body[i];
-        const BodyRecord& body = state_.bodies[owner];
-        if (body.kind == BodyKind::fixed) return frameOf(owner);
+        if (state_.bodies[owner].kind == BodyKind::fixed || isWhole(owner)) return frameOf(owner);
         const auto c = p.cluster[i];
-        const bool wholeBody = c == none && isWhole(owner);
-        const auto leader = c != none   ? state_.clusters.members[state_.clusters.list[c].first]
-                            : wholeBody ? body.firstParticle
-                                        : i;
+        const auto leader = c == none ? i : state_.clusters.members[state_.clusters.list[c].first];
+        auto& known = moverOfSlot(slotOf(p.id[leader]));
+        if (known != none) return known;
+        const auto mover = c == none ? newMover(owner, p.position[i], Point(1, 0))
+                                     : newMover(owner, state_.clusters.list[c].centre,
+                                                state_.clusters.list[c].heading);
+        movers_.particle[mover] = slotOf(p.id[leader]);
+        return known = mover;
+    }
+    std::uint32_t& moverOfSlot(std::uint32_t slot) {
         auto& known = shapes_.moverOfParticle;
-        const auto slot = slotOf(p.id[leader]);
         if (known.size() <= slot) known.resize(slot + 1, none);
-        if (known[slot] != none) return known[slot];
-        const auto mover =
-            wholeBody ? newMover(owner, p.position[leader], headingOfWhole(state_, body))
-            : c == none
-                ? newMover(owner, p.position[i], Point(1, 0))
-                : newMover(owner, state_.clusters.list[c].centre, state_.clusters.list[c].heading);
-        movers_.particle[mover] = slot;
-        return known[slot] = mover;
+        return known[slot];
     }
     /// (Remembered of the body whose shape is made.)
     bool isWhole(std::uint32_t body) {
@@ -114,13 +109,17 @@ private:
         if (!whole_) whole_ = standsOnOneMover(state_, record());
         return *whole_;
     }
-    /// All of a fixed body stands on one mover.
+    /// All of a fixed body stands on one mover, and of a kinematic one with an arc, which goes as
+    /// its first particle does.
     std::uint32_t frameOf(std::uint32_t body) {
-        auto& frame = state_.bodies[body].frame;
-        if (frame == none)
-            frame = newMover(body, state_.particles.position[state_.bodies[body].firstParticle],
-                             Point(1, 0));
-        return frame;
+        BodyRecord& owner = state_.bodies[body];
+        if (owner.frame != none) return owner.frame;
+        const Point at = state_.particles.position[owner.firstParticle];
+        if (owner.kind == BodyKind::fixed) return owner.frame = newMover(body, at, Point(1, 0));
+        owner.frame = newMover(body, at, headingOfWhole(state_, owner));
+        const auto slot = slotOf(state_.particles.id[owner.firstParticle]);
+        movers_.particle[owner.frame] = slot;
+        return moverOfSlot(slot) = owner.frame;
     }
 
     void giveMovers() {
@@ -146,14 +145,15 @@ private:
             const Point& place = clusters.places[static_cast<std::size_t>(k)];
             corner.x = static_cast<Real>(place[0]);
             corner.y = static_cast<Real>(place[1]);
-        } else if (isWhole(p.body[i])) {
+        } else if (state_.bodies[p.body[i]].frame == corner.mover) {
             const BodyRecord& body = state_.bodies[p.body[i]];
-            const Point place = p.position[i] - p.position[body.firstParticle],
-                        turn = headingOfWhole(state_, body);
-            corner.x = static_cast<Real>(turn.dot(place));
-            corner.y = static_cast<Real>(cross(turn, place));
-        } else if (state_.bodies[p.body[i]].kind == BodyKind::fixed) {
-            const Point place = p.position[i] - movers_.placeAtReference(corner.mover);
+            Point place = p.position[i] - p.position[body.firstParticle];
+            if (body.kind == BodyKind::fixed) {
+                place = p.position[i] - movers_.placeAtReference(corner.mover);
+            } else {
+                const Point turn = headingOfWhole(state_, body);
+                place = {turn.dot(place), cross(turn, place)};
+            }
             corner.x = static_cast<Real>(place[0]);
             corner.y = static_cast<Real>(place[1]);
         }
@@ -200,7 +200,7 @@ private:
         hulls_[side.joint] = static_cast<std::uint32_t>(newCorners_.size());
         for (const Point& place : arc.hull()) {
             newCorners_.push_back(beside(a, place, side.radius));
-            newCorners_.back().owned = ofHull;
+            newCorners_.back().owned = cornerOfHull;
             reachTo(newCorners_.back());
         }
         newCentres_.push_back(beside(a, arc.centre, static_cast<Real>(arc.radius) + side.radius));
@@ -453,66 +453,6 @@ private:
                 state_.particles.cluster[i] != none || record().kind == BodyKind::fixed;
             finish(single ? ChunkKind::convex : ChunkKind::loose);
         }
-    }
-
-    /// Which corners the capsules of each corner lead to. Where a particle is a corner of several
-    /// chunks, the first of them has the spokes, and it alone is held off others as a corner.
-    void giveSpokes() {
-        std::map<std::uint32_t, std::vector<std::uint32_t>> ends;  // by particle slot: corners
-        std::map<std::uint32_t, Real> thickest;                    // of these capsules, m
-        std::map<std::uint32_t, std::uint32_t> owner;
-        const auto forEachOwnChunk = [&](auto&& f) {
-            std::vector<std::uint32_t> list;
-            for (auto c = shapes_.firstChunk[slotOf(record().id)]; c != none;
-                 c = shapes_.chunks[c].nextOfBody)
-                list.push_back(c);
-            for (auto at = list.rbegin(); at != list.rend(); ++at) f(shapes_.chunks[*at]);
-        };
-        if (shapes_.firstChunk.size() <= slotOf(record().id)) return;
-        forEachOwnChunk([&](const Chunk& chunk) {
-            for (auto s = chunk.firstSide; s < chunk.firstSide + chunk.sides; ++s) {
-                const Side& side = shapes_.sides[s];
-                if (side.a == side.b) continue;
-                const bool bent = arcRadius(side) > 0;
-                const auto hull = bent ? hulls_.at(side.joint) : none;
-                ends[shapes_.corners[side.a].particle].push_back(bent ? hull : side.b);
-                ends[shapes_.corners[side.b].particle].push_back(bent ? hull + 1 : side.a);
-                for (const auto end : {side.a, side.b}) {
-                    Real& radius = thickest[shapes_.corners[end].particle];
-                    radius = std::max(radius, side.radius);
-                }
-            }
-        });
-        forEachOwnChunk([&](const Chunk& chunk) {
-            for (auto c = chunk.firstCorner; c < chunk.firstCorner + chunk.corners; ++c) {
-                Corner& corner = shapes_.corners[c];
-                if (corner.owned == ofHull) {
-                    corner.owned = 0;
-                    continue;
-                }
-                auto& spokes = ends[corner.particle];
-                // What a joint to another body makes thicker than all of them is a disc by itself.
-                if (corner.radius > thickest[corner.particle]) spokes.clear();
-                corner.spokes = static_cast<std::uint32_t>(spokes.size());
-                corner.firstSpoke = shapes_.spokePool.allocate(corner.spokes);
-                shapes_.spokes.resize(shapes_.spokePool.size());
-                std::copy(spokes.begin(), spokes.end(), shapes_.spokes.begin() + corner.firstSpoke);
-                const bool first = owner.try_emplace(corner.particle, c).first->second == c;
-                corner.owned = first && !isFlat(corner) ? 1 : 0;
-            }
-        });
-    }
-
-    /// Whether two capsules of one mover go on in one line there: what meets them meets their
-    /// sides.
-    bool isFlat(const Corner& corner) const {
-        if (corner.spokes != 2) return false;
-        const Corner &a = shapes_.corners[shapes_.spokes[corner.firstSpoke]],
-                     &b = shapes_.corners[shapes_.spokes[corner.firstSpoke + 1]];
-        if (a.mover != corner.mover || b.mover != corner.mover || (a.x == b.x && a.y == b.y))
-            return false;
-        const Vec2 u(a.x - corner.x, a.y - corner.y), v(b.x - corner.x, b.y - corner.y);
-        return u.dot(v) < -Real(0.999999) * u.norm() * v.norm();
     }
 
     State& state_;

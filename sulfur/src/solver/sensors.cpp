@@ -39,17 +39,10 @@ public:
         const BodyRecord& body = state_.bodies[sensor_];
         const Particles& p = state_.particles;
         Point low = p.position[body.firstParticle], high = low;
-        for (std::uint32_t k = 0; k < body.particles.size(); ++k) {
-            const auto i = body.firstParticle + k;
-            const double room = static_cast<double>(p.reach[i]);
-            low = low.cwiseMin((p.position[i].array() - room).matrix());
-            high = high.cwiseMax((p.position[i].array() + room).matrix());
-        }
-        // Its arcs go farther than its particles.
         forEachColliderOf(state_, sensor_, [&](const Collider& c) {
-            const double room = static_cast<double>(c.radius);
-            low = low.cwiseMin((c.from.array() - room).matrix());
-            high = high.cwiseMax((c.from.array() + room).matrix());
+            const Point room = Point::Constant(static_cast<double>(c.radius));
+            low = low.cwiseMin(c.from.cwiseMin(c.to) - room);
+            high = high.cwiseMax(c.from.cwiseMax(c.to) + room);
         });
         forEachColliderIn(state_, low, high, [&](const Collider& c) { look(c); });
         // A visitor may be so large that all of the sensor is in its hollow.

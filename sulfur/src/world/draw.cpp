@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/error_checks.hpp"
-#include "shape/arc.hpp"
+#include "shape/bends.hpp"
 #include "solver/zones.hpp"
 #include "world/impl.hpp"
 
@@ -122,15 +122,11 @@ private:
     void drawCapsule(std::uint32_t j) {
         const auto& joints = state_.joints;
         if (!options_.capsules || joints.radius[j] <= 0) return;
-        const auto show = [&](const Point& a, const Point& b) {
-            to_.capsule({joints.id[j], ownerOf(j), a, b, joints.radius[j], asleep(joints.a[j])});
-        };
-        const Point a = place(joints.a[j]), b = place(joints.b[j]);
-        const double bend = static_cast<double>(joints.bend[j].angle);
-        if (bend == 0) return show(a, b);
-        detail::forEachChord(
-            detail::arcBetween(a, b, bend), static_cast<double>(joints.radius[j]) / 100,
-            [&](const Point& from, const Point& to, double, double) { show(from, to); });
+        detail::forEachPieceOf(state_, j, place(joints.a[j]), place(joints.b[j]),
+                               [&](const Point& a, const Point& b, double, double) {
+                                   to_.capsule({joints.id[j], ownerOf(j), a, b, joints.radius[j],
+                                                asleep(joints.a[j])});
+                               });
     }
 
     void drawJoint(std::uint32_t j) {

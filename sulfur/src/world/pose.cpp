@@ -9,7 +9,7 @@
 #include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "rigid/cluster_motion.hpp"
-#include "shape/arc.hpp"
+#include "shape/bends.hpp"
 #include "shape/make_shapes.hpp"
 #include "solver/work_lists.hpp"
 #include "world/impl.hpp"
@@ -176,7 +176,7 @@ Bounds World::bounds(BodyId id) const {
         const auto j = state.jointSlots.dense(joint);
         for (const auto end : {state.joints.a[j], state.joints.b[j]})
             include(end, state.joints.radius[j]);
-        const double bend = static_cast<double>(state.joints.bend[j].angle);
+        const double bend = detail::bendOf(state, j);
         if (bend == 0) continue;
         const detail::Arc arc =
             detail::arcBetween(p.position[state.joints.a[j]], p.position[state.joints.b[j]], bend);

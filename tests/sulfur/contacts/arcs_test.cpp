@@ -286,6 +286,67 @@ TEST(Arcs, NothingFastPassesThroughThem) {
     }
 }
 
+TEST(Arcs, NothingCurvedPassesThroughThem) {
+    const double radius = 3 / std::sin(1.25), top = radius - radius * std::cos(1.25);
+    for (int k = 0; k < 60; ++k) {
+        WorldSettings settings;
+        settings.gravity = {0, 0};
+        World world(settings);
+        world.add(arc({-3, 0}, {3, 0}, Real(-2.5)));
+        const Body b = world.add(rocker(), {.position = {0.05 * (k % 21 - 10), top + 4}});
+        world.setVelocity(b, Vec2(0, static_cast<Real>(-20 - 4 * k)));
+        test::run(world, 0.5);
+        const Point p = world.centreOfMass(b);
+        EXPECT_FALSE(p.y() < top - 0.2 && std::abs(p.x()) < 2.5) << k << ": " << p.transpose();
+    }
+}
+
+TEST(Arcs, WhatIsDeepInABulgeLeavesThroughIt) {
+    // Half a disc whose curved side is to the right of the way along it, and to the left.
+    for (const bool forth : {true, false}) {
+        WorldSettings settings;
+        settings.gravity = {0, 0};
+        World world(settings);
+        Blueprint plan = rocker();
+        plan.particles[2].position = {0, Real(0.5)};
+        for (JointSpec& joint : plan.joints) joint.radius = Real(0.05);
+        if (!forth) {
+            std::swap(plan.joints[0].a, plan.joints[0].b);
+            plan.joints[0].bend = -plan.joints[0].bend;
+        }
+        const Body b = world.add(plan);
+        world.step();
+        // It is put there when both have met already, as a blow would press it in.
+        const Body bead = world.add(disc(0.05, {}), {.position = {0, -1.2}});
+        world.step();
+        world.setPosition(bead[0], {0, -0.8});
+        test::run(world, 2);
+        EXPECT_GT((world.position(bead[0]) - world.centreOfMass(b)).norm(), 0.9) << forth;
+        EXPECT_LT(world.position(bead[0]).y(), -0.9) << forth;
+    }
+}
+
+TEST(Arcs, LinksOfAChainAreStraightToAll) {
+    struct Counter final : DebugDraw {
+        void capsule(const Capsule&) override { ++pieces; }
+        int pieces = 0;
+    } counter;
+    World world;
+    Blueprint plan;
+    plan.particles = {{.position = {-2, 0}, .pinned = true},
+                      {.position = {0, 0}},
+                      {.position = {2, 0}, .pinned = true}};
+    plan.joints = {{.a = 0, .b = 1, .radius = Real(0.05), .bend = Real(-1.5)},
+                   {.a = 1, .b = 2, .radius = Real(0.05), .bend = Real(-1.5)}};
+    world.add(plan);
+    const Body bead = world.add(disc(0.1, {}), {.position = {-1, 1}});
+    test::run(world, 1);
+    world.draw(counter);
+    EXPECT_EQ(counter.pieces, 2);
+    EXPECT_NEAR(world.position(bead[0]).y(), 0.15, 0.05);
+    EXPECT_TRUE(world.overlap(QueryShape::circle({1, 0.5}, 0.1)).empty());
+}
+
 TEST(Arcs, ACurvedSideFallsThroughNoFloor) {
     for (int k = 0; k < 30; ++k) {
         World world;
