@@ -262,7 +262,7 @@ private:
     void stamp();
     Side side();
     void restore(const Side& side);
-    void swap(Step& step);
+    void go(std::vector<Step>& from, std::vector<Step>& to, bool back);
     void requireRoom(std::size_t particles, std::size_t joints) const;
     std::uint64_t keyOf(const std::string& id);
     std::optional<sulfur::scene::ParticleRef> refOf(sulfur::ParticleId particle) const;

@@ -103,38 +103,29 @@ void Document::rollback() {
     restore(step->other);
 }
 
-// Goes to the other side of a step, whose plan is set already.
-void Document::swap(Step& step) {
+// Takes the last step of a list back, or does it again, and puts it to the other list.
+void Document::go(std::vector<Step>& from, std::vector<Step>& to, bool back) {
+    commit();
+    if (from.empty()) return;
+    const auto change = TextChange::fromBytes(from.back().change.read());
+    std::string text = back ? change.revert(text_) : change.apply(text_);
+    Step step = std::move(from.back());
+    from.pop_back();
+    plan_ = Plan(sulfur::scene::parse(text, planName));
+    text_ = std::move(text);
     Side now = side();
     restore(step.other);
     step.other = std::move(now);
     playing_ = false;
+    to.push_back(std::move(step));
 }
 
 void Document::undo() {
-    commit();
-    if (undo_.empty()) return;
-    const auto change = TextChange::fromBytes(undo_.back().change.read());
-    std::string text = change.revert(text_);
-    Step step = std::move(undo_.back());
-    undo_.pop_back();
-    plan_ = Plan(sulfur::scene::parse(text, planName));
-    text_ = std::move(text);
-    swap(step);
-    redo_.push_back(std::move(step));
+    go(undo_, redo_, true);
 }
 
 void Document::redo() {
-    commit();
-    if (redo_.empty()) return;
-    const auto change = TextChange::fromBytes(redo_.back().change.read());
-    std::string text = change.apply(text_);
-    Step step = std::move(redo_.back());
-    redo_.pop_back();
-    plan_ = Plan(sulfur::scene::parse(text, planName));
-    text_ = std::move(text);
-    swap(step);
-    undo_.push_back(std::move(step));
+    go(redo_, undo_, false);
 }
 
 std::string Document::undoLabel() const {

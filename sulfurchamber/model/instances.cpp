@@ -22,20 +22,7 @@ using sulfur::scene::Scene;
 // The names of parts become the ids of bodies, or the other way round. Ties to others go.
 void renameAll(Scene& scene, const std::map<std::string, std::string>& names) {
     const auto change = [&](std::string& name) { name = names.at(name); };
-    for (auto& connection : scene.connections) {
-        change(connection.a.body);
-        change(connection.b.body);
-    }
-    for (auto& attachment : scene.attachments) {
-        change(attachment.particle.body);
-        change(attachment.body);
-    }
-    for (auto& veto : scene.vetoes) {
-        change(veto.a);
-        change(veto.b);
-    }
-    for (auto& mechanism : scene.mechanisms)
-        for (std::string* name : bodiesOf(mechanism)) change(*name);
+    forEachTiedName(scene, change);
     auto thrusters = thrustersOf(scene);
     for (Thruster& thruster : thrusters) change(thruster.body);
     for (Placement& body : scene.bodies)

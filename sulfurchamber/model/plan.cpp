@@ -241,6 +241,23 @@ void Plan::forgetLostEnds() {
     std::erase_if(scene_.attachments, [&](const auto& a) { return lost(a.particle); });
 }
 
+void forEachTiedName(sulfur::scene::Scene& scene, const std::function<void(std::string&)>& change) {
+    for (auto& connection : scene.connections) {
+        change(connection.a.body);
+        change(connection.b.body);
+    }
+    for (auto& attachment : scene.attachments) {
+        change(attachment.particle.body);
+        change(attachment.body);
+    }
+    for (auto& veto : scene.vetoes) {
+        change(veto.a);
+        change(veto.b);
+    }
+    for (auto& mechanism : scene.mechanisms)
+        for (std::string* name : bodiesOf(mechanism)) change(*name);
+}
+
 void Plan::rename(const std::string& id, const std::string& to) {
     if (id == to) return;
     if (to.empty() || to.size() > sulfur::scene::Limits::nameBytes ||
@@ -263,20 +280,7 @@ void Plan::rename(const std::string& id, const std::string& to) {
     const auto change = [&](std::string& name) {
         if (name == id) name = to;
     };
-    for (auto& connection : scene_.connections) {
-        change(connection.a.body);
-        change(connection.b.body);
-    }
-    for (auto& attachment : scene_.attachments) {
-        change(attachment.particle.body);
-        change(attachment.body);
-    }
-    for (auto& veto : scene_.vetoes) {
-        change(veto.a);
-        change(veto.b);
-    }
-    for (auto& mechanism : scene_.mechanisms)
-        for (std::string* name : bodiesOf(mechanism)) change(*name);
+    forEachTiedName(scene_, change);
     for (auto& thruster : thrusters) change(thruster.body);
     if (thrusts) setThrusters(scene_, thrusters);
     index();

@@ -10,6 +10,9 @@
 
 namespace sulfurchamber {
 
+/// Calls change(name) for each body that connections, attachments, vetoes and mechanisms name.
+void forEachTiedName(sulfur::scene::Scene& scene, const std::function<void(std::string&)>& change);
+
 /// A scene with what makes it quick to edit: indices of its names, and equal blueprints shared.
 ///
 /// Plain value, one thread. Functions that take an id expect one of the scene and throw

@@ -1,7 +1,7 @@
 // Looking from one corner at the sides or corners of a chunk, several at once.
 //
 // Compiled twice and chosen at run time like joint_sweep.hpp, with the same promise and the same
-// care: the same bits as one by one.
+// care: the same bits as one by one, because where lanes meet they give a minimum.
 #pragma once
 
 #include <cstddef>
