@@ -34,7 +34,7 @@ Snapshot sample(int ticks) {
     Blueprint zone = shapes::box();
     zone.kind = BodyKind::fixed;
     zone.sensor = true;
-    zone.skin = Skin{.texture = "zone", .uv = std::vector<Vec2>(zone.particles.size())};
+    zone.skin = Skin{.texture = "zone", .uv = std::vector<Vec2>(zone.particles.size(), Vec2{0, 0})};
     world.setCollision(world.add(zone, {.position = {0, 1}}), ball, false);
     world.add(WindField{.zone = CircleZone{{0, 1}, 2}, .velocity = {1, 0}});
     if (ticks < 100) world.grab(ball.front(), {0, 3});

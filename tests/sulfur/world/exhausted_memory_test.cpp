@@ -254,7 +254,8 @@ TEST_P(ExhaustedMemory, AddingABody) {
     expectAllOrNothing(adding(shapes::floor({-9, 1}, {9, 1}), {0, 0}));
     Blueprint plan = shapes::box();
     plan.name = "a name so long that it does not fit where short ones do";
-    plan.skin = Skin{.texture = plan.name, .uv = std::vector<Vec2>(plan.particles.size())};
+    plan.skin =
+        Skin{.texture = plan.name, .uv = std::vector<Vec2>(plan.particles.size(), Vec2{0, 0})};
     expectAllOrNothing(adding(plan, {0, 9}));
 }
 
