@@ -104,6 +104,9 @@ public:
     virtual void addJoint(const JointPlan&, const BodyPlan& /*a*/, const BodyPlan& /*b*/) {}
     /// N m, for the next tick.
     virtual void applyTorque(std::size_t /*body*/, double /*torque*/) {}
+    /// N s, at a place in the world; at once.
+    virtual void applyImpulse(std::size_t /*body*/, const Point& /*impulse*/, const Point& /*at*/) {
+    }
     /// Its number stays its own.
     virtual void removeBody(std::size_t) {}
 
@@ -120,6 +123,10 @@ public:
     virtual std::vector<Point> blob(std::size_t i) const = 0;
     /// How a body moves now.
     virtual Motion body(std::size_t) const { return {}; }
+    /// kg m^2 about its centre, as the engine has it; `plan` is what it was made of.
+    virtual double inertia(std::size_t /*body*/, const BodyPlan& plan) const {
+        return plan.inertia();
+    }
     /// N m or N, of the motor of a joint in the last tick.
     virtual double motorForce(std::size_t /*joint*/) const { return 0; }
     /// Where the two sockets of a pin are now.

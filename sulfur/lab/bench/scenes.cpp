@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bench/crowd.hpp"
+#include "bench/mechanisms.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -13,6 +14,10 @@ namespace {
 
 std::string partOfS8(const std::string& name) {
     return fmt::format("S8:{}", name);
+}
+
+std::string partOfS9(const std::string& name) {
+    return fmt::format("S9:{}", name);
 }
 
 std::vector<Scene> sizesOf(const std::string& name, Extent extent) {
@@ -38,6 +43,8 @@ std::vector<Scene> sizesOf(const std::string& name, Extent extent) {
         for (const int base : sizes({40}, {100}, {100})) all.push_back(pyramid(base, true));
     for (const std::string& part : crowdNames())
         if (name == partOfS8(part)) all.push_back(crowd(part, extent));
+    for (const std::string& part : mechanismNames())
+        if (name == partOfS9(part)) all.push_back(mechanism(part, extent));
     return all;
 }
 
@@ -71,6 +78,8 @@ const std::vector<std::string>& sceneNames() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all{"S1", "S2", "S3", "S4", "S5", "S7", "S8"};
         for (const std::string& part : crowdNames()) all.push_back(partOfS8(part));
+        all.emplace_back("S9");
+        for (const std::string& part : mechanismNames()) all.push_back(partOfS9(part));
         return all;
     }();
     return names;
@@ -82,8 +91,9 @@ std::vector<Scene> scenes(const std::vector<std::string>& names, Extent extent) 
     };
     std::vector<Scene> all;
     for (const std::string& name : sceneNames()) {
-        const bool part = name.starts_with("S8:");
-        if (!named(name) && !(part ? named("S8") : names.empty())) continue;
+        const bool part = name.find(':') != std::string::npos;
+        const std::string whole = name.substr(0, name.find(':'));
+        if (!named(name) && !(part ? named(whole) : names.empty())) continue;
         for (Scene& scene : sizesOf(name, extent)) all.push_back(std::move(scene));
     }
     return all;

@@ -68,9 +68,9 @@ struct Scene {
 /// How large the comparison is.
 enum class Extent { quick, usual, large };
 
-/// Names of all scenes, and of the parts of S8: "S8:tumbler".
+/// Names of all scenes, and of the parts of S8 and S9: "S8:tumbler".
 const std::vector<std::string>& sceneNames();
-/// All sizes of the scenes with these names. When none is given: of all but S8, which takes long.
+/// All sizes of the scenes with these names. When none is given: of all but S8 and S9.
 std::vector<Scene> scenes(const std::vector<std::string>& names, Extent extent);
 /// The settings in which an engine is run in a scene; empty when it does not offer the scene.
 std::vector<Setting> settingsFor(const Engine& engine, const Scene& scene);

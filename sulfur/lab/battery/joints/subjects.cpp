@@ -3,22 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace sulfur::lab {
 
-using bench::BodyPlan;
 using bench::EngineWorld;
-using bench::JointPlan;
-
-namespace {
-
-/// In the frame of a body.
-Point localOf(const bench::Motion& motion, const Point& place) {
-    return bench::Motion{.place = {0, 0}, .angle = -motion.angle}.at(place - motion.place);
-}
-
-}  // namespace
 
 std::string JointSubject::label() const {
     return ours ? fmt::format("{} Hz", setting.rate)
@@ -58,34 +46,6 @@ std::vector<JointSubject> jointSubjects(const Setup& setup) {
             all.push_back({{.engine = "box2d3", .rate = rate, .iterations = substeps}, false});
     }
     return all;
-}
-
-Point Anchors::gap(const EngineWorld& world) const {
-    return world.body(b).at(onB) - world.body(a).at(onA);
-}
-
-double Anchors::value(const EngineWorld& world) const {
-    const double now = world.body(b).angle - world.body(a).angle - angle;
-    return std::remainder(now, 2 * std::numbers::pi);
-}
-
-std::size_t Workshop::add(const BodyPlan& plan) {
-    world_.addBody(plan);
-    plans_.push_back(plan);
-    return plans_.size() - 1;
-}
-
-std::size_t Workshop::addNail(const Point& place) {
-    return add(
-        {.parts = {bench::disc(0.05)}, .mover = bench::Mover::nobody, .place = place, .group = 1});
-}
-
-std::size_t Workshop::join(const JointPlan& plan) {
-    const bench::Motion a = world_.body(plan.a), b = world_.body(plan.b);
-    anchors_.push_back(
-        {plan.a, plan.b, localOf(a, plan.at), localOf(b, plan.at), b.angle - a.angle});
-    world_.addJoint(plan, plans_[plan.a], plans_[plan.b]);
-    return anchors_.size() - 1;
 }
 
 }  // namespace sulfur::lab

@@ -8,6 +8,7 @@
 
 #include "battery/row.hpp"
 #include "bench/engine.hpp"
+#include "bench/workshop.hpp"
 
 namespace sulfur::lab {
 
@@ -34,34 +35,7 @@ std::vector<JointSubject> jointSubjects(const Setup& setup);
 /// The rates of ours, Hz.
 std::vector<int> jointRates();
 
-/// Where a joint holds each of its bodies, in their frames.
-struct Anchors {
-    std::size_t a = 0, b = 0;
-    Point onA{0, 0}, onB{0, 0};  ///< m
-    double angle = 0;            ///< rad, of b against a, when it was made
-
-    /// m, how far apart both places are now.
-    Point gap(const bench::EngineWorld& world) const;
-    /// rad, of b against a now; within half a turn where an engine does not count turns.
-    double value(const bench::EngineWorld& world) const;
-};
-
-/// Bodies and joints in one world of an engine, with their plans.
-class Workshop {
-public:
-    explicit Workshop(bench::EngineWorld& world) : world_(world) {}
-
-    std::size_t add(const bench::BodyPlan& plan);
-    /// Something fixed that touches nothing.
-    std::size_t addNail(const Point& place);
-    std::size_t join(const bench::JointPlan& plan);
-    const Anchors& anchors(std::size_t joint) const { return anchors_[joint]; }
-    const bench::BodyPlan& plan(std::size_t body) const { return plans_[body]; }
-
-private:
-    bench::EngineWorld& world_;
-    std::vector<bench::BodyPlan> plans_;
-    std::vector<Anchors> anchors_;
-};
+using bench::Anchors;
+using bench::Workshop;
 
 }  // namespace sulfur::lab

@@ -133,47 +133,46 @@ public:
     }
 
     void addJoint(const JointPlan& plan, const BodyPlan&, const BodyPlan&) override {
-        b2JointDef base = b2DefaultRevoluteJointDef().base;
-        base.bodyIdA = bodies_[plan.a].id;
-        base.bodyIdB = bodies_[plan.b].id;
-        base.localFrameA = frameOf(plan, plan.a);
-        base.localFrameB = frameOf(plan, plan.b);
-        stiffen(base);
         const auto f = [](double x) { return static_cast<float>(x); };
-        const auto describe = [&](auto def) {
-            def.base = base;
-            def.enableSpring = plan.hertz > 0;
-            def.hertz = f(plan.hertz);
-            def.dampingRatio = f(plan.dampingRatio);
-            def.enableLimit = plan.lower || plan.upper;
-            def.enableMotor = plan.motorMax > 0;
-            def.motorSpeed = f(plan.motorSpeed);
-            return def;
-        };
         const double low = plan.lower.value_or(-1e6), high = plan.upper.value_or(1e6);
+        kinds_.push_back(plan.kind);
         if (plan.kind == JointPlan::Kind::hinge) {
-            b2RevoluteJointDef def = describe(b2DefaultRevoluteJointDef());
+            b2RevoluteJointDef def = describe(plan, b2DefaultRevoluteJointDef());
+            def.targetAngle = f(plan.rest);
             def.lowerAngle = f(low);
             def.upperAngle = f(high);
             def.maxMotorTorque = f(plan.motorMax);
             joints_.push_back(b2CreateRevoluteJoint(world_, &def));
         } else if (plan.kind == JointPlan::Kind::slider) {
-            b2PrismaticJointDef def = describe(b2DefaultPrismaticJointDef());
+            b2PrismaticJointDef def = describe(plan, b2DefaultPrismaticJointDef());
+            def.targetTranslation = f(plan.rest);
             def.lowerTranslation = f(low);
             def.upperTranslation = f(high);
             def.maxMotorForce = f(plan.motorMax);
             joints_.push_back(b2CreatePrismaticJoint(world_, &def));
-        } else {
-            b2WheelJointDef def = describe(b2DefaultWheelJointDef());
+        } else if (plan.kind == JointPlan::Kind::wheel) {
+            b2WheelJointDef def = describe(plan, b2DefaultWheelJointDef());
             def.lowerTranslation = f(low);
             def.upperTranslation = f(high);
             def.maxMotorTorque = f(plan.motorMax);
             joints_.push_back(b2CreateWheelJoint(world_, &def));
+        } else {
+            b2DistanceJointDef def = describe(plan, b2DefaultDistanceJointDef());
+            def.enableSpring = true;  // without one it is a rod; one of 0 Hz does nothing
+            def.length = f((plan.atB - plan.at).norm());
+            def.minLength = f(plan.lower.value_or(0));
+            def.maxLength = f(high);
+            def.maxMotorForce = f(plan.motorMax);
+            joints_.push_back(b2CreateDistanceJoint(world_, &def));
         }
-        kinds_.push_back(plan.kind);
     }
     void applyTorque(std::size_t body, double torque) override {
         b2Body_ApplyTorque(bodies_[body].id, static_cast<float>(torque), true);
+    }
+    void applyImpulse(std::size_t body, const Point& impulse, const Point& at) override {
+        const b2Vec2 local = vec(localOf(body, at));
+        const b2BodyId id = bodies_[body].id;
+        b2Body_ApplyLinearImpulse(id, vec(impulse), b2Body_GetWorldPoint(id, local), true);
     }
     double motorForce(std::size_t joint) const override {
         const b2JointId id = joints_[joint];
@@ -184,6 +183,8 @@ public:
                 return static_cast<double>(b2PrismaticJoint_GetMotorForce(id));
             case JointPlan::Kind::wheel:
                 return static_cast<double>(b2WheelJoint_GetMotorTorque(id));
+            case JointPlan::Kind::distance:
+                return static_cast<double>(b2DistanceJoint_GetMotorForce(id));
         }
         return 0;
     }
@@ -242,12 +243,37 @@ private:
         b2CreatePolygonShape(body, &def, &polygon);
     }
 
-    /// Where a joint is in the frame of a body, with the axis as its x.
-    b2Transform frameOf(const JointPlan& plan, std::size_t which) const {
+    /// What all kinds have by the same names.
+    template <class Def>
+    Def describe(const JointPlan& plan, Def def) const {
+        const bool distance = plan.kind == JointPlan::Kind::distance;
+        def.base.bodyIdA = bodies_[plan.a].id;
+        def.base.bodyIdB = bodies_[plan.b].id;
+        def.base.localFrameA = frameOf(plan.a, plan.at, plan.axis);
+        def.base.localFrameB = frameOf(plan.b, distance ? plan.atB : plan.at, plan.axis);
+        stiffen(def.base);
+        if (plan.heldHertz > 0) {
+            def.base.constraintHertz = static_cast<float>(plan.heldHertz);
+            def.base.constraintDampingRatio = static_cast<float>(plan.heldDampingRatio);
+        }
+        def.enableSpring = plan.hertz > 0;
+        def.hertz = static_cast<float>(plan.hertz);
+        def.dampingRatio = static_cast<float>(plan.dampingRatio);
+        def.enableLimit = plan.lower || plan.upper;
+        def.enableMotor = plan.motorMax > 0;
+        def.motorSpeed = static_cast<float>(plan.motorSpeed);
+        return def;
+    }
+
+    Point localOf(std::size_t which, const Point& at) const {
         const Motion now = body(which);
-        const Point local = Motion{.place = {0, 0}, .angle = -now.angle}.at(plan.at - now.place);
-        const double along = std::atan2(plan.axis.y(), plan.axis.x()) - now.angle;
-        return {vec(local), b2MakeRot(static_cast<float>(along))};
+        return Motion{.place = {0, 0}, .angle = -now.angle}.at(at - now.place);
+    }
+
+    /// A place in the frame of a body, with the axis as its x.
+    b2Transform frameOf(std::size_t which, const Point& at, const Point& axis) const {
+        const double along = std::atan2(axis.y(), axis.x()) - body(which).angle;
+        return {vec(localOf(which, at)), b2MakeRot(static_cast<float>(along))};
     }
 
     static void placeAt(b2BodyDef& def, const Point& p) {

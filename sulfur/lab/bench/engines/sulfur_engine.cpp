@@ -109,6 +109,7 @@ public:
         way.upper = plan.upper ? real(*plan.upper) : infinite;
         way.stiffness = real(inertia * omega * omega);
         way.damping = real(2 * plan.dampingRatio * inertia * omega);
+        way.rest = real(plan.rest);
         motor.motorSpeed = real(plan.motorSpeed);
         motor.motorMax = real(plan.motorMax);
         if (plan.kind == JointPlan::Kind::wheel) {
@@ -120,7 +121,9 @@ public:
         }
         way.motorSpeed = motor.motorSpeed;
         way.motorMax = motor.motorMax;
-        if (angular)
+        if (plan.kind == JointPlan::Kind::distance)
+            joints_.push_back(world_.distance(first, plan.at, second, plan.atB, {.drive = way}));
+        else if (angular)
             joints_.push_back(world_.hinge(first, second, plan.at, {.drive = way}));
         else
             joints_.push_back(world_.slider(first, second, plan.at, plan.axis.cast<Real>(),
@@ -128,6 +131,12 @@ public:
     }
     void applyTorque(std::size_t body, double torque) override {
         world_.applyTorque(bodies_[body].body, real(torque));
+    }
+    void applyImpulse(std::size_t body, const Point& impulse, const Point& at) override {
+        world_.applyImpulse(bodies_[body].body, impulse.cast<Real>(), at);
+    }
+    double inertia(std::size_t i, const BodyPlan&) const override {
+        return static_cast<double>(world_.inertia(bodies_[i].body));
     }
     double motorForce(std::size_t joint) const override {
         return static_cast<double>(world_.info(joints_[joint]).force);
