@@ -194,7 +194,7 @@ void MainFrame::addToolActions() {
         {ToolKind::gravity, "&Gravity zone\tCtrl+Shift+K", 0,
          "A zone in which things weigh nothing, or fall elsewhere"},
         {ToolKind::conveyor, "&Conveyor\tCtrl+Shift+B", 0, "A belt, or a body whose surface runs"},
-        {ToolKind::liquid, "&Liquid\tCtrl+Shift+L", 0, "A pool of many small drops"},
+        {ToolKind::liquid, "&Liquid\tCtrl+Shift+A", 0, "A pool of many small drops"},
         {ToolKind::pin, "&Pin", 'P', "Hold a particle where it is, or let it go"},
         {ToolKind::cut, "&Cut", 'X', "Cut through joints"},
         {ToolKind::erase, "&Erase", 'E', "Remove bodies and what is fitted to them"},
@@ -281,7 +281,7 @@ void MainFrame::addViewActions() {
     static constexpr Page pages[] = {
         {"scene", "Page of the scene\tCtrl+1"},     {"object", "Page of the object\tCtrl+2"},
         {"history", "Page of the history\tCtrl+3"}, {"measure", "Page of the measuring\tCtrl+4"},
-        {"outline", "Page of the outline\tCtrl+5"}, {"library", "Page of the library\tCtrl+L"}};
+        {"outline", "Page of the outline\tCtrl+5"}, {"library", "Page of the library\tCtrl+6"}};
     for (const Page& page : pages)
         add({"page-" + std::string(page.name), m, page.label, 0,
              "Bring this page of the side panel to the front", "",

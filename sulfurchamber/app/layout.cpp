@@ -205,7 +205,7 @@ void MainFrame::makePanels() {
     levelPanel_ = new LevelPanel(
         side_, bench_, *stage_, [this](const std::string& action) { perform(action); },
         [this](const std::string& problem) { tell(problem); });
-    side_->AddPage(levelPanel_, "Level");
+    side_->addPage("level", levelPanel_, "Level");
     timeBar_ = new TimeBar(centre_, bench_, view_, [this](wxWindow& at) { chooseSpeed(at); });
     hint_ = new wxStaticText(centre_, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                              wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);

@@ -84,7 +84,7 @@ void MainFrame::addProvingActions() {
              stage_->desk().takeMedals();
          },
          [this] { return stage_->desk().proof() == LevelDesk::Proof::holds; }});
-    add({"level-problem", m, "Next pro&blem\tF8", 0, "Go to what is wrong and select it", "",
+    add({"level-problem", m, "Next pro&blem\tF7", 0, "Go to what is wrong and select it", "",
          [this] { stage_->goToNext(); }, [this] { return !stage_->desk().problems().empty(); }});
     add({"level-publish", m, "Pu&blish in the game", 0,
          "Put the level with its proof into the game's own menu", "", [this] { publishLevel(); },
@@ -97,7 +97,7 @@ void MainFrame::addProvingActions() {
          "Where the hero goes, and where the search has been", "",
          [this] { stage_->setWayShown(!stage_->wayShown()); }, level,
          [this] { return stage_->wayShown(); }});
-    add({"page-level", m, "Page of the le&vel\tCtrl+4", 0,
+    add({"page-level", m, "Page of the le&vel\tCtrl+7", 0,
          "Bring this page of the side panel to the front", "",
          [this] {
              showSide(true);

@@ -89,6 +89,7 @@ std::string scriptHelp() {
            "                          hidden locked outline-rows zoom (metres of a pixel)\n"
            "                          series samples plot.from plot.to plot.fit plot.cursor\n"
            "                          film lesson.step lesson.showing gallery.pictures\n"
+           "                          page (of the side panel, the first is 1)\n"
            "                          instances overrides (of what is selected) templates (shown)\n"
            "                          skins (bodies that wear one)\n"
            "                          pictures (of templates that are still to come)\n"

@@ -96,6 +96,7 @@ double Script::quantity(const std::string& name) const {
     if (name == "plot.to") return frame_.plot().shown().second;
     if (name == "plot.fit") return frame_.plot().fitValue().value_or(none);
     if (name == "plot.cursor") return frame_.plot().cursorValue().value_or(none);
+    if (name == "page") return frame_.side().GetSelection() + 1;
     if (name == "instances") return static_cast<double>(instancesOf(document.scene()).size());
     if (name == "overrides") {
         std::size_t count = 0;

@@ -2,8 +2,7 @@
 
 #include <wx/sizer.h>
 
-#include <array>
-#include <string_view>
+#include <algorithm>
 
 #include "constants_panel.hpp"
 #include "library_panel.hpp"
@@ -22,13 +21,13 @@ SidePanel::SidePanel(wxWindow* parent, Workbench& bench, SceneView& view, Templa
     properties_ = new PropertiesPanel(this, bench, run, refuse);
     library_ = new LibraryPanel(this, bench, desk, thumbnails, run, refuse);
     outline_ = new OutlinePanel(this, bench, view, refuse);
-    AddPage(constants_, wxTr("Scene"));
-    AddPage(properties_, wxTr("Object"));
+    addPage("scene", constants_, "Scene");
+    addPage("object", properties_, "Object");
     makeHistory();
     measures_ = new MeasurePanel(this, bench, view);
-    AddPage(measures_, wxTr("Measure"));
-    AddPage(outline_, wxTr("Outline"));
-    AddPage(library_, wxTr("Library"));
+    addPage("measure", measures_, "Measure");
+    addPage("outline", outline_, "Outline");
+    addPage("library", library_, "Library");
 }
 
 // A click goes to the moment after a step.
@@ -36,7 +35,7 @@ void SidePanel::makeHistory() {
     history_ = new wxListBox(this, wxID_ANY, wxDefaultPosition, wxDefaultSize, 0, nullptr,
                              wxLB_SINGLE | wxBORDER_NONE);
     history_->SetToolTip(wxTr("All steps; a click goes back or forth to one"));
-    AddPage(history_, wxTr("History"));
+    addPage("history", history_, "History");
     history_->Bind(wxEVT_LISTBOX, [this](wxCommandEvent& event) {
         const auto wanted = static_cast<std::size_t>(std::max(0, event.GetInt()));
         Document& document = bench_.document();
@@ -76,16 +75,17 @@ void SidePanel::refresh() {
     if (GetCurrentPage() == library_) library_->refresh();
 }
 
+void SidePanel::addPage(const std::string& name, wxWindow* page, const char* title) {
+    names_.push_back(name);
+    AddPage(page, wxTr(title));
+}
+
 bool SidePanel::showPage(const std::string& name) {
-    static constexpr std::array<std::string_view, 6> names{"scene",   "object",  "history",
-                                                           "measure", "outline", "library"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i] != name) continue;
-        ChangeSelection(i);
-        refresh();
-        return true;
-    }
-    return false;
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) return false;
+    ChangeSelection(static_cast<std::size_t>(found - names_.begin()));
+    refresh();
+    return true;
 }
 
 }  // namespace sulfurchamber

@@ -31,8 +31,10 @@ public:
     LibraryPanel& library() { return *library_; }
     /// Shows what the document and the simulation say now. Cheap; may be called often.
     void refresh();
-    /// Brings a page to the front: "scene", "object", "history", "measure", "outline" or "library".
-    /// False when there is no such page.
+    /// `title` is the English that is translated.
+    void addPage(const std::string& name, wxWindow* page, const char* title);
+    /// Brings a page to the front: "scene", "object", "history", "measure", "outline", "library",
+    /// or one that was added. False when there is no such page.
     bool showPage(const std::string& name);
     MeasurePanel& measures() { return *measures_; }
     OutlinePanel& outline() { return *outline_; }
@@ -42,6 +44,7 @@ private:
     void refreshHistory();
 
     Workbench& bench_;
+    std::vector<std::string> names_;  // of the pages, in their order
     LibraryPanel* library_ = nullptr;
     ConstantsPanel* constants_ = nullptr;
     PropertiesPanel* properties_ = nullptr;

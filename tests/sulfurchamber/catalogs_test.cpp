@@ -1,7 +1,10 @@
 // Every text that somebody sees is in the catalogs of all languages.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <map>
 #include <set>
+#include <sstream>
 #include <sulfur/scene.hpp>
 
 #include "model/fitting_properties.hpp"
@@ -143,6 +146,25 @@ TEST_F(Catalogs, numbersHaveAPoint) {
     EXPECT_EQ(fixed(-0.5, 1), "-0.5");
     EXPECT_EQ(fixed(3, 0), "3");
     EXPECT_EQ(fixed(1e300, 2).size(), 304u);
+}
+
+// A menu's key that two entries have works for one of them only.
+TEST(VisibleTexts, everyKeyIsGivenOnce) {
+    std::map<std::string, std::string> entryOf;
+    for (const auto& entry : fs::directory_iterator(fs::path(SULFURCHAMBER_SOURCES) / "app")) {
+        if (entry.path().extension() != ".cpp") continue;
+        std::ostringstream source;
+        source << std::ifstream(entry.path()).rdbuf();
+        for (const Literal& one : literalsOf(source.str())) {
+            const std::size_t tab = one.text.find('\t');
+            if (tab == std::string::npos || !looksVisible(one.text)) continue;
+            const auto [first, isNew] =
+                entryOf.emplace(one.text.substr(tab + 1), one.text.substr(0, tab));
+            EXPECT_TRUE(isNew) << first->first << " is the key of \"" << first->second
+                               << "\" and of \"" << one.text.substr(0, tab) << "\"";
+        }
+    }
+    EXPECT_GT(entryOf.size(), 50u);
 }
 
 TEST(VisibleTexts, areFoundInSource) {

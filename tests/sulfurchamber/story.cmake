@@ -1,5 +1,6 @@
 # The story of a newcomer, by mouse and keyboard: a soft creature on a rope, a wall that falls on
-# it, back in time, stiffer, its energy over time; then a car with driven wheels and a catapult.
+# it, back in time, stiffer, its energy over time; then a car with driven wheels and a catapult, a
+# template whose instances follow, and a level that is played.
 # Pictures of each step lie in the working folder.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
@@ -74,3 +75,67 @@ run_window(0 --script ${WORK}/machines.txt)
 foreach(picture 1-built 2-hit 3-stiffer 4-car 5-catapult 6-running)
   run(0 ${PICTURE_CHECK} colourful ${WORK}/${picture}.png)
 endforeach()
+
+# A part that is wanted more than once becomes a template: what changes in it changes in all.
+file(WRITE ${WORK}/template.txt "
+tool ball
+drag -3 0.6 -3 0.2
+save-template Wheel of mine
+expect instances = 1
+place -0.5 0.6 Wheel of mine
+place 2 0.6 Wheel of mine
+expect instances = 3
+screenshot ${WORK}/7-instances.png
+property mass 7
+colour ff8800
+expect overrides = 2
+do template-apply
+expect overrides = 0
+screenshot ${WORK}/8-followed.png
+tool select
+click -3 0.6
+expect selected = 1
+expect property.mass = 7
+expect overrides = 0
+click -0.5 0.6
+expect property.mass = 7
+do undo
+expect property.mass < 6
+save ${WORK}/templates.json
+expect problem = 0
+")
+run_window(0 --script ${WORK}/template.txt)
+run(0 ${PICTURE_CHECK} differ ${WORK}/7-instances.png ${WORK}/8-followed.png)
+
+# A level: made, checked, furnished, walked through in the same window, and edited on.
+file(WRITE ${WORK}/level.txt "
+do level-new
+do page-level
+expect page = 7
+await level.checked = 1 60
+expect level.problems = 0
+do place-checkpoint
+click 8 0.4
+do place-hint
+click 9 1.2
+field text Well done
+thing exit 0
+field radius 0.8
+whole
+await level.checked = 1 60
+expect level.problems = 0
+screenshot ${WORK}/9-level.png
+key F5
+await playtest = 1 30
+keep-key D 0.8
+await playtest.x > 0.3 30
+screenshot ${WORK}/10-walked.png
+key Escape
+expect playtest = 0
+expect time = 0
+field radius 0.5
+save ${WORK}/level.json
+expect problem = 0
+")
+run_window(0 --script ${WORK}/level.txt)
+run(0 ${PICTURE_CHECK} differ ${WORK}/9-level.png ${WORK}/10-walked.png)
