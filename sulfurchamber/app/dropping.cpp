@@ -6,6 +6,7 @@
 
 #include "../model/geometry.hpp"
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -19,15 +20,16 @@ void MainFrame::makeDropUses() {
     addSkinDropUse();
     addTemplateDropUse();
     const auto isScene = [](const DroppedFile& dropped) { return dropped.kind == FileKind::scene; };
-    dropUses_.push_back({"open", "&Open this scene", isScene, [this](const DroppedFile& dropped) {
-                             if (mayDiscard()) openFile(dropped.file);
-                         }});
     dropUses_.push_back(
-        {"add", "&Add its bodies here", isScene, [this](const DroppedFile& dropped) {
+        {"open", wxTr("&Open this scene"), isScene, [this](const DroppedFile& dropped) {
+             if (mayDiscard()) openFile(dropped.file);
+         }});
+    dropUses_.push_back(
+        {"add", wxTr("&Add its bodies here"), isScene, [this](const DroppedFile& dropped) {
              bench_.pasteAt(atlax::readFile(dropped.file, mostSceneBytes), dropped.place);
          }});
     dropUses_.push_back(
-        {"outline", wxString::FromUTF8("Bodies from its ou&tlines\xE2\x80\xA6"),
+        {"outline", wxTr("Bodies from its ou&tlines\xE2\x80\xA6"),
          [](const DroppedFile& dropped) {
              return dropped.kind == FileKind::drawing || dropped.kind == FileKind::picture;
          },
@@ -46,9 +48,9 @@ void MainFrame::dropFile(const std::filesystem::path& file, const std::string& u
         for (const DropUse& one : dropUses_)
             if (one.fits(dropped) && (use.empty() || one.name == use)) fitting.push_back(&one);
         if (fitting.empty())
-            throw std::runtime_error(file.filename().string() +
-                                     (use.empty() ? ": nothing can be made of such a file"
-                                                  : ": this cannot be made of such a file"));
+            throw std::runtime_error(tr(use.empty() ? "{}: nothing can be made of such a file"
+                                                    : "{}: this cannot be made of such a file",
+                                        {file.filename().string()}));
         if (const DropUse* chosen = chooseDropUse(fitting)) chosen->run(dropped);
     } catch (const std::exception& error) {
         tell(error.what());

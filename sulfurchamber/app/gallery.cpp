@@ -44,6 +44,7 @@ GalleryDialog::GalleryDialog(wxWindow* parent, const wxString& title,
     // Those that are not seen yet, too: one scrolls through pictures, not through gaps.
     for (const PictureGrid::Item& item : items) thumbnails_.of(item.file);
     grid_ = new PictureGrid(this, thumbnails_);
+    grid_->setTiles(160, 2);  // titles are longer than the names of templates
     grid_->SetMinSize(FromDIP(wxSize(600, 380)));
     grid_->show(std::move(items));
     text_ = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, FromDIP(wxSize(-1, 54)),
@@ -54,6 +55,9 @@ GalleryDialog::GalleryDialog(wxWindow* parent, const wxString& title,
     rows->Add(CreateButtonSizer(wxOK | wxCANCEL),
               wxSizerFlags(0).Expand().Border(wxALL, FromDIP(12)));
     SetSizerAndFit(rows);
+    // Most of the program's window, four pictures wide where that has room.
+    const wxSize room = parent->GetClientSize();
+    SetSize(std::min(FromDIP(760), room.x), std::min(FromDIP(580), room.y));
     if (auto* ok = FindWindow(wxID_OK)) ok->SetLabel(wxTr("Open"));
     if (auto* cancel = FindWindow(wxID_CANCEL)) cancel->SetLabel(wxTr("Cancel"));
     bind();

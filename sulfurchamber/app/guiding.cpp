@@ -48,7 +48,10 @@ void MainFrame::addHelpActions() {
          "",
          [this] {
              const bool on = view_.guide().film().has_value();
-             view_.guide().showFilm(on ? std::nullopt : std::optional(bench_.tool()));
+             if (on)
+                 view_.guide().showFilm({});
+             else
+                 view_.guide().showFilm(bench_.tool(), filmName(bench_.tool()));
          },
          {},
          [this] { return view_.guide().film().has_value(); }});
@@ -100,8 +103,20 @@ void MainFrame::pointAtTool(std::optional<ToolKind> tool) {
 
 void MainFrame::refreshGuide() {
     lesson_->refresh();
-    if (pointedTool_ && view_.options().films && atlax::monotonicNs() > pointedNs_ + dwellNs)
-        view_.guide().showFilm(pointedTool_);
+    if (!pointedTool_ || !view_.options().films || view_.guide().film() == pointedTool_ ||
+        atlax::monotonicNs() < pointedNs_ + dwellNs)
+        return;
+    secondPalette_->UnsetToolTip();  // it would hide the film, which says the same
+    view_.guide().showFilm(pointedTool_, filmName(*pointedTool_));
+}
+
+// As the menu has it: "Bridge  (U)".
+std::string MainFrame::filmName(ToolKind tool) const {
+    for (const Action& action : actions_)
+        if (action.name == "tool-" + std::string(toolName(tool)))
+            return withKey(wxMenuItem::GetLabelText(action.label.BeforeFirst('\t')), action)
+                .utf8_string();
+    return "";
 }
 
 std::optional<wxPoint> MainFrame::buttonOnScreen(const std::string& name) const {

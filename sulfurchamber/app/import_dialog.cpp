@@ -8,6 +8,7 @@
 #include <array>
 
 #include "main_frame.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -16,10 +17,12 @@ namespace {
 class ImportDialog final : public wxDialog {
 public:
     ImportDialog(wxWindow* parent, const wxString& file)
-        : wxDialog(parent, wxID_ANY, "Bodies from outlines") {
-        const std::array<wxString, 3> kinds{"Rigid", "Soft, filled with springs", "Fixed"};
-        kind_ = new wxRadioBox(this, wxID_ANY, "What they become", wxDefaultPosition, wxDefaultSize,
-                               static_cast<int>(kinds.size()), kinds.data(), 1, wxRA_SPECIFY_COLS);
+        : wxDialog(parent, wxID_ANY, wxTr("Bodies from outlines")) {
+        const std::array<wxString, 3> kinds{wxTr("Rigid"), wxTr("Soft, filled with springs"),
+                                            wxTr("Fixed")};
+        kind_ = new wxRadioBox(this, wxID_ANY, wxTr("What they become"), wxDefaultPosition,
+                               wxDefaultSize, static_cast<int>(kinds.size()), kinds.data(), 1,
+                               wxRA_SPECIFY_COLS);
         const DrawingOptions usual;
         size_ = number(DrawingLimits::leastSize, DrawingLimits::mostSize, usual.size, 0.1, 2);
         tolerance_ = number(0.0001, 1, usual.tolerance, 0.001, 4);
@@ -28,8 +31,8 @@ public:
             fields->Add(new wxStaticText(this, wxID_ANY, label), wxSizerFlags().CentreVertical());
             fields->Add(field);
         };
-        row("Longer side, m", size_);
-        row("Lines may miss curves by, m", tolerance_);
+        row(wxTr("Longer side, m"), size_);
+        row(wxTr("Lines may miss curves by, m"), tolerance_);
         auto* column = new wxBoxSizer(wxVERTICAL);
         const auto border = wxSizerFlags().Expand().Border(wxALL, FromDIP(8));
         column->Add(new wxStaticText(this, wxID_ANY, file), border);
@@ -72,7 +75,7 @@ bool MainFrame::importOutlines(const std::filesystem::path& file, OutlineKind ki
         leftOut = drawing.leftOut;
         std::vector<sulfur::BodyId> made;
         Document& document = bench_.document();
-        document.edit("Import " + file.stem().string(), [&] {
+        document.edit(tr("Import {}", {file.stem().string()}), [&] {
             made = addShapes(document, drawing.shapes, kind, place, leftOut);
             bench_.select(made);
         });
@@ -81,8 +84,8 @@ bool MainFrame::importOutlines(const std::filesystem::path& file, OutlineKind ki
         return false;
     }
     if (!leftOut.empty())
-        tell("Not all outlines became bodies (" + std::to_string(leftOut.size()) + " did not). " +
-             leftOut.front());
+        tell(tr("Not all outlines became bodies ({} did not). {}",
+                {std::to_string(leftOut.size()), leftOut.front()}));
     nextRefreshNs_ = 0;
     return true;
 }
@@ -97,10 +100,10 @@ void MainFrame::importDialog(const std::filesystem::path& file, const sulfur::Po
 }
 
 void MainFrame::chooseImport() {
-    const std::vector<atlax::FileKind> kinds{{"Drawings and pictures", {"svg", "png"}},
-                                             {"All files", {}}};
+    const std::vector<atlax::FileKind> kinds{{tr("Drawings and pictures"), {"svg", "png"}},
+                                             {tr("All files"), {}}};
     const auto file = canvas_->platform().chooseFile(
-        {.title = "Make bodies from a drawing or a picture", .kinds = kinds});
+        {.title = tr("Make bodies from a drawing or a picture"), .kinds = kinds});
     const atlax::Vec2 middle = canvas_->platform().size().toVec() * 0.5f;
     if (file) importDialog(*file, view_.toWorld(middle));
 }

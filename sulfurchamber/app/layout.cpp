@@ -54,7 +54,10 @@ wxString keyText(int key) {
 }  // namespace
 
 wxString MainFrame::tooltip(const Action& action) const {
-    wxString text = wxString::FromUTF8(action.help);
+    return withKey(wxString::FromUTF8(action.help), action);
+}
+
+wxString MainFrame::withKey(const wxString& text, const Action& action) const {
     const wxString accelerator = action.label.AfterFirst('\t');
     const wxString key = accelerator.empty() ? keyText(action.plainKey) : accelerator;
     return key.empty() ? text : text + "  (" + key + ")";

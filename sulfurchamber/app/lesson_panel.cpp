@@ -13,24 +13,30 @@ namespace sulfurchamber {
 LessonPanel::LessonPanel(wxWindow* parent, Workbench& bench, SceneView& view,
                          std::function<void(const std::string&)> act)
     : wxPanel(parent), bench_(bench), view_(view), act_(std::move(act)) {
-    title_ = new wxStaticText(this, wxID_ANY, "");
+    title_ = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
+                              wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
     title_->SetFont(title_->GetFont().Bold());
     text_ =
         new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize, wxST_NO_AUTORESIZE);
-    show_ = new wxButton(this, wxID_ANY, wxTr("Show me"));
-    skip_ = new wxButton(this, wxID_ANY, wxTr("Skip"));
-    auto* end = new wxButton(this, wxID_ANY, wxTr("End"));
+    show_ = new wxButton(this, wxID_ANY, wxTr("Show me"), wxDefaultPosition, wxDefaultSize,
+                         wxBU_EXACTFIT);
+    skip_ =
+        new wxButton(this, wxID_ANY, wxTr("Skip"), wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
+    auto* end =
+        new wxButton(this, wxID_ANY, wxTr("End"), wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
     show_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { showStep(); });
     skip_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { skipStep(); });
     end->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { stop(); });
     auto* buttons = new wxBoxSizer(wxHORIZONTAL);
-    for (wxButton* button : {show_, skip_, end})
+    for (wxButton* button : {show_, skip_, end}) {
+        button->SetMinSize(button->GetBestSize() + FromDIP(wxSize(12, 0)));
         buttons->Add(button, wxSizerFlags(0).Border(wxLEFT, FromDIP(4)));
-    auto* top = new wxBoxSizer(wxHORIZONTAL);
-    top->Add(title_, wxSizerFlags(1).CentreVertical());
-    top->Add(buttons, wxSizerFlags(0));
+    }
+    top_ = new wxBoxSizer(wxHORIZONTAL);
+    top_->Add(title_, wxSizerFlags(1).CentreVertical());
+    top_->Add(buttons, wxSizerFlags(0));
     auto* all = new wxBoxSizer(wxVERTICAL);
-    all->Add(top, wxSizerFlags(0).Expand());
+    all->Add(top_, wxSizerFlags(0).Expand());
     all->Add(text_, wxSizerFlags(0).Expand().Border(wxTOP, FromDIP(2)));
     auto* border = new wxBoxSizer(wxVERTICAL);
     border->Add(all, wxSizerFlags(1).Expand().Border(wxALL, FromDIP(6)));
@@ -115,11 +121,19 @@ void LessonPanel::tell() {
     GetParent()->Layout();
 }
 
-// As many lines as the words need at this width.
+// As many lines as the words need at this width; buttons below the title where it is narrow.
 void LessonPanel::wrap() {
     if (words_.empty()) return;
+    const int width = GetClientSize().GetWidth() - FromDIP(14);
+    const int wanted =
+        title_->GetTextExtent(title_->GetLabel()).x + top_->GetItem(1)->GetMinSize().x;
+    const bool wide = width > wanted + FromDIP(8);
+    top_->SetOrientation(wide ? wxHORIZONTAL : wxVERTICAL);
+    top_->GetItem(std::size_t{0})->SetFlag(wide ? int{wxALIGN_CENTRE_VERTICAL} : int{wxEXPAND});
+    title_->SetMinSize(wxSize(FromDIP(40), title_->GetCharHeight()));
     text_->SetLabel(words_);
-    text_->Wrap(std::max(FromDIP(160), GetClientSize().GetWidth() - FromDIP(14)));
+    text_->Wrap(std::max(FromDIP(160), width));
+    text_->InvalidateBestSize();
     InvalidateBestSize();
     SetMinSize(wxSize(-1, GetSizer()->CalcMin().GetHeight()));
 }

@@ -3,6 +3,7 @@
 
 #include <wx/button.h>
 #include <wx/panel.h>
+#include <wx/sizer.h>
 #include <wx/stattext.h>
 
 #include <cstdint>
@@ -46,6 +47,7 @@ private:
     std::optional<LessonRun> run_;
     std::optional<Hand> hand_;
     std::int64_t movedNs_ = 0;
+    wxBoxSizer* top_ = nullptr;  // title and buttons
     wxStaticText* title_ = nullptr;
     wxStaticText* text_ = nullptr;
     wxButton* show_ = nullptr;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "icons.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -15,14 +16,18 @@ wxString shownText(std::string_view text) {
     return wxString::FromUTF8(text.data(), text.size());
 }
 
-wxArrayString wordsOf(std::string_view choices) {
+// What is shown of a choice; the file keeps the English words.
+wxArrayString wordsOf(const LevelField& field) {
     wxArrayString words;
-    while (!choices.empty()) {
-        const std::size_t bar = choices.find('|');
-        words.Add(shownText(choices.substr(0, bar)));
-        choices = bar == std::string_view::npos ? "" : choices.substr(bar + 1);
-    }
+    for (const std::string& word : choicesOf(field)) words.Add(wxTr(word));
     return words;
+}
+
+void select(wxChoice* choice, const LevelField& field, const std::string& word) {
+    const auto words = choicesOf(field);
+    const auto found = std::find(words.begin(), words.end(), word);
+    choice->SetSelection(found == words.end() ? wxNOT_FOUND
+                                              : static_cast<int>(found - words.begin()));
 }
 
 // Keeps the place where one has scrolled to.
@@ -36,10 +41,8 @@ void setLines(wxListBox* list, const std::vector<std::string>& lines) {
 
 void changeField(Document& document, const LevelThing& thing, const LevelField& field,
                  const std::string& text) {
-    std::string label = "Change ";
-    label += infoOf(field.kind).name;
-    label += ", ";
-    label += field.name;
+    const std::string label = tr(
+        "Change {}, {}", {tr(std::string(infoOf(field.kind).name)), tr(std::string(field.name))});
     document.edit(label, [&] { setField(document, thing, field, text); });
 }
 
@@ -70,7 +73,7 @@ LevelPanel::LevelPanel(wxWindow* parent, Workbench& bench, LevelStage& stage,
 // --- making ----------------------------------------------------------------------------------
 
 wxStaticText* LevelPanel::heading(const wxString& text) {
-    auto* made = new wxStaticText(this, wxID_ANY, text, wxDefaultPosition, wxDefaultSize,
+    auto* made = new wxStaticText(this, wxID_ANY, wxTr(text), wxDefaultPosition, wxDefaultSize,
                                   wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
     made->SetFont(made->GetFont().Bold());
     return made;
@@ -78,8 +81,8 @@ wxStaticText* LevelPanel::heading(const wxString& text) {
 
 wxButton* LevelPanel::button(const wxString& label, const wxString& help, const char* action) {
     auto* made =
-        new wxButton(this, wxID_ANY, label, wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
-    made->SetToolTip(help);
+        new wxButton(this, wxID_ANY, wxTr(label), wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
+    made->SetToolTip(wxTr(help));
     made->Bind(wxEVT_BUTTON,
                [this, name = std::string(action)](wxCommandEvent&) { perform_(name); });
     return made;
@@ -101,9 +104,9 @@ void LevelPanel::makePalette(wxSizer* sizer) {
         const std::string name(info.name);
         auto* one = new wxBitmapToggleButton(this, wxID_ANY, icon("level-" + name),
                                              wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
-        wxString label = shownText(info.label);
+        wxString label = wxTr(info.label);
         label.Replace("&", "");
-        one->SetToolTip(label + ": " + shownText(info.hint));
+        one->SetToolTip(label + ": " + wxTr(info.hint));
         one->Bind(wxEVT_TOGGLEBUTTON, [this, name](wxCommandEvent&) { perform_("place-" + name); });
         pieces_.push_back(one);
         palette->Add(one);
@@ -114,9 +117,9 @@ void LevelPanel::makePalette(wxSizer* sizer) {
 void LevelPanel::makeProof(wxSizer* sizer) {
     auto* row = new wxWrapSizer(wxHORIZONTAL);
     row->Add(button("Play", "Play the level here (F5)", "level-play"));
-    solve_ = new wxButton(this, wxID_ANY, "Can it be finished?", wxDefaultPosition, wxDefaultSize,
-                          wxBU_EXACTFIT);
-    solve_->SetToolTip("Search for a way through the level (F6), or stop it");
+    solve_ = new wxButton(this, wxID_ANY, wxTr("Can it be finished?"), wxDefaultPosition,
+                          wxDefaultSize, wxBU_EXACTFIT);
+    solve_->SetToolTip(wxTr("Search for a way through the level (F6), or stop it"));
     solve_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) {
         const SearchJob* job = stage_.desk().job();
         perform_(job != nullptr && !job->progress().over() ? "level-stop" : "level-solve");
@@ -138,7 +141,7 @@ void LevelPanel::makeLists(wxSizer* sizer) {
     sizer->Add(problemsTitle_, wxSizerFlags(0).Expand());
     problems_ = new wxListBox(this, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(60, 76)), 0,
                               nullptr, wxLB_SINGLE);
-    problems_->SetToolTip("A click goes to what is wrong");
+    problems_->SetToolTip(wxTr("A click goes to what is wrong"));
     problems_->Bind(wxEVT_LISTBOX, [this](wxCommandEvent& event) {
         const auto place = static_cast<std::size_t>(std::max(0, event.GetInt()));
         if (place < shownProblems_.size()) problems_->SetToolTip(shownText(shownProblems_[place]));
@@ -188,10 +191,11 @@ wxWindow* LevelPanel::makeField(const LevelField& field, const std::string& text
     }
     if (field.type == FieldType::choice) {
         auto* choice = new wxChoice(this, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(60, -1)),
-                                    wordsOf(field.choices));
-        choice->SetStringSelection(shownText(text));
+                                    wordsOf(field));
+        select(choice, field, text);
         choice->Bind(wxEVT_CHOICE, [this, &field, choice](wxCommandEvent&) {
-            enter(field, choice->GetStringSelection().utf8_string());
+            const auto at = static_cast<std::size_t>(std::max(0, choice->GetSelection()));
+            enter(field, choicesOf(field).at(at));
         });
         return choice;
     }
@@ -216,14 +220,14 @@ void LevelPanel::makeFields() {
         if (field.kind != shownThing_->kind) continue;
         const auto text = fieldText(bench_.document(), *shownThing_, field);
         if (!text) continue;
-        wxString name = shownText(field.name);
+        wxString name = wxTr(field.name);
         if (!field.unit.empty()) name += " (" + shownText(field.unit) + ")";
         if (!field.needs.empty()) name = "   " + name;
         auto* label = new wxStaticText(this, wxID_ANY, name);
         wxWindow* window = makeField(field, *text);
         if (!field.help.empty()) {
-            label->SetToolTip(shownText(field.help));
-            window->SetToolTip(shownText(field.help));
+            label->SetToolTip(wxTr(field.help));
+            window->SetToolTip(wxTr(field.help));
         }
         fields_->Add(label, wxSizerFlags(0).CentreVertical());
         fields_->Add(window, wxSizerFlags(1).Expand());
@@ -254,8 +258,7 @@ void LevelPanel::refreshFields() {
         if (now == row.shown) continue;
         row.shown = now;
         if (auto* box = dynamic_cast<wxCheckBox*>(row.window)) box->SetValue(now == "yes");
-        if (auto* choice = dynamic_cast<wxChoice*>(row.window))
-            choice->SetStringSelection(shownText(now));
+        if (auto* choice = dynamic_cast<wxChoice*>(row.window)) select(choice, *row.field, now);
         if (auto* entry = dynamic_cast<wxTextCtrl*>(row.window)) {
             entry->ChangeValue(shownText(now));
             entry->DiscardEdits();
@@ -269,7 +272,7 @@ void LevelPanel::refreshProof() {
     const LevelDesk& desk = stage_.desk();
     const SearchJob* job = desk.job();
     const bool running = job != nullptr && !job->progress().over();
-    const wxString label = running ? "Stop the search" : "Can it be finished?";
+    const wxString label = wxTr(running ? "Stop the search" : "Can it be finished?");
     if (solve_->GetLabel() != label) solve_->SetLabel(label);
     medals_->Enable(desk.proof() == LevelDesk::Proof::holds);
     const int share = running ? static_cast<int>(std::lround(100 * job->progress().share)) : 0;
@@ -289,9 +292,9 @@ void LevelPanel::refreshProblems() {
     std::vector<std::string> lines;
     for (const LevelProblem& problem : desk.problems())
         lines.push_back((problem.grave ? "\xE2\x9C\x95 " : "\xE2\x80\xA2 ") + problem.text);
-    const wxString title = !desk.checked() ? wxString::FromUTF8("Problems\xE2\x80\xA6")
-                           : lines.empty() ? wxString("No problems")
-                                           : wxString::Format("Problems: %zu", lines.size());
+    const wxString title = !desk.checked() ? wxTr("Problems\xE2\x80\xA6")
+                           : lines.empty() ? wxTr("No problems")
+                                           : wxTr("Problems: {}", {std::to_string(lines.size())});
     if (problemsTitle_->GetLabel() != title) problemsTitle_->SetLabel(title);
     if (lines == shownProblems_) return;
     setLines(problems_, lines);

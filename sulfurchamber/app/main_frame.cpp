@@ -227,7 +227,7 @@ void addHighMenus(const wxWindow& window, const wxMenu& menu, const wxString& ti
             addHighMenus(window, *inner, item->GetItemLabelText(), cut);
     }
     if (height > wxGetDisplaySize().GetHeight() - window.FromDIP(28))
-        cut.push_back("the menu " + title.utf8_string());
+        cut.push_back(tr("the menu {}", {title.utf8_string()}));
 }
 
 }  // namespace

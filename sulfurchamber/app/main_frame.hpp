@@ -162,6 +162,8 @@ private:
     void followTool();
     void showSide(bool on);
     wxString tooltip(const Action& action) const;
+    wxString withKey(const wxString& text, const Action& action) const;
+    std::string filmName(ToolKind tool) const;
 
     // main_frame_files.cpp
     void newFile();

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "../model/geometry.hpp"
+#include "../model/stage_times.hpp"
 #include "../view/meter_painter.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -28,10 +30,12 @@ wxString differenceWith(double value, double expected, const std::string& unit) 
     return text;
 }
 
-// As people say them: "broad phase" of the library stays what it is.
+wxString shareOf(std::size_t part, std::size_t all) {
+    return wxTr("{} of {}", {std::to_string(part), std::to_string(all)});
+}
+
 wxString stageWords(sulfur::Stage stage) {
-    wxString words = wxString::FromUTF8(sulfur::name(stage));
-    return words.Left(1).Upper() + words.Mid(1);
+    return "   " + wxTr(stageTitle(stage));
 }
 
 }  // namespace
@@ -54,16 +58,16 @@ MeasurePanel::MeasurePanel(wxWindow* parent, Workbench& bench, SceneView& view)
 // --- making ----------------------------------------------------------------------------------
 
 wxStaticText* MeasurePanel::heading(const wxString& text, wxSizer* sizer) {
-    auto* heading = new wxStaticText(this, wxID_ANY, text);
+    auto* heading = new wxStaticText(this, wxID_ANY, wxTr(text));
     heading->SetFont(heading->GetFont().Bold().Larger());
     // On a page that was never shown GTK tells the size of the usual font.
-    heading->SetMinSize(heading->GetTextExtent(text) + FromDIP(wxSize(2, 0)));
+    heading->SetMinSize(heading->GetTextExtent(heading->GetLabel()) + FromDIP(wxSize(2, 0)));
     sizer->Add(heading, wxSizerFlags(0).Border(wxBOTTOM, FromDIP(4)));
     return heading;
 }
 
 wxStaticText* MeasurePanel::line(wxSizer* table, const wxString& name) {
-    table->Add(new wxStaticText(this, wxID_ANY, name), wxSizerFlags(0));
+    table->Add(new wxStaticText(this, wxID_ANY, wxTr(name)), wxSizerFlags(0));
     auto* value = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                                    wxALIGN_RIGHT | wxST_NO_AUTORESIZE);
     table->Add(value, wxSizerFlags(0).Expand());
@@ -94,9 +98,9 @@ void MeasurePanel::makeMeters(wxSizer* sizer) {
     heading("Meters", sizer);
     meters_ = new wxListView(this, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(-1, 92)),
                              wxLC_REPORT | wxLC_NO_HEADER | wxLC_SINGLE_SEL);
-    meters_->SetToolTip("The meters of the scene with what they show; a click selects one");
-    meters_->AppendColumn("Meter", wxLIST_FORMAT_LEFT, FromDIP(110));
-    meters_->AppendColumn("Shows", wxLIST_FORMAT_RIGHT, FromDIP(90));
+    meters_->SetToolTip(wxTr("The meters of the scene with what they show; a click selects one"));
+    meters_->AppendColumn(wxTr("Meter"), wxLIST_FORMAT_LEFT, FromDIP(110));
+    meters_->AppendColumn(wxTr("Shows"), wxLIST_FORMAT_RIGHT, FromDIP(90));
     sizer->Add(meters_, wxSizerFlags(0).Expand().Border(wxBOTTOM, FromDIP(8)));
     meters_->Bind(wxEVT_LIST_ITEM_SELECTED, [this](wxListEvent& event) {
         const auto& all = bench_.meters().all();
@@ -114,12 +118,12 @@ void MeasurePanel::makeStages(wxSizer* sizer) {
                              "Particles awake", "Joints", "Contacts", "Time of a tick"})
         totals_.push_back(line(table, name));
     for (std::size_t i = 0; i < stages_.size(); ++i)
-        stages_[i] = line(table, "   " + stageWords(static_cast<sulfur::Stage>(i)));
+        stages_[i] = line(table, stageWords(static_cast<sulfur::Stage>(i)));
     sizer->Add(table, wxSizerFlags(0).Expand().Border(wxBOTTOM, FromDIP(6)));
-    search_ = new wxButton(this, wxID_ANY, "What costs most?", wxDefaultPosition, wxDefaultSize,
-                           wxBU_EXACTFIT);
+    search_ = new wxButton(this, wxID_ANY, wxTr("What costs most?"), wxDefaultPosition,
+                           wxDefaultSize, wxBU_EXACTFIT);
     search_->SetToolTip(
-        "Lets copies of the scene go on without one object after the other, and compares");
+        wxTr("Lets copies of the scene go on without one object after the other, and compares"));
     search_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { findDearest(); });
     sizer->Add(search_, wxSizerFlags(0));
     found_ = new wxStaticText(this, wxID_ANY, "");
@@ -148,12 +152,13 @@ void MeasurePanel::refreshTextbook() {
     const auto findings = textbook.findings();
     const std::string problem = textbook.problem();
     const std::string title(textbook.title());
-    set(title_, title.empty() ? wxString("Expected and measured") : wxString::FromUTF8(title));
+    set(title_, wxTr(title.empty() ? "Expected and measured" : title));
     wxString advice;
     if (!problem.empty())
-        advice = wxString::FromUTF8(problem);
+        advice = wxTr(problem);
     else if (findings.empty())
-        advice = "The textbook scenes among the examples (F1) compare a formula with what happens.";
+        advice = wxTr(
+            "The textbook scenes among the examples (F1) compare a formula with what happens.");
     const std::size_t count = std::min(findings.size(), mostFindings);
     if (advice_->GetLabel() != advice || count != shownBlocks_) {
         advice_->SetLabel(advice);
@@ -170,8 +175,8 @@ void MeasurePanel::refreshTextbook() {
 }
 
 void MeasurePanel::show(Block& block, const Finding& finding) {
-    set(block.name, wxString::FromUTF8(finding.name));
-    const wxString formula = wxString::FromUTF8(finding.formula);
+    set(block.name, wxTr(finding.name));
+    const wxString formula = wxTr(finding.formula);
     if (block.formula->GetToolTipText() != formula) {
         block.formula->SetToolTip(formula);
         block.formula->SetLabel(formula);
@@ -187,7 +192,8 @@ void MeasurePanel::show(Block& block, const Finding& finding) {
         difference ? differenceWith(*difference, finding.expected, finding.unit) : none);
     block.values[2]->SetForegroundColour(
         difference && std::abs(*difference) > finding.bound ? wxColour(220, 60, 50) : wxNullColour);
-    const wxString within = "Within " + numberWith(finding.bound, finding.unit) + " is expected";
+    const wxString within =
+        wxTr("Within {} is expected", {numberWith(finding.bound, finding.unit).utf8_string()});
     if (block.values[2]->GetToolTipText() != within) block.values[2]->SetToolTip(within);
 }
 
@@ -222,8 +228,8 @@ void MeasurePanel::refreshStages() {
     const std::array<wxString, 7> values{
         wxString::Format("%.0f %%", view_.realTimeShare() * view_.speedPermille() / 10.0),
         wxString::Format("%.1f %%", times.load(world.settings().tickRate) * 100),
-        wxString::Format("%zu of %zu", awake, moving),
-        wxString::Format("%zu of %zu", sums.awakeParticles, sums.particles),
+        shareOf(awake, moving),
+        shareOf(sums.awakeParticles, sums.particles),
         wxString::Format("%zu", sums.rigidJoints + sums.elasticJoints),
         wxString::Format("%u", statistics.contacts),
         wxString::Format(wxString::FromUTF8("%.1f \xC2\xB5s"), tick * 1e6)};
@@ -250,13 +256,12 @@ void MeasurePanel::refreshSearch() {
         const auto costs = costs_->costs();
         costs_.reset();
         for (std::size_t i = 0; i < std::min<std::size_t>(3, costs.size()); ++i)
-            text += (i == 0 ? "" : "\n") + wxString::FromUTF8(costs[i].name) +
-                    wxString::Format(": %.0f %% of a tick", costs[i].share * 100);
-        if (text.empty()) text = "Nothing stands out: no object costs much by itself.";
+            text += (i == 0 ? "" : "\n") +
+                    wxTr("{}: {} % of a tick", {costs[i].name, fixed(costs[i].share * 100, 0)});
+        if (text.empty()) text = wxTr("Nothing stands out: no object costs much by itself.");
         dearest_ = text.utf8_string();
     } else {
-        text = wxString::Format(wxString::FromUTF8("Trying\xE2\x80\xA6 %.0f %%"),
-                                costs_->progress() * 100);
+        text = wxTr("Trying\xE2\x80\xA6 {} %", {fixed(costs_->progress() * 100, 0)});
     }
     if (found_->GetLabel() == text) return;
     found_->SetLabel(text);

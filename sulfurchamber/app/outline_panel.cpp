@@ -9,6 +9,7 @@
 #include <set>
 
 #include "icons.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -101,9 +102,9 @@ OutlinePanel::OutlinePanel(wxWindow* parent, Workbench& bench, SceneView& view,
                            std::function<void(const std::string&)> refuse)
     : wxPanel(parent), bench_(bench), view_(view), refuse_(std::move(refuse)) {
     search_ = new wxSearchCtrl(this, wxID_ANY);
-    search_->SetDescriptiveText("Search");
+    search_->SetDescriptiveText(wxTr("Search"));
     search_->ShowCancelButton(true);
-    search_->SetToolTip("Only what has this text in its name");
+    search_->SetToolTip(wxTr("Only what has this text in its name"));
     list_ = new List(this, *this);
     auto* sizer = new wxBoxSizer(wxVERTICAL);
     sizer->Add(search_, wxSizerFlags(0).Expand().Border(wxALL, FromDIP(4)));
@@ -190,9 +191,9 @@ void OutlinePanel::clicked(wxMouseEvent& event) {
         clickedRow_ = true;
         // The list of wxWidgets keeps what was selected by others.
         showing_ = true;
-        for (long other = -1; !event.CmdDown() && !event.ShiftDown() &&
-                              (other = list_->GetNextItem(other, wxLIST_NEXT_ALL,
-                                                          wxLIST_STATE_SELECTED)) >= 0;)
+        for (long other = -1;
+             !event.CmdDown() && !event.ShiftDown() &&
+             (other = list_->GetNextItem(other, wxLIST_NEXT_ALL, wxLIST_STATE_SELECTED)) >= 0;)
             list_->SetItemState(other, 0, wxLIST_STATE_SELECTED);
         showing_ = false;
         event.Skip();
@@ -280,7 +281,7 @@ void OutlinePanel::zoom(std::size_t row) {
 void OutlinePanel::rename(std::size_t row) {
     if (rows_ == nullptr || row >= rows_->size() || !(*rows_)[row].renamable) return;
     const OutlineRow old = (*rows_)[row];
-    wxTextEntryDialog dialog(this, "Name", "Rename", wxString::FromUTF8(old.name));
+    wxTextEntryDialog dialog(this, wxTr("Name"), wxTr("Rename"), wxString::FromUTF8(old.name));
     if (dialog.ShowModal() != wxID_OK) return;
     const std::string wanted = dialog.GetValue().Strip(wxString::both).utf8_string();
     if (wanted != old.name) guarded([&] { sulfurchamber::rename(bench_, old, wanted); });
@@ -298,11 +299,11 @@ void OutlinePanel::popUp(std::size_t place) {
     };
     const bool any = !row.bodies.empty();
     const bool marked = row.kind == OutlineRow::Kind::group || row.kind == OutlineRow::Kind::body;
-    add("&Zoom to it", any, [&] { zoom(place); });
-    add("&Rename", row.renamable, [&] { rename(place); });
-    add(row.hidden ? "S&how" : "&Hide", any && marked,
+    add(wxTr("&Zoom to it"), any, [&] { zoom(place); });
+    add(wxTr("&Rename"), row.renamable, [&] { rename(place); });
+    add(wxTr(row.hidden ? "S&how" : "&Hide"), any && marked,
         [&] { guarded([&] { setHidden(bench_, row.bodies, !row.hidden); }); });
-    add(row.locked ? "Un&lock" : "&Lock", any && marked,
+    add(wxTr(row.locked ? "Un&lock" : "&Lock"), any && marked,
         [&] { guarded([&] { setLocked(bench_, row.bodies, !row.locked); }); });
     PopupMenu(&menu);
 }

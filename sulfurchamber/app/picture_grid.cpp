@@ -1,5 +1,6 @@
 #include "picture_grid.hpp"
 
+#include <wx/arrstr.h>
 #include <wx/dcbuffer.h>
 #include <wx/image.h>
 #include <wx/settings.h>
@@ -10,6 +11,26 @@ namespace sulfurchamber {
 namespace {
 
 constexpr int dragPixels = 6;  // from which on a press is a drag
+
+// The lines of a text between whose words there is a break where a line would be too wide.
+std::vector<wxString> brokenIntoLines(const wxDC& dc, const wxString& text, int width) {
+    std::vector<wxString> lines;
+    for (const wxString& word : wxSplit(text, ' ', '\0')) {
+        const wxString longer = lines.empty() ? word : lines.back() + ' ' + word;
+        if (lines.empty() || dc.GetTextExtent(longer).GetWidth() > width)
+            lines.push_back(word);
+        else
+            lines.back() = longer;
+    }
+    return lines;
+}
+
+bool fitsIn(const wxDC& dc, const std::vector<wxString>& lines, int width, int most) {
+    return static_cast<int>(lines.size()) <= most &&
+           std::all_of(lines.begin(), lines.end(), [&](const wxString& line) {
+               return dc.GetTextExtent(line).GetWidth() <= width;
+           });
+}
 
 }  // namespace
 
@@ -72,9 +93,9 @@ void PictureGrid::layOut() {
     laidOutWidth_ = GetClientSize().GetWidth();
     PictureGridLayout::Sizes sizes;
     sizes.width = std::max(laidOutWidth_, 80);
-    sizes.pictureWidth = FromDIP(88);
+    sizes.pictureWidth = FromDIP(pictureWidth_);
     sizes.pictureRatio = thumbnails_.size().height * 100 / thumbnails_.size().width;
-    sizes.label = GetTextExtent("Ag").GetHeight() + FromDIP(4);
+    sizes.label = labelHeight();
     sizes.heading = GetTextExtent("Ag").GetHeight() + FromDIP(10);
     sizes.gap = FromDIP(6);
     layout_ = PictureGridLayout::of(groups, sizes);
@@ -126,8 +147,7 @@ void PictureGrid::paint(wxPaintEvent&) {
 
 void PictureGrid::paintCell(wxDC& dc, std::size_t item) {
     const GridRect& cell = layout_.cells[item];
-    const int label = GetTextExtent("Ag").GetHeight() + FromDIP(4);
-    const wxSize size(cell.width, cell.height - label);
+    const wxSize size(cell.width, cell.height - labelHeight());
     const bool chosen = chosen_ == item;
     if (const wxBitmap* bitmap = bitmapOf(items_[item].file, size)) {
         dc.DrawBitmap(*bitmap, cell.x, cell.y);
@@ -148,20 +168,43 @@ void PictureGrid::paintCell(wxDC& dc, std::size_t item) {
         dc.SetBrush(wxBrush(wxColour(0xFF, 0xB3, 0x47)));
         dc.DrawCircle(cell.x + size.GetWidth() - FromDIP(8), cell.y + FromDIP(8), FromDIP(4));
     }
-    // A long name is written smaller before it is cut.
-    const Item& shown = items_[item];
-    const wxString whole = wxString::FromUTF8(shown.label.empty() ? shown.name : shown.label);
+    paintName(dc, items_[item], cell);
+}
+
+// A long name is written smaller before it is cut.
+void PictureGrid::paintName(wxDC& dc, const Item& item, const GridRect& cell) {
+    const wxString whole = wxString::FromUTF8(item.label.empty() ? item.name : item.label);
+    std::vector<wxString> lines = brokenIntoLines(dc, whole, cell.width);
     wxFont font = GetFont();
-    for (int smaller = 0; smaller < 3 && dc.GetTextExtent(whole).GetWidth() > cell.width;
-         ++smaller) {
+    for (int smaller = 0; smaller < 3 && !fitsIn(dc, lines, cell.width, nameLines_); ++smaller) {
         font.MakeSmaller();
         dc.SetFont(font);
+        lines = brokenIntoLines(dc, whole, cell.width);
     }
-    const wxString name = wxControl::Ellipsize(whole, dc, wxELLIPSIZE_END, cell.width);
-    const wxSize written = dc.GetTextExtent(name);
-    dc.DrawText(name, cell.x + (cell.width - written.GetWidth()) / 2,
-                cell.y + cell.height - (label + written.GetHeight()) / 2);
+    while (static_cast<int>(lines.size()) > nameLines_) {
+        const wxString last = lines.back();
+        lines.pop_back();
+        lines.back() += ' ' + last;
+    }
+    int y = cell.y + cell.height - labelHeight() + FromDIP(2);
+    if (lines.size() == 1 && nameLines_ == 1)  // in the middle of its line, also where it is small
+        y += (GetCharHeight() - dc.GetCharHeight()) / 2;
+    for (const wxString& line : lines) {
+        const wxString shown = wxControl::Ellipsize(line, dc, wxELLIPSIZE_END, cell.width);
+        dc.DrawText(shown, cell.x + (cell.width - dc.GetTextExtent(shown).GetWidth()) / 2, y);
+        y += dc.GetCharHeight();
+    }
     dc.SetFont(GetFont());
+}
+
+int PictureGrid::labelHeight() const {
+    return nameLines_ * GetCharHeight() + FromDIP(4);
+}
+
+void PictureGrid::setTiles(int pictureWidth, int nameLines) {
+    pictureWidth_ = pictureWidth;
+    nameLines_ = nameLines;
+    layOut();
 }
 
 void PictureGrid::choose(std::optional<std::size_t> item) {

@@ -35,6 +35,8 @@ public:
     const std::vector<Item>& items() const { return items_; }
     /// What is drawn instead of pictures where there are none.
     void setEmptyText(const wxString& text) { emptyText_ = text; }
+    /// Pictures about so wide (logical pixels), with names of up to so many lines; 88 and 1.
+    void setTiles(int pictureWidth, int nameLines);
     std::optional<std::size_t> chosen() const { return chosen_; }
     void choose(std::optional<std::size_t> item);
     /// Takes pictures that have come. Cheap; may be called often.
@@ -51,6 +53,8 @@ private:
     void layOut();
     void paint(wxPaintEvent& event);
     void paintCell(wxDC& dc, std::size_t item);
+    void paintName(wxDC& dc, const Item& item, const GridRect& cell);
+    int labelHeight() const;
     void press(wxMouseEvent& event);
     void release(wxMouseEvent& event);
     void hover(wxMouseEvent& event);
@@ -62,6 +66,8 @@ private:
     std::vector<Item> items_;
     PictureGridLayout layout_;
     wxString emptyText_;
+    int pictureWidth_ = 88;  // logical pixels
+    int nameLines_ = 1;
     struct Shown {
         const atlax::Image* picture = nullptr;
         wxBitmap bitmap;

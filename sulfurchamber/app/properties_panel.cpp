@@ -110,7 +110,7 @@ void PropertiesPanel::makeSwitches(wxSizer* sizer) {
         box->SetToolTip(wxTr(property.help));
         box->Bind(wxEVT_CHECKBOX, [this, box, &property](wxCommandEvent&) {
             const bool on = box->Get3StateValue() == wxCHK_CHECKED;
-            change("Change " + utf8(property.name).Lower().utf8_string(),
+            change(tr("Change {}", {trInside(std::string(property.name))}),
                    [&] { setSwitch(bench_.document(), bench_.selection(), property, on); });
         });
         switches_.push_back(box);
@@ -220,7 +220,7 @@ void PropertiesPanel::addPlace(wxSizer* sizer, const PlaceProperty& property) {
     spec.high = property.high;
     spec.scale = property.low > 0 ? Scale::logarithmic : Scale::linear;
     spec.moves = true;
-    const std::string label = "Change " + utf8(property.name).Lower().utf8_string();
+    const std::string label = tr("Change {}", {trInside(std::string(property.name))});
     const bool turns = property.key == "angle";
     const auto isOpen = [this, label] {
         return bench_.document().editing() && bench_.document().undoLabel() == label;
@@ -307,11 +307,11 @@ void PropertiesPanel::showHead() {
     const wxColour usual = soft ? wxColour(0xFF, 0xB3, 0x47) : wxColour(0x6F, 0xA8, 0xDC);
     colour_->SetColour(own && !own->empty() ? wxColour(wxString::FromUTF8(*own)) : usual);
     ownColour_->Enable(!own || !own->empty());
-    colourName_->SetLabel(own ? "Colour" : "Colours");
-    colourName_->SetToolTip(own ? "" : "They have several");
+    colourName_->SetLabel(wxTr(own ? "Colour" : "Colours"));
+    colourName_->SetToolTip(own ? wxString() : wxTr("They have several"));
     const auto skin = skinOf(document, bodies);
     skin_->ChangeValue(wxString::FromUTF8(skin.value_or("")));
-    skin_->SetHint(skin || bodies.empty() ? "" : "mixed");
+    skin_->SetHint(skin || bodies.empty() ? wxString() : wxTr("mixed"));
     skin_->DiscardEdits();
     showSwitches();
 }

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "../view/plot_layout.hpp"
+#include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -38,7 +39,8 @@ std::vector<Curve> curvesOf(const std::vector<Table4Cell>& cells, bool dark) {
             curve.points.emplace_back(rates[i], machine.percent[i]);
         curves.push_back(std::move(curve));
     }
-    Curve ours{"This machine", dark ? wxColour(255, 179, 71) : wxColour(200, 110, 0), true, {}};
+    Curve ours{
+        wxTr("This machine"), dark ? wxColour(255, 179, 71) : wxColour(200, 110, 0), true, {}};
     for (const Table4Cell& cell : cells) ours.points.emplace_back(cell.rate, cell.percent);
     curves.push_back(std::move(ours));
     return curves;
@@ -84,7 +86,8 @@ public:
         for (const Curve& curve : curvesOf(table_.cells(), dark)) {
             paintCurve(g, x, y, curve);
             g.SetFont(GetFont().Smaller(), curve.colour);
-            g.DrawText((curve.ours ? "" : "Paper: ") + curve.name, x.from + FromDIP(12), legend);
+            g.DrawText(curve.ours ? curve.name : wxTr("Paper: {}", {curve.name.utf8_string()}),
+                       x.from + FromDIP(12), legend);
             legend += FromDIP(16);
         }
     }
@@ -107,7 +110,7 @@ private:
             g.StrokeLine(x.pixel(rate), y.from, x.pixel(rate), y.to);
             put(wxString::Format("%d", rate), x.pixel(rate), y.from + FromDIP(10), 0.5);
         }
-        put("boxes a second", (x.from + x.to) / 2, y.from + FromDIP(26), 0.5);
+        put(wxTr("boxes a second"), (x.from + x.to) / 2, y.from + FromDIP(26), 0.5);
     }
 
     void paintCurve(wxGraphicsContext& g, const PlotScale& x, const PlotScale& y,
@@ -133,24 +136,24 @@ private:
 
 Table4Window::Table4Window(wxWindow* parent, Choose choose,
                            std::function<void(const std::string&)> tell)
-    : wxFrame(parent, wxID_ANY, "Table 4 of the paper", wxDefaultPosition, wxDefaultSize,
+    : wxFrame(parent, wxID_ANY, wxTr("Table 4 of the paper"), wxDefaultPosition, wxDefaultSize,
               wxDEFAULT_FRAME_STYLE | wxFRAME_FLOAT_ON_PARENT),
       choose_(std::move(choose)),
       tell_(std::move(tell)) {
     auto* panel = new wxPanel(this);
     auto* words = new wxStaticText(
         panel, wxID_ANY,
-        "Share of a processor core that physics takes while boxes of 1 m drop, the mean of 10 s. "
-        "The paper's machines are those of 2014 and before.");
+        wxTr("Share of a processor core that physics takes while boxes of 1 m drop, the mean of "
+             "10 s. The paper's machines are those of 2014 and before."));
     words->Wrap(FromDIP(560));
     diagram_ = new Diagram(panel, table_);
     list_ = new wxListView(panel, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(580, 128)),
                            wxLC_REPORT | wxLC_SINGLE_SEL);
     makeTable();
     progress_ = new wxGauge(panel, wxID_ANY, 1000);
-    run_ = new wxButton(panel, wxID_ANY, "Run again");
-    csv_ = new wxButton(panel, wxID_ANY, wxString::FromUTF8("Table as CSV\xE2\x80\xA6"));
-    png_ = new wxButton(panel, wxID_ANY, wxString::FromUTF8("Picture as PNG\xE2\x80\xA6"));
+    run_ = new wxButton(panel, wxID_ANY, wxTr("Run again"));
+    csv_ = new wxButton(panel, wxID_ANY, wxTr("Table as CSV\xE2\x80\xA6"));
+    png_ = new wxButton(panel, wxID_ANY, wxTr("Picture as PNG\xE2\x80\xA6"));
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     row->Add(progress_, wxSizerFlags(1).CentreVertical().Border(wxRIGHT, FromDIP(8)));
     for (wxButton* button : {run_, csv_, png_})
@@ -191,7 +194,7 @@ void Table4Window::begin(double seconds) {
 
 // A line for each machine; ours is the last.
 void Table4Window::makeTable() {
-    list_->AppendColumn("Boxes a second", wxLIST_FORMAT_LEFT, FromDIP(190));
+    list_->AppendColumn(wxTr("Boxes a second"), wxLIST_FORMAT_LEFT, FromDIP(190));
     for (const int rate : table4Rates())
         list_->AppendColumn(wxString::Format("%d", rate), wxLIST_FORMAT_RIGHT, FromDIP(54));
     long row = 0;
@@ -202,7 +205,7 @@ void Table4Window::makeTable() {
                            wxString::Format("%.0f %%", machine.percent[i]));
         ++row;
     }
-    list_->InsertItem(row, "This machine");
+    list_->InsertItem(row, wxTr("This machine"));
 }
 
 void Table4Window::refresh() {
@@ -246,7 +249,7 @@ void Table4Window::save(const std::filesystem::path& file) {
         diagram_->paint(*g, size, false);  // for paper
     }
     if (!bitmap.SaveFile(wxString::FromUTF8(file.string()), wxBITMAP_TYPE_PNG))
-        throw std::runtime_error("cannot write " + file.string());
+        throw std::runtime_error(tr("cannot write {}", {file.string()}));
 }
 
 }  // namespace sulfurchamber

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../model/words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -25,35 +27,34 @@ std::string fileName(const std::string& levelName) {
 }
 
 std::string secondsText(double seconds) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f s", seconds);
-    return text.data();
+    return fixed(seconds, 1) + " s";
 }
 
 std::string resultText(const SearchResult& result) {
-    std::string text = secondsText(quaoar::secondsOf(result.proof.ticks()));
+    const std::string text = secondsText(quaoar::secondsOf(result.proof.ticks()));
     const quaoar::Survival& survival = result.robust.survival;
     if (survival.games > 0)
-        text += "; the robust bot finishes " + std::to_string(std::lround(100 * survival.share())) +
-                " % of " + std::to_string(survival.games) + " games";
+        return tr("{}; the robust bot finishes {} % of {} games",
+                  {text, std::to_string(std::lround(100 * survival.share())),
+                   std::to_string(survival.games)});
     return text;
 }
 
 std::string progressText(const SearchProgress& progress) {
     using Stage = SearchProgress::Stage;
-    const std::string percent = std::to_string(std::lround(100 * progress.share)) + " %";
+    const std::string percent = std::to_string(std::lround(100 * progress.share));
     switch (progress.stage) {
         case Stage::replaying:
-            return "Trying what is known\xE2\x80\xA6";
+            return tr("Trying what is known\xE2\x80\xA6");
         case Stage::searching:
-            return "Searching for a way: " + percent + ", " +
-                   std::to_string(std::lround(progress.nearest)) + " m to go at best";
+            return tr("Searching for a way: {} %, {} m to go at best",
+                      {percent, std::to_string(std::lround(progress.nearest))});
         case Stage::shortening:
-            return "Making the way quicker: " + percent;
+            return tr("Making the way quicker: {} %", {percent});
         case Stage::practising:
-            return "The robust bot practises: " + percent;
+            return tr("The robust bot practises: {} %", {percent});
         case Stage::playing:
-            return "The robust bot plays: " + percent;
+            return tr("The robust bot plays: {} %", {percent});
         case Stage::done:
         case Stage::failed:
         case Stage::stopped:
@@ -151,24 +152,24 @@ std::string LevelDesk::proofText() const {
     std::string going;
     if (job_ && !job_->progress().over()) {
         going = progressText(job_->progress());
-        if (jobState_ != document_.state()) going += " (of the level as it was)";
+        if (jobState_ != document_.state()) going = tr("{} (of the level as it was)", {going});
     }
     switch (proof()) {
         case Proof::holds:
-            return "It can be finished in " + resultText(*result_) + "." +
+            return tr("It can be finished in {}.", {resultText(*result_)}) +
                    (going.empty() ? "" : " " + going);
         case Proof::outdated:
             if (!going.empty()) return going;
-            return "The proof is void: the level has changed since it was finished in " +
-                   resultText(*result_) + ".";
+            return tr("The proof is void: the level has changed since it was finished in {}.",
+                      {resultText(*result_)});
         case Proof::failed:
-            return "No proof: " + job_->progress().problem + ".";
+            return tr("No proof: {}.", {tr(job_->progress().problem)});
         case Proof::asked:
             return going;
         case Proof::none:
             break;
     }
-    return going.empty() ? "It is not known whether it can be finished." : going;
+    return going.empty() ? tr("It is not known whether it can be finished.") : going;
 }
 
 void LevelDesk::start(SearchJobOptions options) {
@@ -183,7 +184,7 @@ void LevelDesk::search(SearchJobOptions options) {
     if (checked())
         for (const LevelProblem& problem : problems_)
             if (problem.grave)
-                throw std::runtime_error("it cannot be finished as it is: " + problem.text);
+                throw std::runtime_error(tr("it cannot be finished as it is: {}", {problem.text}));
     if (result_ && !options.known) options.known = result_->proof;
     quiet_ = false;
     start(std::move(options));
@@ -282,7 +283,7 @@ std::filesystem::path LevelDesk::publish(const std::filesystem::path& folder) {
     const auto report = checkLevelText(text(), name());
     for (const LevelProblem& problem : report.problems)
         if (problem.grave)
-            throw std::runtime_error("this level cannot be published: " + problem.text);
+            throw std::runtime_error(tr("this level cannot be published: {}", {problem.text}));
     const auto file = folder / (fileName(report.level->name) + ".json");
     atlax::writeFileAtomic(file, text(), atlax::Backup::None);
     std::error_code ignored;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <quaoar/level_check.hpp>
 
+#include "../model/words.hpp"
 #include "distance_field.hpp"
 
 namespace sulfurchamber {
@@ -93,7 +94,7 @@ void checkPlaces(const Level& level, LevelReport& report) {
     if (found) {
         const bool spawn = found->object == "spawn";
         add(report, true, spawn ? LevelKind::spawn : LevelKind::exit, 0,
-            "The " + found->object + " " + found->problem,
+            tr(spawn ? "The spawn {}" : "The exit {}", {found->problem}),
             spawn ? level.spawn : level.exit.position);
     }
     const Point low = level.boundsMin, high = level.boundsMax;
@@ -101,11 +102,11 @@ void checkPlaces(const Level& level, LevelReport& report) {
         const Point at = level.hints[i].position;
         if ((at.array() >= low.array()).all() && (at.array() <= high.array()).all()) continue;
         add(report, false, LevelKind::hint, i,
-            "A hint lies outside of the camera's bounds, where nobody sees it", at);
+            tr("A hint lies outside of the camera's bounds, where nobody sees it"), at);
     }
     if (level.killDepth < low.y() - 20)
         add(report, false, LevelKind::killDepth, 0,
-            "The kill depth is far below the bounds; whoever falls waits long",
+            tr("The kill depth is far below the bounds; whoever falls waits long"),
             Point(low.x(), level.killDepth));
 }
 
@@ -123,7 +124,7 @@ void checkReach(const Session& session, const DistanceField& field, LevelReport&
         return field.at(place) >= DistanceField::unreachable;
     };
     if (isCut(level.spawn)) {
-        add(report, true, LevelKind::exit, 0, "The exit is cut off: no free space leads to it",
+        add(report, true, LevelKind::exit, 0, tr("The exit is cut off: no free space leads to it"),
             level.exit.position);
         return;
     }
@@ -131,19 +132,19 @@ void checkReach(const Session& session, const DistanceField& field, LevelReport&
         const auto& one = level.checkpoints[i];
         if (isInRock(session, one.position))
             add(report, true, LevelKind::checkpoint, i,
-                "Checkpoint \"" + one.id + "\" lies in the ground", one.position);
+                tr("Checkpoint \"{}\" lies in the ground", {one.id}), one.position);
         else if (isCut(one.position))
             add(report, false, LevelKind::checkpoint, i,
-                "Checkpoint \"" + one.id + "\" is cut off from the exit", one.position);
+                tr("Checkpoint \"{}\" is cut off from the exit", {one.id}), one.position);
     }
     for (std::size_t i = 0; i < level.pickups.size(); ++i) {
         const auto& one = level.pickups[i];
         if (isInRock(session, one.position))
             add(report, false, LevelKind::pickup, i,
-                "Pick-up \"" + one.id + "\" lies in the ground", one.position);
+                tr("Pick-up \"{}\" lies in the ground", {one.id}), one.position);
         else if (isCut(one.position))
-            add(report, false, LevelKind::pickup, i, "Pick-up \"" + one.id + "\" cannot be reached",
-                one.position);
+            add(report, false, LevelKind::pickup, i,
+                tr("Pick-up \"{}\" cannot be reached", {one.id}), one.position);
     }
 }
 
@@ -176,14 +177,13 @@ void checkAnchors(const Session& session, const DistanceField& field, LevelRepor
     std::optional<Point> from, to;
     const auto tell = [&] {
         if (from && to->x() - from->x() >= bareFloor)
-            report.problems.push_back(
-                {"Nothing that the rope holds on is in reach from the floor "
-                 "between x = " +
-                     jsonOf(from->x()) + " and " + jsonOf(to->x()),
-                 false,
-                 std::nullopt,
-                 {},
-                 Point((*from + *to) / 2)});
+            report.problems.push_back({tr("Nothing that the rope holds on is in reach from the "
+                                          "floor between x = {} and {}",
+                                          {jsonOf(from->x()), jsonOf(to->x())}),
+                                       false,
+                                       std::nullopt,
+                                       {},
+                                       Point((*from + *to) / 2)});
         from.reset();
     };
     for (double x = level.boundsMin.x(); x <= level.boundsMax.x(); x += columnStep) {

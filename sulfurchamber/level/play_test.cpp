@@ -7,6 +7,8 @@
 #include <atlax/settings.hpp>
 #include <cstdio>
 
+#include "../model/words.hpp"
+
 namespace sulfurchamber {
 
 std::shared_ptr<const quaoar::Level> startingAt(const quaoar::Level& level,
@@ -97,15 +99,13 @@ void PlayTest::drawStatus(atlax::Canvas& canvas) const {
     const float scale = canvas.scaleFactor();
     canvas.setScreenSpace(scale);
     const float middle = canvas.size().toVec().x / scale / 2;
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.1f s", session_.seconds());
-    canvas.text(art_.bold(), text.data(), {middle, 34},
+    canvas.text(art_.bold(), fixed(session_.seconds(), 1) + " s", {middle, 34},
                 {24, quaoar::palette::frost, atlax::AlignX::Centre});
     const bool finished = session_.phase() == quaoar::Session::Phase::finished;
     const std::string medal = finished ? quaoar::name(session_.medal()) : "";
-    const std::string below = finished ? "Finished: " + (medal == "none" ? "no medal" : medal) +
-                                             ". Esc goes back to editing"
-                                       : "Play-test: Esc goes back to editing";
+    const std::string below = finished ? tr("Finished: {}. Esc goes back to editing",
+                                            {tr(medal == "none" ? "no medal" : medal)})
+                                       : tr("Play-test: Esc goes back to editing");
     canvas.text(
         art_.regular(), below, {middle, 54},
         {14, finished ? quaoar::palette::amber : quaoar::palette::ice, atlax::AlignX::Centre});

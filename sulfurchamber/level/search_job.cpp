@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../model/words.hpp"
 #include "practice.hpp"
 #include "shorten.hpp"
 #include "solve.hpp"
@@ -106,7 +107,7 @@ void SearchJob::run() {
     quaoar::stopPlayersBy(&stop_);
     try {
         if (replay()) return tell(Stage::done, 1);
-        if (!options_.search) return fail("what was known does not finish this version");
+        if (!options_.search) return fail(tr("what was known does not finish this version"));
         const quaoar::Ground ground(level_);
         const quaoar::Way way = search(ground);
         shorten(way);
@@ -151,7 +152,7 @@ bool SearchJob::replay() {
 quaoar::Way SearchJob::search(const quaoar::Ground& ground) {
     tell(SearchProgress::Stage::searching, 0);
     if (ground.field.at(level_->spawn) >= quaoar::DistanceField::unreachable)
-        throw std::runtime_error("no free space leads from the spawn to the exit");
+        throw std::runtime_error(tr("no free space leads from the spawn to the exit"));
     Session session(level_);
     quaoar::SearchOptions options;
     options.seed = options_.seed;
@@ -172,13 +173,13 @@ quaoar::Way SearchJob::search(const quaoar::Ground& ground) {
         progress_.share = std::min(1.0, report.simulated / options_.budget);
         if (way) return *way;
     }
-    throw std::runtime_error("no way was found in " + std::to_string(std::lround(options_.budget)) +
-                             " simulated seconds");
+    throw std::runtime_error(tr("no way was found in {} simulated seconds",
+                                {std::to_string(std::lround(options_.budget))}));
 }
 
 void SearchJob::shorten(const quaoar::Way& way) {
     auto proof = quaoar::record(level_, way);
-    if (!proof) throw std::runtime_error("the way that was found does not replay");
+    if (!proof) throw std::runtime_error(tr("the way that was found does not replay"));
     SearchResult result;
     setProof(result, *proof);
     keep(result);

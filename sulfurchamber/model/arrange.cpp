@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "words.hpp"
 #include "workbench.hpp"
 
 namespace sulfurchamber {
@@ -235,8 +236,8 @@ void ungroupSelection(Workbench& bench) {
 void renameGroup(Workbench& bench, const std::string& group, const std::string& name) {
     if (!isGroupName(name))
         throw std::runtime_error(
-            "\"" + name + "\" is no name of a group; allowed is one line of 1 to " +
-            std::to_string(sulfur::scene::Limits::nameBytes) + " bytes without /");
+            tr("\"{}\" is no name of a group; allowed is one line of 1 to {} bytes without /",
+               {name, std::to_string(sulfur::scene::Limits::nameBytes)}));
     const auto slash = group.rfind('/');
     const std::string renamed =
         slash == std::string::npos ? name : group.substr(0, slash + 1) + name;
@@ -245,8 +246,8 @@ void renameGroup(Workbench& bench, const std::string& group, const std::string& 
     for (const BodyId body : bench.document().world().bodies()) {
         const std::string& own = bench.marks(body).group;
         if (own == renamed || own.starts_with(renamed + '/'))
-            throw std::runtime_error("\"" + name +
-                                     "\" is the name of another group; choose a free one");
+            throw std::runtime_error(
+                tr("\"{}\" is the name of another group; choose a free one", {name}));
         if (own == group || own.starts_with(group + '/')) bodies.push_back(body);
     }
     markAsStep(bench, "Rename group", bodies,

@@ -37,7 +37,7 @@ double discMass(double radius) {
 Preview circleOf(const Point& middle, const Point& rim) {
     const double radius = (rim - middle).norm();
     Preview shown{Preview::Kind::circle, middle, rim, radius};
-    shown.labels = {{(middle + rim) / 2, "radius " + metresText(radius)},
+    shown.labels = {{(middle + rim) / 2, tr("radius {}", {metresText(radius)})},
                     {middle - Point(0, radius), kilogramsText(discMass(radius))}};
     return shown;
 }

@@ -2,31 +2,23 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
-namespace {
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-}  // namespace
 
 std::string metresText(double length) {
-    return formatted("%.2f m", length);
+    return fixed(length, 2) + " m";
 }
 
 std::string kilogramsText(double mass) {
-    return formatted(mass < 10 ? "%.2f kg" : "%.0f kg", mass);
+    return fixed(mass, mass < 10 ? 2 : 0) + " kg";
 }
 
 std::string degreesText(double radians) {
     const double degrees = radians * 180 / std::numbers::pi;
-    return formatted("%.1f\xC2\xB0", std::abs(degrees) < 0.05 ? 0 : degrees);
+    return fixed(std::abs(degrees) < 0.05 ? 0 : degrees, 1) + "\xC2\xB0";
 }
 
 std::vector<Label> sizeLabels(const std::array<sulfur::Point, 4>& corners,

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "level_things.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -20,8 +21,8 @@ std::string stripped(const std::string& text) {
 }
 
 [[noreturn]] void refuseField(const LevelField& field, const std::string& allowed) {
-    throw std::runtime_error(std::string(infoOf(field.kind).name) + ", " + std::string(field.name) +
-                             ": allowed is " + allowed);
+    throw std::runtime_error(tr("{}, {}: allowed is {}", {tr(std::string(infoOf(field.kind).name)),
+                                                          tr(std::string(field.name)), allowed}));
 }
 
 double numberOf(const LevelField& field, const std::string& text) {
@@ -31,9 +32,11 @@ double numberOf(const LevelField& field, const std::string& text) {
     const bool whole = field.type != FieldType::whole || value == std::floor(value);
     const bool fits = read.ec == std::errc() && read.ptr == end && whole;
     if (fits && value >= field.low && value <= field.high) return value;
-    const std::string kind = field.type == FieldType::whole ? "a whole number" : "a number";
-    const std::string unit = field.unit.empty() ? "" : ' ' + std::string(field.unit);
-    refuseField(field, kind + " from " + jsonOf(field.low) + " to " + jsonOf(field.high) + unit);
+    const std::string high =
+        jsonOf(field.high) + (field.unit.empty() ? "" : ' ' + std::string(field.unit));
+    refuseField(field, field.type == FieldType::whole
+                           ? tr("a whole number from {} to {}", {jsonOf(field.low), high})
+                           : tr("a number from {} to {}", {jsonOf(field.low), high}));
 }
 
 std::string pointsJson(const LevelField& field, const std::string& text) {
@@ -46,7 +49,7 @@ std::string pointsJson(const LevelField& field, const std::string& text) {
         const std::size_t comma = std::min(text.find(',', at), text.size());
         const std::string pair = stripped(text.substr(at, comma - at));
         const std::size_t space = pair.find(' ');
-        if (space == std::string::npos) refuseField(field, "places such as \"3 4, 5 6\", metres");
+        if (space == std::string::npos) refuseField(field, tr("places such as 3 4, 5 6 in metres"));
         const double x = numberOf(number, pair.substr(0, space));
         const double y = numberOf(number, stripped(pair.substr(space)));
         made += (made.size() > 1 ? ", " : "") + jsonOf(x, y);
@@ -56,25 +59,24 @@ std::string pointsJson(const LevelField& field, const std::string& text) {
 }
 
 std::string choiceJson(const LevelField& field, const std::string& text) {
-    const std::string all = '|' + std::string(field.choices) + '|';
-    if (text.empty() || all.find('|' + text + '|') == std::string::npos) {
-        std::string words(field.choices);
-        std::replace(words.begin(), words.end(), '|', ' ');
-        refuseField(field, "one of: " + words);
+    std::string allowed;
+    for (const std::string& word : choicesOf(field)) {
+        if (word == text) return jsonOf(std::string_view(text));
+        allowed += (allowed.empty() ? "" : ", ") + word;
     }
-    return jsonOf(std::string_view(text));
+    refuseField(field, tr("one of: {}", {allowed}));
 }
 
 std::string colourJson(const LevelField& field, const std::string& text) {
     const bool shaped = text.size() == 7 && text[0] == '#' &&
                         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-    if (!shaped) refuseField(field, "a colour such as #1F3A5F");
+    if (!shaped) refuseField(field, tr("a colour such as #1F3A5F"));
     return jsonOf(std::string_view(text));
 }
 
 std::string textJson(const LevelField& field, const std::string& text) {
     if (text.empty() || static_cast<double>(text.size()) > field.high)
-        refuseField(field, "a text of 1 to " + jsonOf(field.high) + " bytes");
+        refuseField(field, tr("a text of 1 to {} bytes", {jsonOf(field.high)}));
     return jsonOf(std::string_view(text));
 }
 
@@ -84,7 +86,7 @@ std::string jsonOfField(const LevelField& field, const std::string& text) {
         case FieldType::whole:
             return jsonOf(numberOf(field, text));
         case FieldType::flag:
-            if (text != "yes" && text != "no") refuseField(field, "yes or no");
+            if (text != "yes" && text != "no") refuseField(field, tr("yes or no"));
             return text == "yes" ? "true" : "false";
         case FieldType::choice:
             return choiceJson(field, text);

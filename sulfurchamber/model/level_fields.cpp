@@ -188,7 +188,7 @@ constexpr LevelField fieldTable[] = {
     {LK::rules, "speedLimit", "Fastest", "m/s", FT::number, 1, 60, "", true, "", "",
      "Of the hero; 11 when empty"},
     {LK::rules, "reach", "Rope", "m", FT::number, 0.5, 20, "", true, "", "",
-     "How farOut the rope reaches; 3 when empty"},
+     "How far the rope reaches; 3 when empty"},
 };
 
 }  // namespace
@@ -203,6 +203,17 @@ const LevelKindInfo& infoOf(LevelKind kind) {
 
 std::span<const LevelField> levelFields() {
     return fieldTable;
+}
+
+std::vector<std::string> choicesOf(const LevelField& field) {
+    std::vector<std::string> words;
+    if (field.type != FieldType::choice) return words;
+    for (std::string_view rest = field.choices; !rest.empty();) {
+        const std::size_t bar = std::min(rest.find('|'), rest.size());
+        words.emplace_back(rest.substr(0, bar));
+        rest.remove_prefix(std::min(bar + 1, rest.size()));
+    }
+    return words;
 }
 
 const LevelField* levelField(LevelKind kind, std::string_view path) {

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace sulfurchamber {
 
@@ -67,6 +69,8 @@ struct LevelField {
     std::string_view choices{};
     std::string_view help{};
 };
+/// The words of a choice one by one; nothing for other fields.
+std::vector<std::string> choicesOf(const LevelField& field);
 /// All fields, those of a kind side by side in the order in which a panel shows them.
 std::span<const LevelField> levelFields();
 /// Null when the kind has no such field.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "words.hpp"
 #include "workbench.hpp"
 
 namespace sulfurchamber {
@@ -133,7 +134,8 @@ void LevelHand::move(const Pointer& pointer) {
     Document& document = bench_.document();
     const Point to = bench_.snapped(pointer.position);
     if ((pointer.position - from_).norm() < pointer.reach / 3 && !changed_) return;
-    if (!changed_) document.begin((handle_ ? "Resize " : "Move ") + titleOf(document, *held_));
+    if (!changed_)
+        document.begin(tr(handle_ ? "Resize {}" : "Move {}", {titleOf(document, *held_)}));
     changed_ = true;
     if (handle_)
         dragHandle(document, *held_, *handle_, to);
@@ -165,8 +167,8 @@ void LevelHand::cancel() {
 
 std::string LevelHand::hint() const {
     if (!held_) return "";
-    return (handle_ ? "Resizing: " : "Moving: ") + titleOf(bench_.document(), *held_) +
-           "; Escape puts it back";
+    return tr(handle_ ? "Resizing: {}; Escape puts it back" : "Moving: {}; Escape puts it back",
+              {titleOf(bench_.document(), *held_)});
 }
 
 }  // namespace sulfurchamber

@@ -6,6 +6,7 @@
 
 #include "geometry.hpp"
 #include "lattice.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -108,12 +109,12 @@ LevelThing addTrigger(Document& document, const Bounds& box) {
 
 // The id of a body of the plan that has nothing of this kind yet.
 std::string freeBody(const Document& document, BodyId body, LevelKind kind, const char* what) {
-    if (!body) throw std::runtime_error(std::string("there is no body here; ") + what);
+    if (!body) throw std::runtime_error(tr("there is no body here; {}", {tr(what)}));
     const std::string id = document.idOf(body);
     if (id.empty()) throw std::runtime_error("this is a piece of a body that broke; press Reset");
     for (const LevelThing& thing : levelThings(document))
         if (thing.kind == kind && bodyOf(document, thing) == id)
-            throw std::runtime_error("\"" + id + "\" has one already; it can be selected");
+            throw std::runtime_error(tr("\"{}\" has one already; it can be selected", {id}));
     return id;
 }
 
@@ -149,7 +150,7 @@ LevelThing addSurface(Document& document, const std::string& id,
 }
 
 BodyId addBody(Document& document, const char* scene, const Point& at) {
-    const auto made = sulfur::scene::parse(scene, "a piece");
+    const auto made = sulfur::scene::parse(scene, "piece");
     sulfur::scene::Placement placement;
     placement.pose.position = at;
     return document.add(made.blueprints.front(), placement);
@@ -284,7 +285,7 @@ LevelThing placePiece(Document& document, LevelPiece piece, const Point& from, c
             return addZone(document, "pool", frameOf(from, to, {3, 1}),
                            "\"liquid\": {\"density\": 60}");
         case LevelPiece::deadlyZone:
-            return addZone(document, "deadly", frameOf(from, to, {1, 1}), "\"deadly\": true");
+            return addZone(document, "deadly", frameOf(from, to, {1, 1}), R"("deadly": true)");
         case LevelPiece::trigger:
             return addTrigger(document, frameOf(from, to, {0.8, 0.24}));
         case LevelPiece::mover:
@@ -341,7 +342,7 @@ sulfur::scene::Scene newLevel() {
     {"id": "ceiling", "blueprint": "ceiling"}
   ]
 })";
-    return sulfur::scene::parse(text, "the new level");
+    return sulfur::scene::parse(text, "level");
 }
 
 void makeLevel(Document& document) {

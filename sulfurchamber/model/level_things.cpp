@@ -1,5 +1,6 @@
 // Looking at the things of a level; what changes them is in level_edits.cpp.
 #include "level_things.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -212,7 +213,7 @@ LevelShape shapeOf(const Document& document, const LevelThing& thing) {
 
 std::string titleOf(const Document& document, const LevelThing& thing) {
     constexpr std::size_t most = 28;  // bytes of what it says
-    std::string title(infoOf(thing.kind).name);
+    const std::string title = tr(std::string(infoOf(thing.kind).name));
     std::string words = wordsOf(JsonText(document.levelText()), thing);
     std::replace(words.begin(), words.end(), '\n', ' ');
     if (words.size() > most) {

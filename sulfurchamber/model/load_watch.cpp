@@ -1,4 +1,5 @@
 #include "load_watch.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 
@@ -7,10 +8,6 @@ namespace {
 
 constexpr std::uint64_t timedEvery = 16;       // ticks: taking times takes time
 constexpr std::uint64_t timedToConclude = 12;  // of these
-
-std::string counted(std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 }  // namespace
 
@@ -32,33 +29,33 @@ void LoadWatch::conclude(const sulfur::World& world) {
     const std::size_t stiff = s.implicitJoints + s.rigidJoints;
     switch (static_cast<sulfur::Stage>(most - seconds_.begin())) {
         case sulfur::Stage::constraints:
-            cause_ =
-                stiff > s.contacts ? counted(stiff, "stiff joint") : counted(s.contacts, "contact");
+            cause_ = stiff > s.contacts ? trCount("{} stiff joint", "{} stiff joints", stiff)
+                                        : trCount("{} contact", "{} contacts", s.contacts);
             break;
         case sulfur::Stage::predict:
             if (s.trees > 0)
-                cause_ = counted(s.trees, "linked line");
+                cause_ = trCount("{} linked line", "{} linked lines", s.trees);
             else
-                cause_ = counted(s.awakeParticles, "moving particle");
+                cause_ = trCount("{} moving particle", "{} moving particles", s.awakeParticles);
             break;
         case sulfur::Stage::forces:
-            cause_ = counted(s.explicitJoints, "elastic joint");
+            cause_ = trCount("{} elastic joint", "{} elastic joints", s.explicitJoints);
             break;
         case sulfur::Stage::broadPhase:
         case sulfur::Stage::narrowPhase:
-            cause_ = counted(s.candidates, "near pair");
+            cause_ = trCount("{} near pair", "{} near pairs", s.candidates);
             break;
         case sulfur::Stage::fields:
-            cause_ = "fields";
+            cause_ = tr("fields");
             break;
         case sulfur::Stage::sensors:
-            cause_ = "sensors";
+            cause_ = tr("sensors");
             break;
         case sulfur::Stage::breakage:
-            cause_ = counted(s.breakableJoints, "breakable joint");
+            cause_ = trCount("{} breakable joint", "{} breakable joints", s.breakableJoints);
             break;
         default:
-            cause_ = counted(s.awakeParticles, "moving particle");
+            cause_ = trCount("{} moving particle", "{} moving particles", s.awakeParticles);
     }
     seconds_ = {};
 }

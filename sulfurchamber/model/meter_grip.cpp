@@ -1,4 +1,5 @@
 #include "meter_grip.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 
@@ -41,7 +42,7 @@ void MeterGrip::moveTo(Workbench& bench, const Pointer& pointer) {
         if (end.body.empty() && end.at == pointer.position) end.at = bench.snapped(end.at);
         next.ends[*end_] = std::move(end);
     }
-    if (!moved_) bench.document().begin("Move " + meter_.id);
+    if (!moved_) bench.document().begin(tr("Move {}", {meter_.id}));
     moved_ = true;
     changeMeter(bench.document().planForEditing(), next);
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tool.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -13,11 +14,10 @@ using sulfur::Point;
 
 // "1.204 m at 30.0 degrees", for hints while one draws.
 std::string wayText(const Point& way) {
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%.3f m at %.1f degrees: %.3f m to the right, %.3f m up", way.norm(),
-                  std::atan2(way.y(), way.x()) * 180 / std::numbers::pi, way.x(), way.y());
-    return text.data();
+    return tr(
+        "{} m at {} degrees: {} m to the right, {} m up",
+        {fixed(way.norm(), 3), fixed(std::atan2(way.y(), way.x()) * 180 / std::numbers::pi, 1),
+         fixed(way.x(), 3), fixed(way.y(), 3)});
 }
 
 class MeterTool : public Tool {
@@ -39,7 +39,7 @@ protected:
     }
     void add(std::vector<MeterEnd> ends) {
         std::string id;
-        document().edit("Add " + std::string(meterName(kind_)), [&] {
+        document().edit(tr("Add {}", {tr(std::string(meterName(kind_)))}), [&] {
             id = addMeter(document().planForEditing(), {"", kind_, std::move(ends)});
         });
         bench().selectMeters({id});

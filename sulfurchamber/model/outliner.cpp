@@ -1,4 +1,5 @@
 #include "outliner.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -135,15 +136,15 @@ void addFittings(const Document& document, const std::unordered_map<std::string,
         std::vector<std::string> ids;
         for (const std::string* id : bodiesOf(mechanism)) ids.push_back(*id);
         add(OutlineRow::Kind::mechanism,
-            mechanism.id.empty() ? std::string(kindOf(mechanism)) : mechanism.id,
+            mechanism.id.empty() ? tr(std::string(kindOf(mechanism))) : mechanism.id,
             {FittingRef::Kind::mechanism, i}, ids);
     }
     for (std::size_t i = 0; i < scene.fields.size(); ++i)
-        add(OutlineRow::Kind::field, std::string(kindOf(scene.fields[i].field)),
+        add(OutlineRow::Kind::field, tr(std::string(kindOf(scene.fields[i].field))),
             {FittingRef::Kind::zone, i}, {});
     const auto& thrusters = document.thrusters();
     for (std::size_t i = 0; i < thrusters.size(); ++i)
-        add(OutlineRow::Kind::mechanism, "Thruster", {FittingRef::Kind::thruster, i},
+        add(OutlineRow::Kind::mechanism, tr("Thruster"), {FittingRef::Kind::thruster, i},
             {thrusters[i].body});
 }
 
@@ -178,7 +179,7 @@ const std::vector<OutlineRow>& Outliner::rows(const Workbench& bench) {
             here.emplace(std::move(id), body);
         } else {
             OutlineRow row;
-            row.name = "a piece of " + world.name(body);
+            row.name = tr("a piece of {}", {world.name(body)});
             row.bodies = {body};
             pieces.push_back(std::move(row));
         }
@@ -217,7 +218,7 @@ std::optional<Bounds> boundsOf(const Workbench& bench, const OutlineRow& row) {
 }
 
 void rename(Workbench& bench, const OutlineRow& row, const std::string& name) {
-    if (!row.renamable) throw std::runtime_error("\"" + row.name + "\" has no name of its own");
+    if (!row.renamable) throw std::runtime_error(tr("\"{}\" has no name of its own", {row.name}));
     if (row.kind == OutlineRow::Kind::group) {
         renameGroup(bench, row.group, name);
         return;

@@ -4,6 +4,7 @@
 #include "geometry.hpp"
 #include "level_pieces.hpp"
 #include "tool.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -81,10 +82,10 @@ private:
     }
 
     void add(const std::function<LevelThing()>& make) {
-        std::string label(info_.label);
+        std::string label = tr(std::string(info_.label));
         std::erase(label, '&');
         LevelThing made;
-        document().edit("Add " + label, [&] { made = make(); });
+        document().edit(tr("Add {}", {label}), [&] { made = make(); });
         bench().selectThings({made});
     }
 

@@ -13,6 +13,7 @@
 #include "geometry.hpp"
 #include "lattice.hpp"
 #include "loop_region.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -242,7 +243,7 @@ void setPlate(Prefab& prefab, const Plate& plate) {
     const auto triangles =
         axes.points.empty() ? std::vector<CornerTriple>{} : trianglesOf(whole, axes.points);
     if (!before || triangles.empty())
-        throw std::runtime_error("this hole leaves too little around it; draw a smaller one");
+        throw std::runtime_error(tr("this hole leaves too little around it; draw a smaller one"));
     const double mass = static_cast<double>(plan.mass()) * plateArea(plate) / plateArea(*before);
     const double density = mass / areaOf(whole, axes.points);
     sulfur::JointSpec like = plan.joints.front();

@@ -169,8 +169,9 @@ private:
                 ? "Drag a body to pull it with a spring, or drag a frame to select"
                 : "Click to select, drag to move, with Alt a copy; handles turn and scale";
         if (const std::size_t hidden = hiddenCount(document()); hidden > 0)
-            hint = std::to_string(hidden) + (hidden == 1 ? " body is" : " bodies are") +
-                   " hidden and still simulated; " + hint;
+            hint = trCount("{} body is hidden and still simulated",
+                           "{} bodies are hidden and still simulated", hidden) +
+                   "; " + tr(hint);
         return hint;
     }
 
@@ -188,10 +189,12 @@ private:
         };
         const Point& f = stretch_.factors;
         if (stretch_.isUniform())
-            return "Scaling to " + percent(f.x()) +
-                   ", mass with the area; with Ctrl the middle stays; Escape takes it back";
-        return "Stretching to " + percent(f.x() != 1 ? f.x() : f.y()) +
-               "; with Ctrl the middle stays; Escape takes it back";
+            return tr(
+                "Scaling to {}, mass with the area; with Ctrl the middle stays; Escape takes it "
+                "back",
+                {percent(f.x())});
+        return tr("Stretching to {}; with Ctrl the middle stays; Escape takes it back",
+                  {percent(f.x() != 1 ? f.x() : f.y())});
     }
 
     void toggle(const std::vector<BodyId>& bodies) {
@@ -333,7 +336,7 @@ private:
         const auto bounds = selectionBounds(bench());
         if (!bounds) return shown;
         shown.labels = {{{bounds->centre().x(), bounds->high.y()},
-                         metresText(way_.x()) + " right, " + metresText(way_.y()) + " up"}};
+                         tr("{} right, {} up", {metresText(way_.x()), metresText(way_.y())})}};
         return shown;
     }
 

@@ -1,8 +1,11 @@
 #include "stage_times.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <map>
+
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -45,6 +48,12 @@ std::vector<std::vector<BodyId>> groupsOf(const Document& document) {
 
 }  // namespace
 
+std::string stageTitle(Stage stage) {
+    std::string title = sulfur::name(stage);
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
+}
+
 void StageTimes::add(const sulfur::Statistics& tick) {
     weight_ = weight_ * fading + 1;
     for (std::size_t i = 0; i < stages; ++i) mean_[i] += (tick.seconds[i] - mean_[i]) / weight_;
@@ -75,8 +84,8 @@ CostSearch::CostSearch(const Document& document) : base_(document.world().clone(
     for (auto& group : groups) {
         if (candidates_.size() == mostCandidates || awake(group) == 0) break;
         const std::string id = document.idOf(group.front());
-        std::string name = id.empty() ? "a piece of " + world.name(group.front()) : id;
-        if (group.size() > 1) name += " with what it is tied to";
+        std::string name = id.empty() ? tr("a piece of {}", {world.name(group.front())}) : id;
+        if (group.size() > 1) name = tr("{} with what it is tied to", {name});
         candidates_.push_back({std::move(name), std::move(group)});
     }
     runs_.resize(candidates_.empty() ? 0 : candidates_.size() + 1);

@@ -12,6 +12,9 @@
 
 namespace sulfurchamber {
 
+/// A stage as a line of a table names it, in English: "Broad phase".
+std::string stageTitle(sulfur::Stage stage);
+
 /// Mean times of the last ticks. One thread.
 class StageTimes {
 public:

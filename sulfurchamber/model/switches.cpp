@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "recipe_access.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -136,9 +137,10 @@ std::optional<std::string> skinOf(const Document& document, std::span<const Body
 
 void setSkin(Document& document, std::span<const BodyId> bodies, const std::string& texture) {
     if (!texture.empty() && !sulfur::scene::safeAssetName(texture))
-        throw std::runtime_error("\"" + texture +
-                                 "\" is no name of a skin; allowed is a relative name of at most "
-                                 "200 bytes with / between its parts");
+        throw std::runtime_error(tr(
+            "\"{}\" is no name of a skin; allowed is a relative name of at most 200 bytes with / "
+            "between its parts",
+            {texture}));
     document.change(bodies, [&](Prefab& prefab) {
         prefab.skinFitted = !texture.empty();
         if (texture.empty())

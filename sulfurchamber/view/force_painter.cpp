@@ -6,6 +6,7 @@
 
 #include "../model/forces.hpp"
 #include "../model/meters.hpp"
+#include "../model/words.hpp"
 #include "palette.hpp"
 #include "plot_layout.hpp"
 
@@ -93,7 +94,7 @@ void paintStrainBar(atlax::Canvas& canvas, const atlax::Font& font, Vec2 corner)
                     strainColour(strain));
     }
     const Color ink = palette::ice.withAlpha(0.9f);
-    canvas.text(font, "Strain of joints", corner + Vec2{0, 9},
+    canvas.text(font, tr("Strain of joints"), corner + Vec2{0, 9},
                 {12, ink, atlax::AlignX::Left, atlax::AlignY::Middle});
     const std::string full = numberText(static_cast<double>(strainAtFullColour) * 100, 1);
     canvas.text(font, "-" + full + " %", corner + Vec2{0, 36},
@@ -147,7 +148,7 @@ void paintLegend(atlax::Canvas& canvas, const atlax::Camera& camera, const atlax
     at += {legendMargin, 5};
     for (const ArrowLegend& line : arrows) {
         const float middle = at.y + legendLine / 2;
-        canvas.text(font, line.name, {at.x, middle},
+        canvas.text(font, tr(line.name), {at.x, middle},
                     {12, line.colour, atlax::AlignX::Left, atlax::AlignY::Middle});
         const float begin = at.x + 58;
         paintArrow(canvas, {begin, middle}, {static_cast<float>(line.pixels), 0}, line.colour);

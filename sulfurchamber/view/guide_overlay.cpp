@@ -1,6 +1,8 @@
 #include "guide_overlay.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "../model/words.hpp"
 #include "palette.hpp"
@@ -12,9 +14,8 @@ using atlax::Vec2;
 
 constexpr float cardWidth = 304;  // logical pixels, as what follows
 constexpr float cardMargin = 10;
-constexpr float filmHeight = 192;
+constexpr float filmShape = 192.0f / 284;  // height by width
 constexpr float textSize = 13;
-constexpr float textRows = 3;
 constexpr float rowHeight = 17;
 
 // The pointer as it is known, its tip at a place of the present world space.
@@ -50,8 +51,9 @@ std::string invitation(const Document& document) {
     return tr("Choose a tool at the left and drag here to build; F1 opens examples");
 }
 
-void GuideOverlay::showFilm(std::optional<ToolKind> tool) {
+void GuideOverlay::showFilm(std::optional<ToolKind> tool, std::string name) {
     if (tool == film()) return;
+    filmName_ = std::move(name);
     film_.reset();
     painter_ = {};
     if (tool) film_ = std::make_unique<ToolDemo>(*tool);
@@ -87,10 +89,13 @@ void GuideOverlay::paint(atlax::Canvas& canvas, const atlax::Font& font, const W
 
 void GuideOverlay::paintFilm(atlax::Canvas& canvas, const atlax::Font& font, float inset) {
     const float scale = canvas.scaleFactor();
+    const float width = std::min(cardWidth, canvas.size().toVec().x / scale - inset - 24);
+    const float inner = width - 2 * cardMargin;
+    const std::string hint = font.wrap(tr(film_->bench().hint()), textSize, inner);
+    const auto rows = static_cast<float>(2 + std::count(hint.begin(), hint.end(), '\n'));
     const atlax::Rect card{{inset + 12, 12},
-                           {cardWidth, filmHeight + textRows * rowHeight + 3 * cardMargin}};
-    const atlax::Rect picture{card.min + Vec2{cardMargin, cardMargin},
-                              {cardWidth - 2 * cardMargin, filmHeight}};
+                           {width, inner * filmShape + rows * rowHeight + 3 * cardMargin}};
+    const atlax::Rect picture{card.min + Vec2{cardMargin, cardMargin}, {inner, inner * filmShape}};
     canvas.roundedRect(card, 8, palette::steel.withAlpha(0.97f));
     canvas.gradientRect(picture, palette::above, palette::deep);
     canvas.pushClip(picture);
@@ -107,10 +112,9 @@ void GuideOverlay::paintFilm(atlax::Canvas& canvas, const atlax::Font& font, flo
     canvas.setScreenSpace(scale);
     const auto share = static_cast<float>(film_->time() / ToolDemo::seconds);
     canvas.rect({{picture.min.x, picture.max().y}, {picture.size.x * share, 2}}, palette::amber);
-    const std::string hint = tr(film_->bench().hint());
-    canvas.text(font, font.wrap(hint, textSize, picture.size.x),
-                {picture.min.x, picture.max().y + cardMargin + rowHeight * 0.8f},
-                {textSize, palette::ice});
+    const Vec2 below{picture.min.x, picture.max().y + cardMargin + rowHeight * 0.8f};
+    canvas.text(font, filmName_, below, {textSize + 1, palette::amber});
+    canvas.text(font, hint, below + Vec2{0, rowHeight}, {textSize, palette::ice});
 }
 
 }  // namespace sulfurchamber

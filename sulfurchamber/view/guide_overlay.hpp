@@ -5,6 +5,7 @@
 #include <atlax/canvas.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "../model/tool_demo.hpp"
 #include "scene_painter.hpp"
@@ -13,8 +14,8 @@ namespace sulfurchamber {
 
 class GuideOverlay {
 public:
-    /// Shows the film of this tool, from its beginning, until told otherwise.
-    void showFilm(std::optional<ToolKind> tool);
+    /// Shows the film of this tool, from its beginning, until told otherwise, and its name.
+    void showFilm(std::optional<ToolKind> tool, std::string name = {});
     std::optional<ToolKind> film() const;
     /// Draws a hand at a place of the scene, metres.
     void showHand(std::optional<sulfur::Point> place, bool pressed);
@@ -28,6 +29,7 @@ private:
     void paintFilm(atlax::Canvas& canvas, const atlax::Font& font, float inset);
 
     std::unique_ptr<ToolDemo> film_;
+    std::string filmName_;
     ScenePainter painter_;  // of the film
     std::optional<sulfur::Point> hand_;
     bool handPressed_ = false;

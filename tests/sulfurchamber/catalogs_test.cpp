@@ -8,8 +8,10 @@
 #include <sulfur/scene.hpp>
 
 #include "model/fitting_properties.hpp"
+#include "model/level_fields.hpp"
 #include "model/measurement.hpp"
 #include "model/properties.hpp"
+#include "model/stage_times.hpp"
 #include "model/templates.hpp"
 #include "model/words.hpp"
 #include "visible_texts.hpp"
@@ -30,11 +32,15 @@ const std::set<std::string> sameWords{"SulfurChamber",
                                       "&Simulation",
                                       "N m s/rad",
                                       "x",
-                                      "y"};
-const std::set<std::string> sameInGerman{"Radius", "Radius {}, {}", "Pol&ygon", "{} particle",
-                                         "Esc",    "Motor",         "&Motor",   "Wind",
-                                         "&Wind",  "&Level",        "Level",    "Sensor"};
-const std::set<std::string> sameInItalian{"Home", "Esc", "&File", "fast"};
+                                      "y",
+                                      "a = 2/3 g sin α",
+                                      "t = (√(v² + 2 g h) − v) / g",
+                                      "√(v² + 2 g h)"};
+const std::set<std::string> sameInGerman{
+    "Radius",  "Radius {}, {}", "Pol&ygon", "{} particle", "Esc",    "Motor",     "&Motor",
+    "Wind",    "&Wind",         "&Level",   "Level",       "Bronze", "Countdown", "Gold",
+    "Monster", "Signal",        "Text",     "Zone",        "Sensor"};
+const std::set<std::string> sameInItalian{"Home", "Camera", "Esc", "&File", "fast"};
 
 /// Leaves English behind, whatever a test has done.
 class Catalogs : public testing::Test {
@@ -61,6 +67,13 @@ std::vector<VisibleText> everything() {
         add(one.help, "fittingProperties()");
         add(one.endless, "fittingProperties()");
     }
+    for (const LevelField& one : levelFields()) {
+        add(one.name, "levelFields()");
+        add(one.help, "levelFields()");
+        for (const std::string& word : choicesOf(one)) add(word, "a choice of levelFields()");
+    }
+    for (std::size_t i = 0; i < StageTimes::stages; ++i)
+        add(stageTitle(static_cast<sulfur::Stage>(i)), "the stages of a tick");
     for (const MaterialPreset& one : materialPresets()) add(one.name, "materialPresets()");
     for (const auto& entry : fs::recursive_directory_iterator(SULFURCHAMBER_SCENES)) {
         if (entry.path().extension() != ".json") continue;

@@ -139,9 +139,9 @@ TEST(LevelThings, FieldsRefuseWithWhatIsAllowed) {
     EXPECT_EQ(refusal(only(document, LevelKind::rules), "number", "1.5"),
               "Level, Number: allowed is a whole number from 1 to 999");
     EXPECT_EQ(refusal(only(document, LevelKind::trigger), "mode", "maybe"),
-              "Switch, Mode: allowed is one of: hold toggle once");
+              "Switch, Mode: allowed is one of: hold, toggle, once");
     EXPECT_EQ(refusal(only(document, LevelKind::mover), "path", "3"),
-              "Mover, Way: allowed is places such as \"3 4, 5 6\", metres");
+              "Mover, Way: allowed is places such as 3 4, 5 6 in metres");
     EXPECT_EQ(refusal(only(document, LevelKind::theme), "ice", "blue"),
               "Theme, Ground: allowed is a colour such as #1F3A5F");
     EXPECT_EQ(document.text(), before);

@@ -16,21 +16,12 @@ bool speaksToPeople(const std::filesystem::path& file) {
     static const std::set<std::string> others{"options.cpp", "main.cpp", "icons.cpp",
                                               "screen_picture.cpp", "chamber_app.cpp"};
     const std::string name = file.filename().string();
-    // Of these a part is in English only, so far.
-    static const std::set<std::string> later{
-        "place_tool",  "json_text",     "measure_panel", "table4_window",
-        "laws",        "meter",         "meter_grip",    "meter_tools",
-        "stage_times", "table4",        "textbook",      "force_painter",
-        "dropping",    "import_dialog", "drawing",       "file_kind",
-        "load_watch",  "outline_body",  "path_data",     "region",
-        "share_text",  "trace",         "cpp_source",    "cpp_values",
-        "arrange",     "outliner",      "select_tool",   "transform",
-        "switches",    "dimensions",    "outline_panel", "properties_panel",
-        "plate",       "main_frame"};
-    const bool level = (name.starts_with("level_") && name != "level_actions.cpp") ||
-                       file.parent_path().filename() == "level";
-    return !others.contains(name) && !later.contains(file.stem().string()) &&
-           !name.starts_with("script") && !level;
+    // Refusals of files and of JSON, and C++ that is written: in English only.
+    static const std::set<std::string> refusals{
+        "json_text", "meter",  "table4", "textbook",   "drawing",    "file_kind", "outline_body",
+        "path_data", "region", "trace",  "share_text", "cpp_source", "cpp_values"};
+    return !others.contains(name) && !refusals.contains(file.stem().string()) &&
+           !name.starts_with("script") && name != "level_script.cpp";
 }
 
 bool isHex(char c) {
