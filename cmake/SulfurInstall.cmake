@@ -27,7 +27,7 @@ install(DIRECTORY sulfur/python/examples/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/ex
 # What README.md links to comes along.
 install(FILES LICENSE README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/measurements.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES docs/measurements.md docs/sandbox.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY docs/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs FILES_MATCHING PATTERN *.png)
 
 # --- find_package(sulfur) ---------------------------------------------------------------------
