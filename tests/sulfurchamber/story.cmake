@@ -107,7 +107,7 @@ expect problem = 0
 run_window(0 --script ${WORK}/template.txt)
 run(0 ${PICTURE_CHECK} differ ${WORK}/7-instances.png ${WORK}/8-followed.png)
 
-# A level: made, checked, furnished, walked through in the same window, and edited on.
+# A level: made, checked, furnished, begun to be played in the same window, and edited on.
 file(WRITE ${WORK}/level.txt "
 do level-new
 do page-level
@@ -126,10 +126,11 @@ await level.checked = 1 60
 expect level.problems = 0
 screenshot ${WORK}/9-level.png
 key F5
-await playtest = 1 30
+await playtest.ticks > 100 30
+expect playtest.time = 0
 keep-key D 0.8
-await playtest.x > 0.3 30
-screenshot ${WORK}/10-walked.png
+await playtest.time > 0.5 30
+screenshot ${WORK}/10-played.png
 key Escape
 expect playtest = 0
 expect time = 0
@@ -138,4 +139,4 @@ save ${WORK}/level.json
 expect problem = 0
 ")
 run_window(0 --script ${WORK}/level.txt)
-run(0 ${PICTURE_CHECK} differ ${WORK}/9-level.png ${WORK}/10-walked.png)
+run(0 ${PICTURE_CHECK} differ ${WORK}/9-level.png ${WORK}/10-played.png)
