@@ -38,6 +38,12 @@ wxString stageWords(sulfur::Stage stage) {
     return "   " + wxTr(stageTitle(stage));
 }
 
+// On a page that was never shown GTK tells the size of the usual font.
+void giveRoom(wxStaticText* heading) {
+    heading->SetMinSize(heading->GetTextExtent(heading->GetLabel()) +
+                        heading->FromDIP(wxSize(2, 0)));
+}
+
 }  // namespace
 
 MeasurePanel::MeasurePanel(wxWindow* parent, Workbench& bench, SceneView& view)
@@ -60,8 +66,7 @@ MeasurePanel::MeasurePanel(wxWindow* parent, Workbench& bench, SceneView& view)
 wxStaticText* MeasurePanel::heading(const wxString& text, wxSizer* sizer) {
     auto* heading = new wxStaticText(this, wxID_ANY, wxTr(text));
     heading->SetFont(heading->GetFont().Bold().Larger());
-    // On a page that was never shown GTK tells the size of the usual font.
-    heading->SetMinSize(heading->GetTextExtent(heading->GetLabel()) + FromDIP(wxSize(2, 0)));
+    giveRoom(heading);
     sizer->Add(heading, wxSizerFlags(0).Border(wxBOTTOM, FromDIP(4)));
     return heading;
 }
@@ -151,8 +156,13 @@ void MeasurePanel::refreshTextbook() {
     const Textbook& textbook = bench_.textbook();
     const auto findings = textbook.findings();
     const std::string problem = textbook.problem();
-    const std::string title(textbook.title());
-    set(title_, wxTr(title.empty() ? "Expected and measured" : title));
+    const std::string name(textbook.title());
+    const wxString title = wxTr(name.empty() ? "Expected and measured" : name);
+    if (title_->GetLabel() != title) {
+        title_->SetLabel(title);
+        giveRoom(title_);
+        Layout();
+    }
     wxString advice;
     if (!problem.empty())
         advice = wxTr(problem);

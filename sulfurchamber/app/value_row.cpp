@@ -45,8 +45,9 @@ void ValueRow::makeTop(wxWindow* parent) {
                              wxST_ELLIPSIZE_END);
     number_ = new wxTextCtrl(parent, wxID_ANY, "", wxDefaultPosition,
                              parent->FromDIP(wxSize(58, -1)), wxTE_RIGHT | wxTE_PROCESS_ENTER);
-    auto* unit = new wxStaticText(parent, wxID_ANY, spec_.unit, wxDefaultPosition,
-                                  parent->FromDIP(wxSize(42, -1)));
+    auto* unit = new wxStaticText(parent, wxID_ANY, spec_.unit);
+    // One below the other, but for long ones such as "N m s/rad".
+    unit->SetMinSize({std::max(parent->FromDIP(42), unit->GetTextExtent(spec_.unit).x + 1), -1});
     revert_ = new wxBitmapButton(parent, wxID_ANY, icon("revert"), wxDefaultPosition, wxDefaultSize,
                                  wxBU_EXACTFIT | wxBORDER_NONE);
     revert_->SetToolTip(wxTr("Back to what the scene began with"));

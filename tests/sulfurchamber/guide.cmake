@@ -62,7 +62,10 @@ screenshot ${WORK}/gallery.png
 run_window(0 --script ${WORK}/gallery.txt)
 run(0 ${PICTURE_CHECK} colourful ${WORK}/gallery.png)
 
-# Menus, hints and steps in the language of the user; scripts speak English unless told otherwise.
+file(GLOB textbooks ${SCENES}/textbook-*.json)
+list(TRANSFORM textbooks REPLACE "(.+)" "open \\1\nrun 0.1\nwhole\n" OUTPUT_VARIABLE laws)
+list(JOIN laws "" laws)
+# Menus, hints, steps and pages in the language of the user; scripts speak English unless told otherwise.
 foreach(pair "de:Beispielszenen …:Rückgängig: „Kiste hinzufügen“" "it:Scene di esempio…:Annulla «Aggiungi cassa»")
   string(REPLACE ":" ";" parts "${pair}")
   list(GET parts 0 language)
@@ -76,7 +79,27 @@ drag -0.4 0.9 0.4 1.5
 label undo ${undo}
 screenshot ${WORK}/${language}.png
 whole
-do language-system
+tool hinge
+click 0 1.2
+expect fittings = 1
+do page-object
+whole
+do page-measure
+whole
+do page-library
+whole
+do page-history
+whole
+do level-make
+do page-level
+thing exit 0
+whole
+do lesson-measure
+run 0.05
+whole
+do lesson-end
+do page-measure
+${laws}do language-system
 ")
   run_window(0 --language ${language} --script ${WORK}/${language}.txt)
 endforeach()
