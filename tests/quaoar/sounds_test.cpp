@@ -1,10 +1,13 @@
 // What is heard: effects by what happens, music by the level's world.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atlax/audio.hpp>
 #include <chrono>
 #include <cmath>
 #include <quaoar/view/sounds.hpp>
+#include <sstream>
+#include <string>
 #include <thread>
 
 #include "helpers.hpp"
@@ -65,6 +68,43 @@ TEST(Sounds, tellWhatTheRopeSticksIn) {
     EXPECT_EQ(stick("metal", Effect::stickMetal), 1);
     EXPECT_EQ(stick("rock", Effect::stickRock), 1);
     EXPECT_EQ(stick("rock", Effect::stickIce), 0);
+}
+
+/// Whether a piece of the rope has come to touch something in this tick.
+bool ropeTouches(const Session& session) {
+    const sulfur::World& world = session.world();
+    const auto& begun = world.events().contactsBegun;
+    return std::any_of(begun.begin(), begun.end(), [&](const sulfur::ContactBegun& contact) {
+        return world.filter(contact.a).category == Category::rope ||
+               world.filter(contact.b).category == Category::rope;
+    });
+}
+
+/// The rope goes when the hero arrives; the tick's events still tell of what it has touched.
+TEST(Sounds, outliveTheRopeThatTouchesWhenTheLevelEnds) {
+    TickInput pull = fireAt(1, 1.9);
+    pull.reelIn = true;
+    const std::string far = replaced(roomText, "[3.2, 0.3]", "[-3.5, 2.5]");
+    Session search(room(far));
+    sulfur::Point before = search.heroPosition();
+    for (int n = 0; n < 3000 && !ropeTouches(search); ++n) {
+        before = search.heroPosition();
+        search.tick(pull);
+    }
+    ASSERT_TRUE(ropeTouches(search));
+    // The edge of an exit lies in the middle of the hero's way in that tick.
+    const sulfur::Point way = search.heroPosition() - before, middle = before + way / 2;
+    const sulfur::Point exit = middle + way.normalized() * 0.1;
+    std::ostringstream text;
+    text.precision(17);
+    text << "{\"position\": [" << exit.x() << ", " << exit.y() << "], \"radius\": 0.1}";
+    Session session(
+        room(replaced(roomText, "{\"position\": [3.2, 0.3], \"radius\": 0.4}", text.str())));
+    atlax::Audio audio;
+    Sounds sounds(audio);
+    play(session, sounds, pull, static_cast<int>(search.ticks()));
+    EXPECT_EQ(session.phase(), Session::Phase::finished);
+    EXPECT_EQ(session.ticks(), search.ticks());
 }
 
 TEST(Music, everyWorldHasALoopOfItsOwnWithoutASeam) {

@@ -66,6 +66,7 @@ Attempt Session::attempt() {
 }
 
 std::optional<std::size_t> Session::origin(sulfur::BodyId body) const {
+    if (!world_->contains(body)) return std::nullopt;
     const std::uint64_t place = world_->userData(body);
     if (place == 0) return std::nullopt;
     return static_cast<std::size_t>(place - 1);

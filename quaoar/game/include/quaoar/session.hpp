@@ -115,7 +115,8 @@ public:
     /// Whether the exit lets the hero in.
     bool exitOpen() const { return workings_.signals.met(exitNeed_); }
     /// The body of the scene that this one is, or that it broke off from, as a place in the scene's
-    /// list; nothing for the hero and the rope.
+    /// list; nothing for the hero and the rope, nor for what is gone: the
+    /// events of a tick still tell of a rope that was let go at its end.
     std::optional<std::size_t> origin(sulfur::BodyId body) const;
     /// The surface of any body of the world.
     const Surface& surface(sulfur::BodyId body) const;
