@@ -1,7 +1,6 @@
 #include "bench/crowd.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "bench/spread.hpp"
@@ -12,20 +11,15 @@ namespace {
 
 constexpr double sampleInterval = 0.25;  // s
 
-struct Entry {
-    const char* name;
-    CrowdScene (*make)(Extent);
-};
-
-constexpr Entry entries[] = {{"tumbler", tumbler},
-                             {"spinner", spinner},
-                             {"smash", smash},
-                             {"rain", rain},
-                             {"large-pyramid", largePyramid},
-                             {"many-pyramids", manyPyramids},
-                             {"joint-grid", jointGrid},
-                             {"barrels", barrels},
-                             {"compounds", compounds}};
+constexpr Variant crowds[] = {{"tumbler", tumbler},
+                              {"spinner", spinner},
+                              {"smash", smash},
+                              {"rain", rain},
+                              {"large-pyramid", largePyramid},
+                              {"many-pyramids", manyPyramids},
+                              {"joint-grid", jointGrid},
+                              {"barrels", barrels},
+                              {"compounds", compounds}};
 
 }  // namespace
 
@@ -108,32 +102,12 @@ double Crowd::kineticEnergy(const EngineWorld& world) const {
 }
 
 const std::vector<std::string>& crowdNames() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const Entry& entry : entries) all.emplace_back(entry.name);
-        return all;
-    }();
+    static const std::vector<std::string> names = namesOf(crowds);
     return names;
 }
 
 Scene crowd(const std::string& name, Extent extent) {
-    for (const Entry& entry : entries) {
-        if (entry.name != name) continue;
-        CrowdScene made = entry.make(extent);
-        return {.key = "S8",
-                .variant = name,
-                .title = std::move(made.title),
-                .needs = Feature::bodies,
-                .seconds = made.seconds,
-                .size = made.bodies,
-                .looksPerSecond = 1'000'000,
-                .sleeping = made.sleeping,
-                .weightless = made.weightless,
-                .timesTicks = true,
-                .error = std::move(made.error),
-                .play = std::move(made.play)};
-    }
-    throw std::out_of_range("S8 has no scene " + name);
+    return variantOf("S8", Feature::bodies, "p99 overlap", crowds, name, extent);
 }
 
 }  // namespace sulfur::lab::bench

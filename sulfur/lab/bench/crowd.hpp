@@ -3,12 +3,12 @@
 // them.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "bench/bodies.hpp"
 #include "bench/scenes.hpp"
+#include "bench/variants.hpp"
 
 namespace sulfur::lab::bench {
 
@@ -57,22 +57,14 @@ const std::vector<std::string>& crowdNames();
 /// `name` must be one of them. With Extent::quick it is small and short.
 Scene crowd(const std::string& name, Extent extent);
 
-/// What a scene of S8 is made of.
-struct CrowdScene {
-    std::string title;
-    double seconds = 0, bodies = 0;
-    std::string error = "p99 overlap";
-    std::function<std::unique_ptr<Play>()> play;
-    bool sleeping = false, weightless = false;
-};
-CrowdScene tumbler(Extent extent);
-CrowdScene spinner(Extent extent);
-CrowdScene smash(Extent extent);
-CrowdScene rain(Extent extent);
-CrowdScene barrels(Extent extent);
-CrowdScene compounds(Extent extent);
-CrowdScene largePyramid(Extent extent);
-CrowdScene manyPyramids(Extent extent);
-CrowdScene jointGrid(Extent extent);
+VariantScene tumbler(Extent extent);
+VariantScene spinner(Extent extent);
+VariantScene smash(Extent extent);
+VariantScene rain(Extent extent);
+VariantScene barrels(Extent extent);
+VariantScene compounds(Extent extent);
+VariantScene largePyramid(Extent extent);
+VariantScene manyPyramids(Extent extent);
+VariantScene jointGrid(Extent extent);
 
 }  // namespace sulfur::lab::bench

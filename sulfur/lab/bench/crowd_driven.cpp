@@ -145,7 +145,7 @@ private:
 
 }  // namespace
 
-CrowdScene tumbler(Extent extent) {
+VariantScene tumbler(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int side = quick ? 20 : 45;
     const double seconds = quick ? 5 : 12.5;
@@ -155,7 +155,7 @@ CrowdScene tumbler(Extent extent) {
             .play = [=] { return std::make_unique<Tumbler>(side, seconds); }};
 }
 
-CrowdScene spinner(Extent extent) {
+VariantScene spinner(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int bodies = quick ? 500 : 6076;
     const double seconds = quick ? 4 : 500.0 / 60;
@@ -165,7 +165,7 @@ CrowdScene spinner(Extent extent) {
             .play = [=] { return std::make_unique<Spinner>(bodies, seconds); }};
 }
 
-CrowdScene smash(Extent extent) {
+VariantScene smash(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int columns = quick ? 20 : 120, rows = quick ? 10 : 80;
     const double seconds = quick ? 3 : 5;

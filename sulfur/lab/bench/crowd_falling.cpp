@@ -154,7 +154,7 @@ private:
 
 }  // namespace
 
-CrowdScene rain(Extent extent) {
+VariantScene rain(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int storeys = quick ? 2 : 5, columns = quick ? 10 : 40, tiles = quick ? 120 : 500;
     const double interval = 8.0 / 60, seconds = quick ? 8 : 1000.0 / 60;
@@ -168,7 +168,7 @@ CrowdScene rain(Extent extent) {
         .play = [=] { return std::make_unique<Rain>(storeys, columns, tiles, interval, seconds); }};
 }
 
-CrowdScene barrels(Extent extent) {
+VariantScene barrels(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int columns = quick ? 10 : 26, rows = quick ? 40 : 150;
     const double seconds = quick ? 4 : 500.0 / 60;
@@ -182,7 +182,7 @@ CrowdScene barrels(Extent extent) {
         }};
 }
 
-CrowdScene compounds(Extent extent) {
+VariantScene compounds(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int columns = quick ? 10 : 20, rows = quick ? 40 : 150;
     const double seconds = quick ? 4 : 500.0 / 60;

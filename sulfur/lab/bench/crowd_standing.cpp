@@ -124,7 +124,7 @@ private:
     std::vector<double> openings_;
 };
 
-CrowdScene pyramids(int base, int columns, int rows, double seconds) {
+VariantScene pyramids(int base, int columns, int rows, double seconds) {
     const int boxes = columns * rows * base * (base + 1) / 2;
     const std::string title = columns * rows == 1
                                   ? fmt::format("a pyramid of {} boxes, {:.3g} s", boxes, seconds)
@@ -139,17 +139,17 @@ CrowdScene pyramids(int base, int columns, int rows, double seconds) {
 
 }  // namespace
 
-CrowdScene largePyramid(Extent extent) {
+VariantScene largePyramid(Extent extent) {
     const bool quick = extent == Extent::quick;
     return pyramids(quick ? 30 : 100, 1, 1, quick ? 3 : 500.0 / 60);
 }
 
-CrowdScene manyPyramids(Extent extent) {
+VariantScene manyPyramids(Extent extent) {
     const bool quick = extent == Extent::quick;
     return pyramids(10, quick ? 5 : 20, quick ? 5 : 20, quick ? 2 : 200.0 / 60);
 }
 
-CrowdScene jointGrid(Extent extent) {
+VariantScene jointGrid(Extent extent) {
     const bool quick = extent == Extent::quick;
     const int side = quick ? 20 : 100;
     const double seconds = quick ? 3 : 500.0 / 60;

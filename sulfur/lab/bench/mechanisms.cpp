@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "bench/spread.hpp"
@@ -12,12 +11,7 @@ namespace sulfur::lab::bench {
 
 namespace {
 
-struct MechanismEntry {
-    const char* name;
-    MechanismScene (*make)(Extent);
-};
-
-constexpr MechanismEntry mechanismEntries[] = {
+constexpr Variant mechanisms[] = {
     {"car", cars},       {"doohickey", doohickeys},     {"ragdoll", ragdollHeap},
     {"door", doors},     {"scissor-lift", scissorLift}, {"gear-lift", gearLift},
     {"driving", driving}};
@@ -110,31 +104,12 @@ Point centre(std::vector<Point>& corners) {
 }
 
 const std::vector<std::string>& mechanismNames() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all;
-        for (const MechanismEntry& entry : mechanismEntries) all.emplace_back(entry.name);
-        return all;
-    }();
+    static const std::vector<std::string> names = namesOf(mechanisms);
     return names;
 }
 
 Scene mechanism(const std::string& name, Extent extent) {
-    for (const MechanismEntry& entry : mechanismEntries) {
-        if (entry.name != name) continue;
-        MechanismScene made = entry.make(extent);
-        return {.key = "S9",
-                .variant = name,
-                .title = std::move(made.title),
-                .needs = Feature::joints,
-                .seconds = made.seconds,
-                .size = made.bodies,
-                .looksPerSecond = 1'000'000,
-                .weightless = made.weightless,
-                .timesTicks = true,
-                .error = std::move(made.error),
-                .play = std::move(made.play)};
-    }
-    throw std::out_of_range("S9 has no scene " + name);
+    return variantOf("S9", Feature::joints, "max opening", mechanisms, name, extent);
 }
 
 }  // namespace sulfur::lab::bench

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/scenes.hpp"
+#include "bench/variants.hpp"
 #include "bench/workshop.hpp"
 
 namespace sulfur::lab::bench {
@@ -70,20 +71,12 @@ const std::vector<std::string>& mechanismNames();
 /// `name` must be one of them. With Extent::quick there are fewer of them.
 Scene mechanism(const std::string& name, Extent extent);
 
-/// What a scene of S9 is made of.
-struct MechanismScene {
-    std::string title;
-    double seconds = 0, bodies = 0;
-    std::string error = "max opening";
-    std::function<std::unique_ptr<Play>()> play;
-    bool weightless = false;
-};
-MechanismScene cars(Extent extent);
-MechanismScene driving(Extent extent);
-MechanismScene doohickeys(Extent extent);
-MechanismScene ragdollHeap(Extent extent);
-MechanismScene doors(Extent extent);
-MechanismScene scissorLift(Extent extent);
-MechanismScene gearLift(Extent extent);
+VariantScene cars(Extent extent);
+VariantScene driving(Extent extent);
+VariantScene doohickeys(Extent extent);
+VariantScene ragdollHeap(Extent extent);
+VariantScene doors(Extent extent);
+VariantScene scissorLift(Extent extent);
+VariantScene gearLift(Extent extent);
 
 }  // namespace sulfur::lab::bench

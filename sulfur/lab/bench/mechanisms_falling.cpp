@@ -185,7 +185,7 @@ private:
 
 }  // namespace
 
-MechanismScene doohickeys(Extent extent) {
+VariantScene doohickeys(Extent extent) {
     const int columns = extent == Extent::quick ? 1 : 10;
     return {.title = fmt::format("{} pairs of wheels on sliding rods that fall on boxes, 10 s",
                                  4 * columns),
@@ -194,7 +194,7 @@ MechanismScene doohickeys(Extent extent) {
             .play = [=] { return std::make_unique<Doohickeys>(columns); }};
 }
 
-MechanismScene ragdollHeap(Extent extent) {
+VariantScene ragdollHeap(Extent extent) {
     const int columns = extent == Extent::quick ? 4 : 10, rows = extent == Extent::quick ? 3 : 10;
     return {.title = fmt::format("{} ragdolls that fall into a pit, 10 s", columns * rows),
             .seconds = 10,
@@ -202,7 +202,7 @@ MechanismScene ragdollHeap(Extent extent) {
             .play = [=] { return std::make_unique<Ragdolls>(columns, rows); }};
 }
 
-MechanismScene doors(Extent extent) {
+VariantScene doors(Extent extent) {
     const int count = extent == Extent::quick ? 4 : 20;
     return {.title = fmt::format("{} doors that are struck with up to 50,000 N s, 10 s", count),
             .seconds = 10,

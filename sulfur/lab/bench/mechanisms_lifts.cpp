@@ -246,7 +246,7 @@ private:
 
 }  // namespace
 
-MechanismScene scissorLift(Extent extent) {
+VariantScene scissorLift(Extent extent) {
     const double seconds = extent == Extent::quick ? 5 : 12;
     return {.title = fmt::format("scissors of three pairs lift a car, {:g} s", seconds),
             .seconds = seconds,
@@ -255,7 +255,7 @@ MechanismScene scissorLift(Extent extent) {
             .play = [] { return std::make_unique<Scissors>(); }};
 }
 
-MechanismScene gearLift(Extent extent) {
+VariantScene gearLift(Extent extent) {
     const int rows = extent == Extent::quick ? 4 : 20;
     const double seconds = extent == Extent::quick ? 4 : 9;
     return {.title = fmt::format("gears, a chain and a gate before {} stones, {:g} s", 10 * rows,

@@ -165,7 +165,7 @@ double carAcceleration(const Workshop& workshop, const Car& car, double torque) 
     return static_cast<double>(car.wheels.size()) * torque / Car::wheelRadius / inertia;
 }
 
-MechanismScene cars(Extent extent) {
+VariantScene cars(Extent extent) {
     const int count = extent == Extent::quick ? 4 : 20;
     constexpr double seconds = 10;
     return {.title = fmt::format("{} cars on a level road, {:g} s", count, seconds),
@@ -175,7 +175,7 @@ MechanismScene cars(Extent extent) {
             .play = [=] { return std::make_unique<Cars>(count, seconds); }};
 }
 
-MechanismScene driving(Extent extent) {
+VariantScene driving(Extent extent) {
     const double seconds = extent == Extent::quick ? 10 : 30;
     return {
         .title = fmt::format("a car over hills, a seesaw, a bridge and a jump, {:g} s", seconds),

@@ -10,6 +10,7 @@
 #include "bench/crowd.hpp"
 #include "bench/engines/sulfur_blueprints.hpp"
 #include "figure_of.hpp"
+#include "settings_of.hpp"
 
 namespace {
 
@@ -49,15 +50,6 @@ public:
     std::vector<BodyPlan> plans;
     int pins = 0, removed = 0;
 };
-
-/// All settings in which the engines that were found play a scene.
-std::vector<Setting> settingsOf(const Scene& scene) {
-    std::vector<Setting> all;
-    for (const Engine& engine : engines())
-        if (engine.found())
-            for (const Setting& setting : settingsFor(engine, scene)) all.push_back(setting);
-    return all;
-}
 
 TEST(BenchOutlines, HaveTheMomentsOfSolids) {
     EXPECT_NEAR(disc(2).area(), 4 * pi, 1e-12);

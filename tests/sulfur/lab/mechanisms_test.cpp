@@ -7,20 +7,13 @@
 #include "bench/compare.hpp"
 #include "bench/mechanisms.hpp"
 #include "figure_of.hpp"
+#include "settings_of.hpp"
 
 namespace {
 
 using namespace sulfur;
 using namespace sulfur::lab;
 using namespace sulfur::lab::bench;
-
-std::vector<Setting> mechanismSettings(const Scene& scene) {
-    std::vector<Setting> all;
-    for (const Engine& engine : engines())
-        if (engine.found())
-            for (const Setting& setting : settingsFor(engine, scene)) all.push_back(setting);
-    return all;
-}
 
 TEST(BenchMechanisms, AreChosenByName) {
     EXPECT_EQ(scenes({"S9"}, Extent::quick).size(), 7u);
@@ -76,7 +69,7 @@ double allowedBeyond(const Setting& setting) {
 }
 
 TEST(BenchMechanisms, ADistanceHasLimitsAndAMotorInEveryEngine) {
-    for (const Setting& setting : mechanismSettings(mechanism("door", Extent::quick))) {
+    for (const Setting& setting : settingsOf(mechanism("door", Extent::quick))) {
         const auto world = engineOf(setting.engine).make(setting);
         Workshop workshop(*world);
         const auto nail = workshop.addNail({0, 0});
@@ -99,7 +92,7 @@ TEST(BenchMechanisms, ADistanceHasLimitsAndAMotorInEveryEngine) {
 }
 
 TEST(BenchMechanisms, ABlowTurnsAsItsLeverSaysInEveryEngine) {
-    for (const Setting& setting : mechanismSettings(mechanism("door", Extent::quick))) {
+    for (const Setting& setting : settingsOf(mechanism("door", Extent::quick))) {
         const auto world = engineOf(setting.engine).make(setting);
         const BodyPlan rod{.parts = {rectangle({0.5, 0.1})}, .place = {2, 3}};
         world->addBody(rod);
@@ -139,7 +132,7 @@ TEST(BenchMechanisms, TellTheEnergyThatABlowGivesAndAFlightKeeps) {
         scene.seconds = 0.5;
         scene.weightless = struck;
         scene.play = [=] { return std::make_unique<Thrown>(struck); };
-        for (const Setting& setting : mechanismSettings(scene)) {
+        for (const Setting& setting : settingsOf(scene)) {
             const RunResult run = runOnce(scene, engineOf(setting.engine), setting, 60);
             // A flight that falls in steps of h loses or gains m g v h / 2 at most.
             const double allowed = struck ? 0.02 * given : 0.2 * 9.81 * 4 / setting.rate;
@@ -153,7 +146,7 @@ TEST(BenchMechanisms, EverySceneRunsInEveryEngine) {
     for (const std::string& name : mechanismNames()) {
         Scene scene = mechanism(name, Extent::quick);
         scene.seconds = 0.1;
-        for (const Setting& setting : mechanismSettings(scene)) {
+        for (const Setting& setting : settingsOf(scene)) {
             const RunResult run = runOnce(scene, engineOf(setting.engine), setting, 60);
             EXPECT_EQ(run.simulated, scene.seconds) << name << ", " << setting.engine;
             EXPECT_TRUE(std::isfinite(figureOf(run.figures, scene.error))) << name;
