@@ -31,7 +31,7 @@ void Session::lookAtContacts() {
 bool Session::strikes(const sulfur::ContactBegun& contact, const Vec2& velocityBefore) const {
     const bool first = contact.a == hero_;
     const sulfur::BodyId other = first ? contact.b : contact.a;
-    if (!world_->contains(other) || !surface(other).deadlySpeed || harmless(other)) return false;
+    if (!surface(other).deadlySpeed || harmless(other)) return false;
     const Vec2 towardsHero = first ? contact.normal : Vec2(-contact.normal);
     const Real its = contact.speed + velocityBefore.dot(towardsHero);
     return static_cast<double>(its) >= *surface(other).deadlySpeed;

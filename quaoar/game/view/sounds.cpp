@@ -101,7 +101,7 @@ void Sounds::playBlows(const Session& session) {
 }
 
 Sounds::Material Sounds::materialOf(const Session& session, sulfur::BodyId body) const {
-    if (!session.world().contains(body) || !session.origin(body)) return Material::ice;
+    if (!session.origin(body)) return Material::ice;
     const auto joints = session.world().joints(body);
     const bool soft =
         !joints.empty() && session.world().info(joints.front()).stiffness < sulfur::Real(2e4);

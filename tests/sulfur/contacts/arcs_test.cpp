@@ -301,15 +301,21 @@ TEST(Arcs, NothingCurvedPassesThroughThem) {
     }
 }
 
+/// With its middle above its flat side, and sides of 10 cm.
+Blueprint tallRocker() {
+    Blueprint plan = rocker();
+    plan.particles[2].position = {0, Real(0.5)};
+    for (JointSpec& joint : plan.joints) joint.radius = Real(0.05);
+    return plan;
+}
+
 TEST(Arcs, WhatIsDeepInABulgeLeavesThroughIt) {
     // Half a disc whose curved side is to the right of the way along it, and to the left.
     for (const bool forth : {true, false}) {
         WorldSettings settings;
         settings.gravity = {0, 0};
         World world(settings);
-        Blueprint plan = rocker();
-        plan.particles[2].position = {0, Real(0.5)};
-        for (JointSpec& joint : plan.joints) joint.radius = Real(0.05);
+        Blueprint plan = tallRocker();
         if (!forth) {
             std::swap(plan.joints[0].a, plan.joints[0].b);
             plan.joints[0].bend = -plan.joints[0].bend;
@@ -386,9 +392,7 @@ TEST(Arcs, ABodyEndsAtItsCurvedSide) {
     WorldSettings settings;
     settings.gravity = {0, 0};
     World world(settings);
-    Blueprint plan = rocker();
-    plan.particles[2].position = {0, Real(0.5)};
-    for (JointSpec& joint : plan.joints) joint.radius = Real(0.05);
+    const Blueprint plan = tallRocker();
     const Body b = world.add(plan);
     world.step();
     EXPECT_EQ(world.bodiesAt({0, -0.9}), std::vector<BodyId>{b});
