@@ -18,6 +18,7 @@
 #include <cctype>
 
 #include "../model/geometry.hpp"
+#include "../model/refusals.hpp"
 #include "chamber_app.hpp"
 #include "icons.hpp"
 #include "level_panel.hpp"
@@ -424,7 +425,7 @@ void MainFrame::onStatusClick(wxMouseEvent& event) {
 }
 
 void MainFrame::tell(const std::string& english) {
-    const std::string problem = tr(english);
+    const std::string problem = trRefusal(english);
     lastProblem_ = problem;
     if (options_.unattended())
         atlax::log(atlax::LogLevel::Warning, problem);
@@ -443,7 +444,7 @@ void MainFrame::notify(const std::string& english) {
 }
 
 void MainFrame::tellInDialog(const std::string& english, const wxString& title) {
-    const std::string problem = tr(english);
+    const std::string problem = trRefusal(english);
     lastProblem_ = problem;
     if (options_.unattended()) {
         atlax::log(atlax::LogLevel::Warning, problem);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../model/geometry.hpp"
+#include "../model/refusals.hpp"
 #include "../model/stage_times.hpp"
 #include "../view/meter_painter.hpp"
 #include "wx_words.hpp"
@@ -165,7 +166,7 @@ void MeasurePanel::refreshTextbook() {
     }
     wxString advice;
     if (!problem.empty())
-        advice = wxTr(problem);
+        advice = wxString::FromUTF8(trRefusal(problem));
     else if (findings.empty())
         advice = wxTr(
             "The textbook scenes among the examples (F1) compare a formula with what happens.");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <quaoar/level_check.hpp>
 
+#include "../model/refusals.hpp"
 #include "../model/words.hpp"
 #include "distance_field.hpp"
 
@@ -66,8 +67,8 @@ void readAll(const std::string& text, const std::filesystem::path& file, LevelRe
             if (gone.empty()) report.level = std::move(level);
             return;
         } catch (const sulfur::scene::ReadError& error) {
-            problem.text =
-                (error.object().empty() ? "" : "\"" + error.object() + "\": ") + error.message();
+            problem.text = (error.object().empty() ? "" : "\"" + error.object() + "\": ") +
+                           trRefusal(error.message());
             locate(problem, trial, error.line());
             if (!problem.thing) problem.body = error.object();
         }
@@ -94,7 +95,7 @@ void checkPlaces(const Level& level, LevelReport& report) {
     if (found) {
         const bool spawn = found->object == "spawn";
         add(report, true, spawn ? LevelKind::spawn : LevelKind::exit, 0,
-            tr(spawn ? "The spawn {}" : "The exit {}", {found->problem}),
+            tr(spawn ? "The spawn {}" : "The exit {}", {trRefusal(found->problem)}),
             spawn ? level.spawn : level.exit.position);
     }
     const Point low = level.boundsMin, high = level.boundsMax;
@@ -227,7 +228,7 @@ LevelReport checkLevelText(const std::string& text, const std::filesystem::path&
         checkReach(*report.session, field, report);
         checkAnchors(*report.session, field, report);
     } catch (const std::exception& error) {
-        report.problems.push_back({error.what(), true, std::nullopt, {}, std::nullopt});
+        report.problems.push_back({trRefusal(error.what()), true, std::nullopt, {}, std::nullopt});
     }
     return report;
 }

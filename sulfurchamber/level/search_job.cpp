@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../model/refusals.hpp"
 #include "../model/words.hpp"
 #include "practice.hpp"
 #include "shorten.hpp"
@@ -116,7 +117,7 @@ void SearchJob::run() {
     } catch (const quaoar::Stopped&) {
         tell(Stage::stopped, 0);
     } catch (const std::exception& error) {
-        fail(error.what());
+        fail(trRefusal(error.what()));
     }
 }
 

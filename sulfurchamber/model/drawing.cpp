@@ -14,6 +14,8 @@
 
 #include "file_kind.hpp"
 #include "path_data.hpp"
+#include "refusals.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -68,8 +70,8 @@ double lengthOf(const xmlNode& node, const char* name, double otherwise) {
         {"in", 96}, {"pt", 96.0 / 72}, {"pc", 16}};
     const auto unit = units.find(std::string(end, text.data() + text.size()));
     if (error != std::errc{} || unit == units.end() || !(std::abs(value) <= PathLimits::coordinate))
-        throw std::runtime_error(std::string(name) + " is \"" + text +
-                                 "\"; allowed is a number, also with px, mm, cm, in, pt or pc");
+        throw std::runtime_error(tr(
+            "{} is \"{}\"; allowed is a number, also with px, mm, cm, in, pt or pc", {name, text}));
     return value * unit->second;
 }
 
@@ -132,8 +134,8 @@ PenPath penPathOf(const xmlNode& node, const std::string& kind) {
     }
     const auto numbers = readNumbers(attribute(node, "points"));
     if (numbers.size() % 2 != 0)
-        throw std::runtime_error("points has " + std::to_string(numbers.size()) +
-                                 " numbers; allowed is two for each point");
+        throw std::runtime_error(tr("points has {} numbers; allowed is two for each point",
+                                    {std::to_string(numbers.size())}));
     std::vector<Point> points;
     for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
         points.emplace_back(numbers[i], numbers[i + 1]);
@@ -173,7 +175,8 @@ public:
                            kind == "ellipse" || kind == "polygon" || kind == "polyline";
         const std::string called = nameOf(node, kind);
         if (kind == "use" || kind == "image" || kind == "text")
-            leftOut_.push_back(called + ": a " + kind + " is no outline; make it a path first");
+            leftOut_.push_back(called + ": " +
+                               tr("a {} is no outline; make it a path first", {kind}));
         if (!group && !shape) return;
         if (shape && paths.size() == DrawingLimits::shapes)
             refuseDrawing(file_, "has more than 500 shapes");
@@ -181,8 +184,8 @@ public:
             inherit(node, from);
             if (shape) add(node, kind, called, from);
         } catch (const std::runtime_error& error) {
-            leftOut_.push_back(called + ", line " + std::to_string(xmlGetLineNo(&node)) + ": " +
-                               error.what());
+            leftOut_.push_back(tr("{}, line {}: {}", {called, std::to_string(xmlGetLineNo(&node)),
+                                                      trRefusal(error.what())}));
             return;
         }
         if (group)
@@ -217,8 +220,8 @@ private:
         PenPath path = transformed(penPathOf(node, kind), from.place);
         if (path.empty()) return;
         if (path.size() > DrawingLimits::outlines)
-            throw std::runtime_error("has " + std::to_string(path.size()) +
-                                     " outlines; allowed are at most 200");
+            throw std::runtime_error(
+                tr("has {} outlines; allowed are at most 200", {std::to_string(path.size())}));
         if (paths.size() == DrawingLimits::shapes) refuseDrawing(file_, "has more than 500 shapes");
         paths.push_back({called, std::move(path),
                          from.rule == "evenodd" ? FillRule::evenOdd : FillRule::nonzero,
@@ -233,7 +236,8 @@ private:
 std::unique_ptr<xmlDoc, FreeXml> parseXml(std::string_view text, const std::string& name) {
     if (text.size() > DrawingLimits::bytes)
         refuseDrawing(name,
-                      "has " + std::to_string(text.size()) + " bytes; allowed are at most 4194304");
+                      tr("has {} bytes; allowed are at most {}",
+                         {std::to_string(text.size()), std::to_string(DrawingLimits::bytes)}));
     if (text.starts_with("\x1F\x8B"))
         refuseDrawing(name, "is a compressed drawing; save it as plain SVG first");
     // Nothing is fetched and no entity is replaced by its text; depth and sizes have libxml2's own
@@ -243,10 +247,10 @@ std::unique_ptr<xmlDoc, FreeXml> parseXml(std::string_view text, const std::stri
         xmlReadMemory(text.data(), static_cast<int>(text.size()), nullptr, nullptr, options));
     if (document == nullptr) {
         const auto* error = xmlGetLastError();
-        std::string why = "is not well-formed";
-        if (error != nullptr && error->message != nullptr)
-            why += ", line " + std::to_string(error->line) + ": " + trimmed(error->message);
-        refuseDrawing(name, why);
+        if (error == nullptr || error->message == nullptr)
+            refuseDrawing(name, "is not well-formed");
+        refuseDrawing(name, tr("is not well-formed, line {}: {}",
+                               {std::to_string(error->line), trimmed(error->message)}));
     }
     return document;
 }
@@ -285,16 +289,15 @@ void addShapesOf(const DrawnPath& drawn, const Affine& toMetres, double toleranc
         if (line.size() > 2) outlines.push_back(std::move(line));
     }
     const auto regions = regionsOf(outlines, drawn.rule);
-    if (regions.empty()) drawing.leftOut.push_back(drawn.name + ": encloses nothing");
+    if (regions.empty()) drawing.leftOut.push_back(drawn.name + ": " + tr("encloses nothing"));
     for (const Region& region : regions)
         drawing.shapes.push_back({drawn.name, region, drawn.colour});
 }
 
 void requireShapes(const Drawing& drawing, const std::string& name) {
     if (!drawing.shapes.empty()) return;
-    refuseDrawing(
-        name, "holds no closed outline" +
-                  (drawing.leftOut.empty() ? std::string() : " (" + drawing.leftOut.front() + ")"));
+    if (drawing.leftOut.empty()) refuseDrawing(name, "holds no closed outline");
+    refuseDrawing(name, tr("holds no closed outline ({})", {drawing.leftOut.front()}));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -34,12 +36,12 @@ FileKind kindOfBytes(std::string_view head) {
 FileKind kindOfFile(const std::filesystem::path& file) {
     // Opening a pipe would wait for its other end.
     if (!std::filesystem::is_regular_file(file))
-        throw std::runtime_error(file.string() + ": is no file that can be read");
+        throw std::runtime_error(file.string() + ": " + tr("is no file that can be read"));
     std::ifstream stream(file, std::ios::binary);
     std::string head(headBytes, '\0');
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     if (stream.bad() || (!stream && !stream.eof()))
-        throw std::runtime_error(file.string() + ": cannot be read");
+        throw std::runtime_error(file.string() + ": " + tr("cannot be read"));
     head.resize(static_cast<std::size_t>(stream.gcount()));
     return kindOfBytes(head);
 }

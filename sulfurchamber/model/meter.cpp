@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -38,7 +40,7 @@ MeterEnd readEnd(const Node& node, const Scene& scene) {
     if (!body) return end;
     end.body = body->string(1, Limits::nameBytes);
     if (scene.body(end.body) == nullptr)
-        body->fail("is \"" + end.body + "\"; allowed is the id of a body of the scene");
+        body->fail(tr("is \"{}\"; allowed is the id of a body of the scene", {end.body}));
     if (const auto particle = node.find("particle"))
         end.particle =
             static_cast<std::uint32_t>(particle->integer(0, static_cast<int>(Limits::particles)));
@@ -57,7 +59,8 @@ Meter readMeter(const Node& node, const Scene& scene) {
         meter.ends.push_back(readEnd(end, scene));
     if (meter.kind == MeterKind::gauge)
         for (const MeterEnd& end : meter.ends)
-            if (end.body.empty()) ends.fail("has an end without \"body\"; a gauge holds bodies");
+            if (end.body.empty())
+                ends.fail(tr("has an end without \"body\"; a gauge holds bodies"));
     return meter;
 }
 
@@ -114,7 +117,7 @@ std::vector<Meter> metersOf(const Scene& scene) {
     for (const Node& node : section->root().array(0, mostMeters)) {
         meters.push_back(readMeter(node, scene));
         if (!ids.insert(meters.back().id).second)
-            node.at("id").fail("is \"" + meters.back().id + "\"; that is another meter's");
+            node.at("id").fail(tr("is \"{}\"; that is another meter's", {meters.back().id}));
     }
     return meters;
 }
@@ -133,8 +136,8 @@ void setMeters(Scene& scene, std::span<const Meter> meters) {
 std::string addMeter(Scene& scene, Meter meter) {
     auto meters = metersOf(scene);
     if (meters.size() >= mostMeters)
-        throw std::runtime_error("there are " + std::to_string(mostMeters) +
-                                 " meters already; a scene has no more");
+        throw std::runtime_error(
+            tr("there are {} meters already; a scene has no more", {std::to_string(mostMeters)}));
     const std::string base(meterName(meter.kind));
     const auto taken = [&](const std::string& id) {
         return std::any_of(meters.begin(), meters.end(),

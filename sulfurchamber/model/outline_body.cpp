@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "properties.hpp"
+#include "refusals.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -108,12 +110,13 @@ std::vector<sulfur::BodyId> addShapes(Document& document, const std::vector<Draw
             if (!shape.colour.empty())
                 setColour(document, std::span(&made.back(), 1), shape.colour);
         } catch (const std::exception& error) {
-            leftOut.push_back(shape.name + ": " + error.what());
+            leftOut.push_back(shape.name + ": " + trRefusal(error.what()));
         }
     }
     if (made.empty())
-        throw std::runtime_error("no body can be made of this" +
-                                 (leftOut.empty() ? std::string() : ": " + leftOut.front()));
+        throw std::runtime_error(leftOut.empty()
+                                     ? tr("no body can be made of this")
+                                     : tr("no body can be made of this: {}", {leftOut.front()}));
     return made;
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -21,7 +23,7 @@ public:
     explicit PathScanner(std::string_view text) : text_(text) {}
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw std::runtime_error("character " + std::to_string(at_ + 1) + ": " + what);
+        throw std::runtime_error(tr("character {}: {}", {std::to_string(at_ + 1), tr(what)}));
     }
     void skipSpace() {
         while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
@@ -200,8 +202,8 @@ private:
                 at_ = path_.back().start;
                 break;
             default:
-                in_.fail(std::string("\"") + command +
-                         "\" is no command; allowed are M L H V C S Q T A Z");
+                in_.fail(tr("\"{}\" is no command; allowed are M L H V C S Q T A Z",
+                            {std::string(1, command)}));
         }
     }
 
@@ -336,9 +338,10 @@ Affine readTransform(std::string_view text) {
         else if (name == "skewY" && n.size() == 1)
             one.matrix()(1, 0) = std::tan(degrees(n[0]));
         else
-            in.fail("\"" + name + "\" with " + std::to_string(n.size()) +
-                    " numbers is no transform; allowed are matrix, translate, scale, rotate, "
-                    "skewX, skewY");
+            in.fail(
+                tr("\"{}\" with {} numbers is no transform; allowed are matrix, translate, "
+                   "scale, rotate, skewX, skewY",
+                   {name, std::to_string(n.size())}));
         whole = whole * one;
     }
     return whole;

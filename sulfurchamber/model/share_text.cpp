@@ -8,6 +8,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "words.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr int shareVersion = 1;
 constexpr std::size_t mostShared = std::size_t{64} << 20;  // bytes of the scene's text
 
 [[noreturn]] void refuseShared(const std::string& why) {
-    throw std::runtime_error("the text holds no scene that can be used: " + why);
+    throw std::runtime_error(tr("the text holds no scene that can be used: {}", {tr(why)}));
 }
 
 // What stands after the prefix: the version and a colon; nothing where it is no such word.
@@ -55,8 +57,8 @@ sulfur::scene::Scene parseShareText(std::string_view text) {
     const auto place = findShared(text);
     if (!place) refuseShared("\"sulfur-scene-1:\" is missing at its beginning");
     if (place->version != shareVersion)
-        refuseShared("it is of version " + std::to_string(place->version) +
-                     "; this program reads version 1");
+        refuseShared(tr("it is of version {}; this program reads version 1",
+                        {std::to_string(place->version)}));
     const std::string_view rest = text.substr(place->begin);
     std::size_t length = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), length);
@@ -64,8 +66,8 @@ sulfur::scene::Scene parseShareText(std::string_view text) {
         refuseShared("its length is missing");
     auto packed = atlax::fromBase64(rest.substr(static_cast<std::size_t>(end - rest.data()) + 1));
     if (packed.size() < length)
-        refuseShared("it is cut short: " + std::to_string(packed.size()) + " of " +
-                     std::to_string(length) + " bytes are there");
+        refuseShared(tr("it is cut short: {} of {} bytes are there",
+                        {std::to_string(packed.size()), std::to_string(length)}));
     packed.resize(length);  // words that follow look like it
     std::vector<std::byte> bytes;
     try {
@@ -74,7 +76,7 @@ sulfur::scene::Scene parseShareText(std::string_view text) {
         refuseShared("it was changed on its way");
     }
     return sulfur::scene::parse({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                                "the shared scene");
+                                tr("the shared scene"));
 }
 
 }  // namespace sulfurchamber

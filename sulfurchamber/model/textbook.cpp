@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "laws.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -36,9 +37,10 @@ void Textbook::follow() const {
         const auto book = std::find_if(books.begin(), books.end(),
                                        [&](const LawBook& one) { return one.name == name; });
         if (book == books.end())
-            root.at("law").fail("is \"" + name +
-                                "\"; allowed are pendulum, fall, throwing, slope, "
-                                "spring, collision and rolling");
+            root.at("law").fail(
+                tr("is \"{}\"; allowed are pendulum, fall, throwing, slope, spring, collision and "
+                   "rolling",
+                   {name}));
         subject.law = static_cast<Law>(book - books.begin());
         for (const auto& id : root.at("bodies").array(book->bodies, book->bodies))
             subject.bodies.push_back(id.string(1, sulfur::scene::Limits::nameBytes));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "drawing.hpp"
+#include "words.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -26,6 +27,10 @@ struct AlphaGrid {
     }
     bool opaque(int x, int y) const { return at(x, y) >= 0.5; }
 };
+
+[[noreturn]] void refusePicture(const std::string& name, const std::string& why) {
+    throw std::runtime_error(name + ": " + why);
+}
 
 AlphaGrid gridOf(const atlax::Image& picture) {
     const int step =
@@ -150,15 +155,15 @@ Drawing traced(const atlax::Image& picture, const std::string& name,
     const auto opaque = std::count_if(grid.values.begin(), grid.values.end(),
                                       [](double alpha) { return alpha >= 0.5; });
     if (opaque == inside)
-        throw std::runtime_error(name +
-                                 ": has no transparent part, so that its outline is its frame; "
-                                 "make its background transparent first");
-    if (opaque == 0) throw std::runtime_error(name + ": is wholly transparent");
+        refusePicture(name,
+                      tr("has no transparent part, so that its outline is its frame; make its "
+                         "background transparent first"));
+    if (opaque == 0) refusePicture(name, tr("is wholly transparent"));
     Drawing drawing;
     std::vector<Outline> loops = loopsOf(grid);
     std::erase_if(loops,
                   [&](const Outline& loop) { return areaWithin(loop) < leastPart * inside; });
-    if (loops.empty()) throw std::runtime_error(name + ": has only specks that are opaque");
+    if (loops.empty()) refusePicture(name, tr("has only specks that are opaque"));
     Point low = loops[0][0], high = low;
     for (const Outline& loop : loops)
         for (const Point& point : loop) {
@@ -175,7 +180,7 @@ Drawing traced(const atlax::Image& picture, const std::string& name,
     }
     std::erase_if(loops, [](const Outline& loop) { return loop.size() < 3; });
     if (loops.size() > DrawingLimits::outlines)
-        throw std::runtime_error(name + ": has more than 200 outlines");
+        refusePicture(name, tr("has more than 200 outlines"));
     std::string stem = std::filesystem::path(name).stem().string();
     for (char& c : stem)
         if (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126 || c == '"' ||

@@ -11,6 +11,7 @@
 #include "model/level_fields.hpp"
 #include "model/measurement.hpp"
 #include "model/properties.hpp"
+#include "model/refusals.hpp"
 #include "model/stage_times.hpp"
 #include "model/templates.hpp"
 #include "model/words.hpp"
@@ -28,6 +29,7 @@ const std::set<std::string> sameWords{"SulfurChamber",
                                       "Italiano",
                                       "names inside of a sentence",
                                       "Name",
+                                      "null",
                                       "Material",
                                       "&Simulation",
                                       "N m s/rad",
@@ -74,6 +76,7 @@ std::vector<VisibleText> everything() {
     }
     for (std::size_t i = 0; i < StageTimes::stages; ++i)
         add(stageTitle(static_cast<sulfur::Stage>(i)), "the stages of a tick");
+    for (const std::string_view one : refusalPatterns()) add(one, "refusalPatterns()");
     for (const MaterialPreset& one : materialPresets()) add(one.name, "materialPresets()");
     for (const auto& entry : fs::recursive_directory_iterator(SULFURCHAMBER_SCENES)) {
         if (entry.path().extension() != ".json") continue;

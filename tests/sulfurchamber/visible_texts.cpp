@@ -16,11 +16,9 @@ bool speaksToPeople(const std::filesystem::path& file) {
     static const std::set<std::string> others{"options.cpp", "main.cpp", "icons.cpp",
                                               "screen_picture.cpp", "chamber_app.cpp"};
     const std::string name = file.filename().string();
-    // Refusals of files and of JSON, and C++ that is written: in English only.
-    static const std::set<std::string> refusals{
-        "json_text", "meter",  "table4", "textbook",   "drawing",    "file_kind", "outline_body",
-        "path_data", "region", "trace",  "share_text", "cpp_source", "cpp_values"};
-    return !others.contains(name) && !refusals.contains(file.stem().string()) &&
+    // What writes C++ and tables for other programs.
+    static const std::set<std::string> writers{"table4", "cpp_source", "cpp_values"};
+    return !others.contains(name) && !writers.contains(file.stem().string()) &&
            !name.starts_with("script") && name != "level_script.cpp";
 }
 
