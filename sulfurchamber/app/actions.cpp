@@ -53,7 +53,7 @@ void MainFrame::addFileActions() {
 
 void MainFrame::addEditActions() {
     const auto m = MenuId::edit;
-    const auto any = [this] { return !bench_.selection().empty(); };
+    const auto copyable = [this] { return bench_.canCopy(); };
     const auto anything = [this] { return bench_.anythingSelected(); };
     add({"undo", m, "&Undo\tCtrl+Z", 0, "Back to the moment before the last change", "undo",
          [this] {
@@ -69,15 +69,11 @@ void MainFrame::addEditActions() {
              bench_.documentChanged();
          },
          [this] { return bench_.document().canRedo(); }});
-    const auto copy = [this] { canvas_->platform().setClipboard(bench_.copy()); };
     add({"cut", m, "Cu&t\tCtrl+X", 0, "Put the selection into the clipboard and remove it", "",
-         [this, copy] {
-             copy();
-             bench_.deleteSelection();
-         },
-         any})
+         [this] { canvas_->platform().setClipboard(bench_.cut()); }, copyable})
         .separatorBefore = true;
-    add({"copy", m, "&Copy\tCtrl+C", 0, "Put the selection into the clipboard", "", copy, any});
+    add({"copy", m, "&Copy\tCtrl+C", 0, "Put the selection into the clipboard", "",
+         [this] { canvas_->platform().setClipboard(bench_.copy()); }, copyable});
     add({"paste", m, "&Paste\tCtrl+V", 0, "Add what is in the clipboard, also from another window",
          "", [this] {
              const std::string text = canvas_->platform().clipboard();
@@ -88,7 +84,7 @@ void MainFrame::addEditActions() {
                  bench_.paste(text, {0.5, 0.5});
          }});
     add({"duplicate", m, "&Duplicate\tCtrl+D", 0, "Add a copy of the selection beside it", "",
-         [this] { bench_.duplicate(); }, anything});
+         [this] { bench_.duplicate(); }, copyable});
     add({"delete", m, "De&lete", WXK_DELETE, "Remove the selection", "",
          [this] { bench_.deleteSelection(); },
          [this, anything] {

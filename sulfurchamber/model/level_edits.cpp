@@ -267,24 +267,6 @@ LevelThing addThing(Document& document, LevelKind kind, const std::string& json)
     return {kind, text.size({list}) - 1, {}};
 }
 
-std::optional<LevelThing> copyThing(Document& document, const LevelThing& thing, const Point& by) {
-    const LevelKindInfo& info = infoOf(thing.kind);
-    if (!info.list || info.ofBody) return std::nullopt;
-    JsonText text(document.levelText());
-    const auto json = text.get(pathOf(thing));
-    if (!json) return std::nullopt;
-    JsonText copy(*json);
-    if (const auto id = copy.string({"id"})) {
-        const std::string base = id->substr(0, id->find_last_not_of("0123456789-") + 1);
-        copy.set(
-            {"id"},
-            jsonOf(std::string_view(freeLevelId(document, thing.kind, base.empty() ? *id : base))));
-    }
-    const LevelThing made = addThing(document, thing.kind, copy.text());
-    moveThing(document, made, by);
-    return made;
-}
-
 std::string freeLevelId(const Document& document, LevelKind kind, const std::string& base) {
     const auto taken = idsOfList(JsonText(document.levelText()), infoOf(kind));
     for (int n = 1;; ++n) {

@@ -102,11 +102,6 @@ std::string wordsOf(const JsonText& text, const LevelThing& thing) {
     return thing.key;
 }
 
-bool names(const std::string& surfaceKey, const std::string& id) {
-    if (!surfaceKey.ends_with('*')) return surfaceKey == id;
-    return id.starts_with(surfaceKey.substr(0, surfaceKey.size() - 1));
-}
-
 std::string pointsText(const JsonText& text, const JsonPath& path) {
     std::string made;
     for (std::size_t i = 0; i < text.size(path); ++i) {
@@ -154,6 +149,11 @@ bool contains(const Document& document, const LevelThing& thing) {
     return thing.kind == LevelKind::theme || JsonText(document.levelText()).has(pathOf(thing));
 }
 
+bool isAbout(const std::string& surfaceKey, const std::string& id) {
+    if (!surfaceKey.ends_with('*')) return surfaceKey == id;
+    return id.starts_with(surfaceKey.substr(0, surfaceKey.size() - 1));
+}
+
 std::string bodyOf(const Document& document, const LevelThing& thing) {
     if (thing.kind != LevelKind::surface) {
         if (!infoOf(thing.kind).ofBody) return "";
@@ -161,7 +161,7 @@ std::string bodyOf(const Document& document, const LevelThing& thing) {
     }
     if (!thing.key.ends_with('*')) return thing.key;
     for (const auto& body : document.scene().bodies)
-        if (names(thing.key, body.id)) return body.id;
+        if (isAbout(thing.key, body.id)) return body.id;
     return "";
 }
 

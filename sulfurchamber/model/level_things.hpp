@@ -49,6 +49,8 @@ bool contains(const Document& document, const LevelThing& thing);
 /// The way to it in the text of the level.
 JsonPath pathOf(const LevelThing& thing);
 LevelShape shapeOf(const Document& document, const LevelThing& thing);
+/// Whether a surface is about a body: its key is the body's id, or its beginning and a star.
+bool isAbout(const std::string& surfaceKey, const std::string& id);
 /// "Zone “lake”", for lists.
 std::string titleOf(const Document& document, const LevelThing& thing);
 /// The id of the body that a thing is about; "" where it is about none.
@@ -76,9 +78,6 @@ bool isRemovable(const LevelThing& thing);
 void removeThings(Document& document, std::vector<LevelThing> things);
 /// Adds an item to the list of a kind, which is made if it is not there; returns it.
 LevelThing addThing(Document& document, LevelKind kind, const std::string& json);
-/// Adds a copy of one of a list, moved, under a free id. Nothing for what cannot be copied.
-std::optional<LevelThing> copyThing(Document& document, const LevelThing& thing,
-                                    const sulfur::Point& by);
 /// `base`-1, `base`-2, ...: the first id that no item of the list has.
 std::string freeLevelId(const Document& document, LevelKind kind, const std::string& base);
 /// Takes out all that is said about bodies that are about to go.

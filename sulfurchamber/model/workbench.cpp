@@ -396,16 +396,6 @@ void Workbench::deleteThings() {
     document_.edit("Delete", [&] { removeThings(document_, gone); });
 }
 
-void Workbench::duplicateThings() {
-    std::vector<LevelThing> made;
-    tool_->cancel();
-    document_.edit("Duplicate", [&] {
-        for (const LevelThing& thing : things_)
-            if (auto copy = copyThing(document_, thing, {0.5, 0.5})) made.push_back(*copy);
-    });
-    if (!made.empty()) selectThings(std::move(made));
-}
-
 void Workbench::deleteSelection() {
     if (const auto ref = fitting()) {
         tool_->cancel();

@@ -216,12 +216,18 @@ public:
     bool anythingSelected() const {
         return !selection_.empty() || !things_.empty() || fitting().has_value();
     }
-    /// The selected bodies as the text of a scene; empty when nothing is selected.
+    /// What is selected as the text of a scene: bodies with what a level says of them, and things
+    /// of a level, those that are about a body with it. Empty where nothing of it can be copied.
     std::string copy() const;
+    /// Whether copy() has something.
+    bool canCopy() const;
+    /// The same as copy(), and takes away what is in it.
+    std::string cut();
     /// The selected bodies as C++ source, or all of the plan where nothing is selected.
     std::string cppSource() const;
-    /// Adds the bodies of such a text, or of one of a whole scene, and selects them, moved by `by`
-    /// metres. Throws sulfur::scene::ReadError, naming the clipboard, when it is something else.
+    /// Adds what is in such a text, or in one of a whole scene, and selects it, moved by `by`
+    /// metres. Throws sulfur::scene::ReadError, naming the clipboard, when it is something else,
+    /// and std::runtime_error for things of a level in a scene that is none.
     void paste(const std::string& text, const sulfur::Point& by);
     /// The same, with the middle of what is pasted at a place.
     void pasteAt(const std::string& text, const sulfur::Point& place);
@@ -296,7 +302,9 @@ private:
     void setSelection(std::vector<sulfur::BodyId> bodies);
     void watchSelection(bool plotting = false);
     void deleteThings();
-    void duplicateThings();
+    std::vector<sulfur::BodyId> chosenBodies() const;
+    void insertScene(const sulfur::scene::Scene& scene, const sulfur::Point& by);
+    void pasteAs(const char* name, const std::string& text, const sulfur::Point& by);
 
     Document document_;
     std::unique_ptr<Tool> tool_;
