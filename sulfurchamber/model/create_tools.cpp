@@ -173,17 +173,19 @@ private:
     }
 
     // What bears loads between two ends gives, damps, is rough, and has few links: a load across
-    // many rigid ones costs a tenth of a core.
+    // many rigid ones costs a tenth of a core. What resists bending calms it, the less the more
+    // links there are: the links' own damping does nothing against swinging.
     static void makeSpan(sulfur::shapes::RopeOptions& options) {
-        constexpr double link = 0.25;      // metres
+        constexpr double link = 0.25;  // metres
+        constexpr int mostLinks = 24;
         constexpr double stretch = 3750;   // N, for twice its length
         constexpr double dampedFor = 0.2;  // s, damping over stiffness
         const auto span = static_cast<double>(options.to.norm());
-        options.links = std::clamp(static_cast<int>(std::lround(span / link)), 2, 400);
+        options.links = std::clamp(static_cast<int>(std::lround(span / link)), 2, mostLinks);
         options.slack = sulfur::Real(0.02);
         options.stiffness = real(stretch * options.links / span);
         options.damping = real(dampedFor * static_cast<double>(options.stiffness));
-        options.bending = 0;
+        options.bending = 2;
         options.material.staticFriction = Real(1.5);
         options.material.kineticFriction = Real(1.3);
     }

@@ -171,6 +171,31 @@ TEST(Tools, ARopeBetweenTwoBoxesHasSlackIfItCan) {
     }
 }
 
+/// It is let go level, swings and rests in some seconds, as what people walk on does.
+TEST(Tools, ARopeBridgeComesToRest) {
+    for (const double span : {4.0, 6.0, 12.0}) {
+        Workbench bench;
+        const auto& world = bench.document().world();
+        bench.setTool(ToolKind::rope);
+        drag(bench, {-span / 2, 6}, {span / 2, 6}, true);
+        const BodyId rope = newest(bench);
+        const int second = world.settings().tickRate;
+        double fastest = 0, lowest = 6;
+        for (int tick = 0; tick < 12 * second; ++tick) {
+            bench.tick();
+            for (const auto particle : world.particles(rope)) {
+                lowest = std::min(lowest, world.position(particle).y());
+                if (tick >= 6 * second)
+                    fastest =
+                        std::max(fastest, static_cast<double>(world.velocity(particle).norm()));
+            }
+        }
+        EXPECT_LT(fastest, 0.05) << span;
+        EXPECT_TRUE(world.asleep(rope)) << span;
+        EXPECT_LT(lowest, 6 - 0.08 * span) << "it hangs";
+    }
+}
+
 TEST(Tools, PinTogglesAndCutDivides) {
     Workbench bench;
     bench.setTool(ToolKind::rope);
