@@ -29,8 +29,9 @@ std::vector<Example> findExamples() {
         }
         if (!examples.empty()) break;
     }
-    std::sort(examples.begin(), examples.end(),
-              [](const Example& a, const Example& b) { return tr(a.title) < tr(b.title); });
+    std::sort(examples.begin(), examples.end(), [](const Example& a, const Example& b) {
+        return standsBefore(tr(a.title), tr(b.title));
+    });
     return examples;
 }
 

@@ -61,18 +61,19 @@ void Library::rescan() {
     scan(own_, LibraryEntry::Origin::own);
     if (!scene_.empty()) scan(scene_ / folderName, LibraryEntry::Origin::scene);
     std::sort(entries_.begin(), entries_.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.category, a.name) < std::pair(b.category, b.name);
+        if (a.category != b.category) return standsBefore(tr(a.category), tr(b.category));
+        return standsBefore(tr(a.name), tr(b.name));
     });
 }
 
 std::vector<LibraryEntry> Library::matching(std::string_view words) const {
     std::vector<std::string> wanted;
-    std::istringstream stream(loweredText(words));
+    std::istringstream stream(alphabetKey(words));
     for (std::string word; stream >> word;) wanted.push_back(word);
     std::vector<LibraryEntry> found;
     for (const LibraryEntry& entry : entries_) {
         const std::string text =
-            loweredText(entry.name + "\n" + entry.category + "\n" + entry.description + "\n" +
+            alphabetKey(entry.name + "\n" + entry.category + "\n" + entry.description + "\n" +
                         tr(entry.name) + "\n" + tr(entry.category) + "\n" + tr(entry.description));
         if (std::all_of(wanted.begin(), wanted.end(), [&](const std::string& word) {
                 return text.find(word) != std::string::npos;

@@ -52,6 +52,37 @@ std::string fixed(double value, int decimals) {
     return {text.data(), end.ptr};
 }
 
+std::string alphabetKey(std::string_view text) {
+    // U+00C0 to U+00FF; '.' is two letters or none.
+    static constexpr std::string_view plain =
+        "aaaaaa.ceeeeiiiidnooooo.ouuuuyt.aaaaaa.ceeeeiiiidnooooo.ouuuuyty";
+    std::string key;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0u;
+        if (byte != 0xC3 || next < 0x80 || next > 0xBF) {
+            key += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
+            continue;
+        }
+        ++i;
+        const char letter = plain[next - 0x80];
+        if (letter != '.')
+            key += letter;
+        else if (next == 0x9F)
+            key += "ss";
+        else if (next == 0x86 || next == 0xA6)
+            key += "ae";
+        else
+            key += text.substr(i - 1, 2);
+    }
+    return key;
+}
+
+bool standsBefore(const std::string& a, const std::string& b) {
+    const std::string first = alphabetKey(a), second = alphabetKey(b);
+    return first != second ? first < second : a < b;
+}
+
 void setLanguage(std::string_view language) {
     catalogs().setLanguage(language);
 }

@@ -24,6 +24,12 @@ std::string trInside(const std::string& english);
 /// A number for a sentence, with a point and `decimals` digits behind it.
 std::string fixed(double value, int decimals);
 
+/// What a name is sorted and searched by, as dictionaries in German and Italian have it: small
+/// letters without accents, "ä" as "a", "ß" as "ss". Letters of other scripts stay.
+std::string alphabetKey(std::string_view text);
+/// Whether a name stands before another one in a list.
+bool standsBefore(const std::string& a, const std::string& b);
+
 /// "en", "de" and so on; empty for the user's environment. One thread, while no other translates.
 /// Throws std::exception for what is no name of a language.
 void setLanguage(std::string_view language);

@@ -1,6 +1,7 @@
 // Every text that somebody sees is in the catalogs of all languages.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>
@@ -162,6 +163,18 @@ TEST_F(Catalogs, numbersHaveAPoint) {
     EXPECT_EQ(fixed(-0.5, 1), "-0.5");
     EXPECT_EQ(fixed(3, 0), "3");
     EXPECT_EQ(fixed(1e300, 2).size(), 304u);
+}
+
+TEST_F(Catalogs, namesAreSortedAsInADictionary) {
+    std::vector<std::string> names{"Öl",      "Zug",    "Ohr",     "über",    "Ast",
+                                   "ähnlich", "Straße", "Strasse", "Straßen", "città",
+                                   "Citta",   "Éclair", "Dach"};
+    std::sort(names.begin(), names.end(), standsBefore);
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"ähnlich", "Ast", "Citta", "città", "Dach", "Éclair", "Ohr",
+                                        "Öl", "Strasse", "Straße", "Straßen", "über", "Zug"}));
+    EXPECT_EQ(alphabetKey("ÆÐ×ß÷ÿ \xC3"), "aed×ss÷y \xC3");
+    EXPECT_FALSE(standsBefore("a", "a"));
 }
 
 // A menu's key that two entries have works for one of them only.

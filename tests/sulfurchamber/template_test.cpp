@@ -10,6 +10,7 @@
 #include "model/instances.hpp"
 #include "model/library.hpp"
 #include "model/properties.hpp"
+#include "model/words.hpp"
 #include "model/workbench.hpp"
 
 namespace sulfurchamber {
@@ -369,6 +370,23 @@ TEST_F(LibraryTest, TellsWhatCannotBeReadAndWhatIsNewer) {
     made.scene.description = "newer";
     library.save(made, false);
     EXPECT_TRUE(differsFromLibrary(document.scene(), *library.find("Cart")));
+}
+
+// German has other names, and an alphabet in which "Ä" is an "A".
+TEST(Library, IsSortedAsItIsShown) {
+    for (const std::string language : {"en", "de", "it"}) {
+        setLanguage(language);
+        Library library({SULFURCHAMBER_TEMPLATES}, {});
+        library.rescan();
+        std::vector<std::pair<std::string, std::string>> shown;
+        for (const LibraryEntry& entry : library.entries())
+            shown.emplace_back(alphabetKey(tr(entry.category)), alphabetKey(tr(entry.name)));
+        EXPECT_GT(shown.size(), 25u);
+        EXPECT_TRUE(std::is_sorted(shown.begin(), shown.end())) << language;
+        for (const char* bridge : {"BRÜCKE", "brücke", "brucke"})
+            EXPECT_EQ(library.matching(bridge).empty(), language != "de") << bridge;
+    }
+    setLanguage("en");
 }
 
 }  // namespace
