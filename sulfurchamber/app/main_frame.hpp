@@ -107,6 +107,8 @@ public:
     bool wearFile(const std::filesystem::path& file);
     /// What was last told to be wrong; empty at the start.
     const std::string& lastProblem() const { return lastProblem_; }
+    /// All that menus, keys and scripts can do.
+    const std::vector<Action>& actions() const { return actions_; }
     /// What the menu says of an action, without its key; "" when there is none.
     std::string menuLabel(const std::string& name) const;
     /// Texts of the window that do not fit into their places.

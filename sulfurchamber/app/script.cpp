@@ -102,6 +102,9 @@ std::string scriptHelp() {
            "  field PATH VALUE        sets a field of the selected thing, such as radius 0.7\n"
            "  keep-key NAME SECONDS   keeps a key down in a play-test\n"
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
+           "  every-action FILE TICKS [BUT...]   opens a file for each action that asks nothing,\n"
+           "                          lets time pass, does it with all selected, and fails\n"
+           "                          unless undo takes it back\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
 }
@@ -192,6 +195,8 @@ void Script::start(const Words& words) {
             const auto cut = frame_.cutTexts();
             if (!cut.empty()) fail("this text is cut: \"" + cut.front() + "\"");
         });
+    } else if (words[0] == "every-action" && words.size() > 2) {
+        everyAction(words);
     } else if (words[0] == "do" && words.size() == 2) {
         if (!frame_.perform(words[1]))
             fail("the action " + words[1] + " is not there or not available");

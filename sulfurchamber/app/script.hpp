@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,15 @@ private:
     std::optional<double> levelQuantity(const std::string& name) const;
     bool holds(const Words& words) const;
     bool startOutline(const Words& words);
+    // script_actions.cpp
+    struct Round {
+        std::filesystem::path file;      ///< what each action has before it
+        int ticks = 0;                   ///< that have passed then
+        std::vector<std::string> names;  ///< of actions
+    };
+    void everyAction(const Words& words);
+    void tryAction(const std::shared_ptr<const Round>& round, std::size_t index);
+    void takeBack(const std::string& name, const std::string& before);
     void clickScreen(const wxPoint& place, bool twice);
     void expect(const Words& words);
     double quantity(const std::string& name) const;
@@ -69,8 +80,9 @@ private:
     std::function<bool()> waiting_;
     std::function<void()> then_;
     std::uint64_t waitedFrames_ = 0;
-    double slideCost_ = 0;  ///< ms of processor time a frame
-    bool busy_ = false;     // the simulator lets events through while it works
+    double slideCost_ = 0;        ///< ms of processor time a frame
+    std::set<std::string> done_;  ///< actions that were available in a round
+    bool busy_ = false;           // the simulator lets events through while it works
     wxUIActionSimulator simulator_;
 };
 

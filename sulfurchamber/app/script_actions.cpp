@@ -1,0 +1,71 @@
+// Each action of the program, one after the other.
+#include <atlax/files.hpp>
+#include <iostream>
+
+#include "script.hpp"
+
+namespace sulfurchamber {
+namespace {
+
+// Frames in which what an action began shows itself.
+constexpr int framesOfAction = 3;
+
+// Files, places and names are asked for by what ends with three dots, and a script cannot answer.
+bool asks(const Action& action) {
+    const std::string label = action.label.utf8_string();
+    return label.substr(0, label.find('\t')).ends_with("\xE2\x80\xA6");
+}
+
+}  // namespace
+
+void Script::everyAction(const Words& words) {
+    Round round;
+    round.file = words[1];
+    round.ticks = static_cast<int>(number(words[2]));
+    const std::set<std::string> left(words.begin() + 3, words.end());
+    std::set<std::string> known;
+    for (const Action& action : frame_.actions()) {
+        known.insert(action.name);
+        if (!left.contains(action.name) && !asks(action)) round.names.push_back(action.name);
+    }
+    for (const std::string& name : left)
+        if (!known.contains(name)) fail("there is no action " + name);
+    tryAction(std::make_shared<const Round>(std::move(round)), 0);
+}
+
+void Script::tryAction(const std::shared_ptr<const Round>& round, std::size_t index) {
+    if (index == round->names.size()) {
+        std::string missed;
+        for (const std::string& name : round->names)
+            if (!done_.contains(name)) missed += ' ' + name;
+        std::cout << "actions done: " << done_.size() << ", never available:" << missed
+                  << std::endl;
+        return;
+    }
+    const std::string& name = round->names[index];
+    frame_.bench().cancel();
+    if (!frame_.openFile(round->file)) fail(frame_.lastProblem());
+    for (int i = 0; i < round->ticks; ++i) frame_.bench().tick();
+    frame_.perform("select-all");
+    const std::string before = frame_.bench().document().text();
+    if (frame_.perform(name)) done_.insert(name);
+    waitForFrames(framesOfAction, [this, round, index, before] {
+        takeBack(round->names[index], before);
+        tryAction(round, index + 1);
+    });
+}
+
+// Whatever an action has changed, undo leads back to each byte.
+void Script::takeBack(const std::string& name, const std::string& before) {
+    frame_.perform("level-edit");
+    frame_.perform("lesson-end");
+    Workbench& bench = frame_.bench();
+    bench.cancel();
+    while (bench.document().canUndo()) {
+        bench.document().undo();
+        bench.documentChanged();
+    }
+    if (bench.document().text() != before) fail("undo does not take back the action " + name);
+}
+
+}  // namespace sulfurchamber
