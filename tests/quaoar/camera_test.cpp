@@ -6,6 +6,8 @@
 #include <quaoar/view/follow_camera.hpp>
 #include <random>
 #include <set>
+#include <span>
+#include <vector>
 
 #include "helpers.hpp"
 
@@ -31,20 +33,24 @@ float eccentricity(const Session& session, const FollowCamera& camera, PixelSize
                     (std::abs(away.y) + heroRadius) / view.size.y);
 }
 
-/// Plays and looks at every tick; the worst that was seen.
+/// Plays and looks at every tick through a window of each size; the worst that was seen in each.
 template <class Hand>
-float worst(const std::shared_ptr<const Level>& level, PixelSize size, int ticks, Hand hand) {
+std::vector<float> worst(const std::shared_ptr<const Level>& level,
+                         std::span<const PixelSize> windows, int ticks, Hand hand) {
     Session session(level);
-    FollowCamera camera(session, spaceOf(session));
-    camera.setAspect(size.toVec().x / size.toVec().y);
-    float most = 0;
+    std::vector<FollowCamera> cameras;
+    for (const PixelSize size : windows)
+        cameras.emplace_back(session, spaceOf(session)).setAspect(size.toVec().x / size.toVec().y);
+    std::vector<float> most(windows.size(), 0.f);
     for (int n = 0; n < ticks; ++n) {
         session.tick(hand(n));
-        if (session.events().restarted)
-            camera.cut();
-        else
-            camera.tick();
-        most = std::max(most, eccentricity(session, camera, size));
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            if (session.events().restarted)
+                cameras[i].cut();
+            else
+                cameras[i].tick();
+            most[i] = std::max(most[i], eccentricity(session, cameras[i], windows[i]));
+        }
     }
     return most;
 }
@@ -66,12 +72,12 @@ TEST(Camera, holdsTheHeroAtEveryTickOfEveryProof) {
         if (!std::filesystem::exists(proofOf(file))) continue;
         const auto level = std::make_shared<const Level>(readLevel(file));
         const auto proof = std::make_shared<const Recording>(Recording::read(proofOf(file)));
-        for (const PixelSize size : sizes) {
-            Playback playback(proof);
-            const float most = worst(level, size, static_cast<int>(proof->ticks()),
-                                     [&](int) { return playback.next(); });
-            EXPECT_LE(most, 0.4f) << file << " at " << size.width << " x " << size.height;
-        }
+        Playback playback(proof);
+        const std::vector<float> most = worst(level, sizes, static_cast<int>(proof->ticks()),
+                                              [&](int) { return playback.next(); });
+        for (std::size_t i = 0; i < most.size(); ++i)
+            EXPECT_LE(most[i], 0.4f)
+                << file << " at " << sizes[i].width << " x " << sizes[i].height;
         ++replayed;
     }
     EXPECT_GE(replayed, 1);
@@ -82,7 +88,7 @@ TEST(Camera, holdsAHeroWhoIsPlayedAtRandom) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         std::mt19937 dice(seed);
         TickInput input;
-        const float most = worst(level, sizes[seed % 3], 6000, [&](int n) {
+        const std::vector<float> most = worst(level, {&sizes[seed % 3], 1}, 6000, [&](int n) {
             if (n % 60 == 0) {
                 const double angle = static_cast<double>(dice() % 628) / 100;
                 setAim(input, std::cos(angle), std::sin(angle));
@@ -93,7 +99,7 @@ TEST(Camera, holdsAHeroWhoIsPlayedAtRandom) {
             }
             return input;
         });
-        EXPECT_LE(most, 0.4f) << "seed " << seed;
+        EXPECT_LE(most.front(), 0.4f) << "seed " << seed;
     }
 }
 
