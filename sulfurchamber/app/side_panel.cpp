@@ -48,8 +48,8 @@ void SidePanel::makeHistory() {
 
 void SidePanel::refreshHistory() {
     const Document& document = bench_.document();
-    auto labels = document.history();
-    labels.insert(labels.begin(), "As it was opened");
+    std::vector<std::string> labels{"As it was opened"};
+    for (std::string& label : document.history()) labels.push_back(std::move(label));
     const std::size_t place = document.historyPlace();
     if (labels == shownHistory_ && place == shownPlace_) return;
     if (labels != shownHistory_) {
