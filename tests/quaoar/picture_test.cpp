@@ -32,19 +32,15 @@ struct Scene {
         offscreen.finish();
         return canvas.statistics();
     }
-    /// Milliseconds of processor time of the cheapest of some frames, all threads together: so what
-    /// else the machine does counts least.
+    /// Milliseconds of processor time of a frame, all threads together.
     double cost(const Quality& quality) {
-        double least = 1e9;
-        for (int n = 0; n < 12; ++n) {
-            play({}, 8);
-            const std::clock_t start = std::clock();
-            draw(quality);
-            glFinish();
-            least = std::min(least,
-                             1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-        }
-        return least;
+        play({}, 8);
+        draw(quality);  // makes its targets
+        glFinish();
+        const std::clock_t start = std::clock();
+        draw(quality);
+        glFinish();
+        return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     }
 
     Session session;
@@ -58,16 +54,17 @@ TEST(Picture, costsLessAtEveryStepOfTheQuality) {
     Scene scene(firstLevel());
     scene.play(fireAt(0, 1), 200);
     scene.draw();
-    std::vector<double> costs;
-    for (const Quality& quality : qualities) {
-        scene.draw(quality);  // makes its targets
-        costs.push_back(scene.cost(quality));
-        RecordProperty("cost-" + std::to_string(costs.size() - 1), std::to_string(costs.back()));
-        std::printf("quality %zu: %.1f ms of processor time a frame\n", costs.size() - 1,
-                    costs.back());
+    // The cheapest of some frames, in turns: so what else the machine does counts least, and alike.
+    std::vector<double> costs(std::size(qualities), 1e9);
+    for (int round = 0; round < 12; ++round)
+        for (std::size_t q = 0; q < costs.size(); ++q)
+            costs[q] = std::min(costs[q], scene.cost(qualities[q]));
+    for (std::size_t q = 0; q < costs.size(); ++q) {
+        RecordProperty("cost-" + std::to_string(q), std::to_string(costs[q]));
+        std::printf("quality %zu: %.1f ms of processor time a frame\n", q, costs[q]);
     }
     EXPECT_LT(costs[2], costs[0]);
-    EXPECT_LT(costs.back(), costs[0] * 0.5);
+    EXPECT_LT(costs.back(), costs[0] * 0.4);
 }
 
 /// Plays for so many seconds on a machine whose frames take these times; the level at the end.
