@@ -41,19 +41,14 @@ void moveItem(JsonText& item, const Point& by) {
 void freshenId(const Document& document, LevelKind kind, JsonText& item) {
     const auto id = item.string({"id"});
     if (!id) return;
-    const JsonText text(document.levelText());
-    const std::string list(infoOf(kind).key);
-    bool taken = false;
-    for (std::size_t i = 0; i < text.size({list}); ++i)
-        taken = taken || text.string({list, i, "id"}) == id;
-    if (!taken) return;
+    const auto taken = levelIds(document, kind);
+    if (std::find(taken.begin(), taken.end(), *id) == taken.end()) return;
     const std::string base = id->substr(0, id->find_last_not_of("0123456789-") + 1);
     const std::string fresh = freeLevelId(document, kind, base.empty() ? *id : base);
     item.set({"id"}, jsonOf(std::string_view(fresh)));
 }
 
-// Lets a member name a body by its other id; false where it names one that has
-// none.
+// Lets a member name a body by its other id; false where it names one that has none.
 bool renameBody(JsonText& item, const char* member, const Names& bodies) {
     const auto id = item.string({member});
     if (!id) return true;

@@ -145,15 +145,16 @@ void setBox(JsonText& text, const LevelThing& thing, const Bounds& box) {
     setPlace(text, path, "max", box.high);
 }
 
-std::vector<std::string> idsOfList(const JsonText& text, const LevelKindInfo& info) {
+}  // namespace
+
+std::vector<std::string> levelIds(const Document& document, LevelKind kind) {
     std::vector<std::string> ids;
-    const std::string key(info.key);
+    const JsonText text(document.levelText());
+    const std::string key(infoOf(kind).key);
     for (std::size_t i = 0; i < text.size({key}); ++i)
         ids.push_back(text.string({key, i, "id"}).value_or(""));
     return ids;
 }
-
-}  // namespace
 
 void setField(Document& document, const LevelThing& thing, const LevelField& field,
               const std::string& typed) {
@@ -268,7 +269,7 @@ LevelThing addThing(Document& document, LevelKind kind, const std::string& json)
 }
 
 std::string freeLevelId(const Document& document, LevelKind kind, const std::string& base) {
-    const auto taken = idsOfList(JsonText(document.levelText()), infoOf(kind));
+    const auto taken = levelIds(document, kind);
     for (int n = 1;; ++n) {
         std::string id = base + '-' + std::to_string(n);
         if (std::find(taken.begin(), taken.end(), id) == taken.end()) return id;

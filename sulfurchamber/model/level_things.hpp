@@ -78,6 +78,8 @@ bool isRemovable(const LevelThing& thing);
 void removeThings(Document& document, std::vector<LevelThing> things);
 /// Adds an item to the list of a kind, which is made if it is not there; returns it.
 LevelThing addThing(Document& document, LevelKind kind, const std::string& json);
+/// The ids of the items of a list, in order; "" for those without.
+std::vector<std::string> levelIds(const Document& document, LevelKind kind);
 /// `base`-1, `base`-2, ...: the first id that no item of the list has.
 std::string freeLevelId(const Document& document, LevelKind kind, const std::string& base);
 /// Takes out all that is said about bodies that are about to go.
