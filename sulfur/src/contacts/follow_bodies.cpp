@@ -22,11 +22,41 @@ void sortOnce(Links& links) {
     links.erase(std::unique(links.begin(), links.end()), links.end());
 }
 
+/// Calls f with what only one of two sorted lists has.
+template <class List, class Function>
+void forEachChange(const List& now, const List& before, Function&& f) {
+    List changed;
+    std::set_symmetric_difference(now.begin(), now.end(), before.begin(), before.end(),
+                                  std::back_inserter(changed));
+    for (const auto& entry : changed) f(entry);
+}
+
+/// Joints between bodies that collide. Bodies that get or lose one change their shapes, whatever
+/// else ties them.
+void findTiedCapsules(State& state) {
+    const Joints& joints = state.joints;
+    const auto slotOfBody = [&](std::uint32_t i) {
+        return state.bodies[state.particles.body[i]].id.index - 1;
+    };
+    std::vector<TiedCapsule> before = std::exchange(state.core.tiedCapsules, {});
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none && joints.radius[j] > 0)
+            state.core.tiedCapsules.push_back(
+                {joints.id[j], slotOfBody(joints.a[j]), slotOfBody(joints.b[j])});
+    std::vector<TiedCapsule> now = state.core.tiedCapsules;
+    std::sort(now.begin(), now.end());
+    std::sort(before.begin(), before.end());
+    forEachChange(now, before, [&](const TiedCapsule& tied) {
+        shapeIsStale(state, tied.a);
+        shapeIsStale(state, tied.b);
+    });
+}
+
 /// Particles that are tied to another body never collide with that body.
 void findLinks(State& state) {
     ContactCore& core = state.core;
     Links linked, bodies;
-    core.tiedCapsules.clear();
+    findTiedCapsules(state);
     const auto slotOfParticle = [&](std::uint32_t i) { return state.particles.id[i].index - 1; };
     const auto slotOfBody = [&](std::uint32_t i) {
         return state.bodies[state.particles.body[i]].id.index - 1;
@@ -38,25 +68,18 @@ void findLinks(State& state) {
         bodies.emplace_back(slotOfBody(q), slotOfBody(p));
     };
     const Joints& joints = state.joints;
-    for (std::uint32_t j = 0; j < joints.size(); ++j) {
-        if (joints.body[j] != none) continue;
-        link(joints.a[j], joints.b[j]);
-        if (joints.radius[j] > 0) core.tiedCapsules.push_back(j);
-    }
+    for (std::uint32_t j = 0; j < joints.size(); ++j)
+        if (joints.body[j] == none) link(joints.a[j], joints.b[j]);
     for (const Attachment& held : state.attachments)
         for (std::uint32_t k = 0; k < held.count; ++k) link(held.particle, held.support[k]);
     sortOnce(linked);
     sortOnce(bodies);
-    if (linked == core.linked) return;
     // Who was let go of, or tied, may touch others than before.
-    Links changed;
-    std::set_symmetric_difference(linked.begin(), linked.end(), core.linked.begin(),
-                                  core.linked.end(), std::back_inserter(changed));
-    for (const auto& [particle, body] : changed) {
-        shapeIsStale(state, body);
-        if (const auto i = state.particleSlots.denseOf(particle); i != none)
+    forEachChange(linked, core.linked, [&](const auto& tie) {
+        shapeIsStale(state, tie.second);
+        if (const auto i = state.particleSlots.denseOf(tie.first); i != none)
             shapeIsStale(state, slotOfBody(i));
-    }
+    });
     core.linked = std::move(linked);
     core.linkedBodies = std::move(bodies);
 }
@@ -66,15 +89,11 @@ void spreadStaleness(State& state) {
     auto& stale = state.core.staleShapes;
     for (bool grew = true; grew;) {
         grew = false;
-        for (const auto j : state.core.tiedCapsules) {
-            const auto bodyOf = [&](std::uint32_t i) {
-                return state.bodies[state.particles.body[i]].id.index - 1;
-            };
-            const auto a = bodyOf(state.joints.a[j]), b = bodyOf(state.joints.b[j]);
-            const bool hasA = std::find(stale.begin(), stale.end(), a) != stale.end();
-            const bool hasB = std::find(stale.begin(), stale.end(), b) != stale.end();
+        for (const TiedCapsule& tied : state.core.tiedCapsules) {
+            const bool hasA = std::find(stale.begin(), stale.end(), tied.a) != stale.end();
+            const bool hasB = std::find(stale.begin(), stale.end(), tied.b) != stale.end();
             if (hasA == hasB) continue;
-            stale.push_back(hasA ? b : a);
+            stale.push_back(hasA ? tied.b : tied.a);
             grew = true;
         }
     }

@@ -144,6 +144,14 @@ struct Heir {
     Real pressing = 0, rubbing = 0;                            // kg m
 };
 
+/// A joint between bodies that collides: a capsule of one of them, with corners of both.
+struct TiedCapsule {
+    JointId joint;
+    std::uint32_t a = none, b = none;  // bodies by slot
+
+    friend auto operator<=>(const TiedCapsule&, const TiedCapsule&) = default;
+};
+
 struct ContactCore {
     Movers movers;
     Shapes shapes;
@@ -165,7 +173,7 @@ struct ContactCore {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linked;        // (particle, body), slots
     std::vector<std::pair<std::uint32_t, std::uint32_t>> linkedBodies;  // slots, both ways
     std::vector<std::uint32_t> staleShapes;                             // bodies by slot
-    std::vector<std::uint32_t> tiedCapsules;  // joints between bodies that collide, dense indices
+    std::vector<TiedCapsule> tiedCapsules;                              // in the order of joints
     std::vector<std::uint32_t> awakeMovers, awakeDense;  // and what they are, dense index
     std::vector<std::uint8_t> awakeIsCluster;
     std::vector<std::uint32_t> denseOfMover;  // the same by mover; none where it sleeps

@@ -69,8 +69,10 @@ private:
             if (state_.joints.radius[j] > 0) capsules_.push_back(j);
         }
         own_ = std::ssize(capsules_);
-        for (const auto j : state_.core.tiedCapsules)
+        for (const TiedCapsule& tied : state_.core.tiedCapsules) {
+            const auto j = state_.jointSlots.dense(tied.joint);
             if (isOurs(j) && !isCut(state_, j)) capsules_.push_back(j);
+        }
     }
     std::vector<std::uint32_t> own() const { return {capsules_.begin(), capsules_.begin() + own_}; }
 

@@ -301,6 +301,9 @@ std::string validateSlotLists(const State& state) {
         !within(core.linked, particles, bodies) || !within(core.staleShapes, bodies) ||
         !within(state.placed, bodies) || !within(state.turned, bodies))
         return "a list of bodies that there are not";
+    for (const TiedCapsule& tied : core.tiedCapsules)
+        if (tied.joint.index - 1 >= state.jointSlots.slots() || tied.a >= bodies || tied.b >= bodies)
+            return "a list of joints that there are not";
     const Movers& movers = core.movers;
     if (!evenlyLong(movers) || !within(movers.free, movers.size()))
         return "arrays of movers of different lengths";

@@ -85,6 +85,28 @@ TEST(Capsules, ADiscRollsRoundTheEndOfAFixedOne) {
 
 /// One end strikes a floor at 300 m/s before the other. Whoever is met first is struck first: blows
 /// on both ends and on the middle, in any other order, threw it back at up to 90 m/s.
+/// What comes and goes between two bodies that something else ties already collides as long as it
+/// is there.
+TEST(Capsules, BetweenTiedBodiesCollideWhileTheyAreThere) {
+    World world({.gravity = Vec2(0, 0)});
+    const Body left = world.add(capsule(0.4), {.position = {-2, 0}}),
+               right = world.add(capsule(0.4), {.position = {2, 0}});
+    world.connect(left.back(), right.front());
+    const auto throwOver = [&] {
+        const Body ball = world.add(shapes::ball({.radius = Real(0.1)}), {.position = {0, 1}});
+        world.setVelocity(ball, {0, -2});
+        test::run(world, 1);
+        const double y = world.centreOfMass(ball)[1];
+        world.remove(ball);
+        return y;
+    };
+    EXPECT_LT(throwOver(), -0.9);
+    const JointId bar = world.connect(left.back(), right.front(), {.radius = Real(0.05)});
+    EXPECT_GT(throwOver(), -0.5);
+    world.remove(bar);
+    EXPECT_LT(throwOver(), -0.8);
+}
+
 TEST(Capsules, ThatSlamDownDoNotComeBack) {
     for (const int rate : {500, 1000, 2000, 4000}) {
         World world({.tickRate = rate});
