@@ -23,9 +23,9 @@ inline constexpr double closingSpeed = 5, attachingSpeed = closingSpeed / 10;
 /// far from what the arithmetic loses.
 inline constexpr double pinShare = 1e-3;
 
-/// Passes over mechanisms that push each other, in a sweep, and the share of a multiplier whose
-/// change asks for another one.
-inline constexpr int mostRowPasses = 32;
+/// Passes over mechanisms that push each other, in a sweep; how many of them begin with solving at
+/// once what is held; and the share of the largest multiplier whose change asks for another one.
+inline constexpr int mostRowPasses = 32, mostHolds = 16;
 inline constexpr double settledRow = 1e-6;
 
 // What is slow, under a gravity of leastGravity to mostGravity, m/s^2. Beyond, these speeds are in

@@ -150,6 +150,8 @@ struct MechanismRow {
     std::uint32_t mechanism = 0, number = 0;  // which of its rows
     std::uint32_t group = 0;                  // the first row of its own
     CoordinateSlopes slopes;                  // when the step began
+    /// Of its movers: their nodes in trees that take part in the sweeps, or none.
+    std::array<std::uint32_t, CoordinateSlopes::most> nodes{};
     std::array<TreeAnswer, 4> answers;
     double start = 0;                       // rad or m, when the step began
     double mobility = 0;                    // of the coordinate, for a unit of the multiplier
@@ -163,7 +165,7 @@ struct MechanismRow {
     double spring = 0, motor = 0, low = 0, high = 0;
     double now = 0;     // rad or m, in this sweep
     double change = 0;  // of the multipliers, in this sweep
-    RowHold hold;       // when the step began
+    RowHold hold;       // with which it has been eliminated
     bool vain = false;  // it has pushed against what gives as little as it does
 
     double sum() const { return spring + motor + low + high; }
@@ -175,6 +177,7 @@ struct MechanismGroup {
     /// Places of a square matrix each: how far a unit of one row moves the coordinate of another,
     /// and the factor of what of it is held.
     std::uint32_t matrix = 0, factor = 0;
+    std::uint32_t firstTree = 0, lastTree = 0;  // that it moves, in Mechanisms::trees
 };
 
 struct Mechanisms {
@@ -185,7 +188,8 @@ struct Mechanisms {
     std::vector<MechanismRow> rows;        // that act
     std::vector<Eigen::Vector3d> answers;  // displacement and turn of nodes
     std::vector<MechanismGroup> groups;
-    std::vector<double> numbers;  // of their matrices
+    std::vector<double> numbers;       // of their matrices
+    std::vector<std::uint32_t> trees;  // that groups move
 
     bool empty() const { return list.empty(); }
 

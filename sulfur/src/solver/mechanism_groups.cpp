@@ -12,17 +12,13 @@
 #include "core/settings.hpp"
 #include "rigid/grip.hpp"
 #include "solver/coordinates.hpp"
+#include "solver/group_sweep.hpp"
 #include "solver/mechanisms.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
 namespace {
-
-/// More rows in a group than that are solved one part after the other.
-constexpr std::uint32_t mostRows = 64;
-/// Of a push, that trees or other rows leave: less than that is rounding, and nothing can move.
-constexpr double blocked = 1e-6;
 
 /// Changes displacements of one mover by a push (kg m or kg m^2).
 void push(State& state, const TurnedMover& m, double impulse) {
@@ -55,173 +51,37 @@ std::uint32_t treeOf(const State& state, const TurnedMover& m) {
     return takesPart ? tree : none;
 }
 
-/// What a row does where its coordinate is: spring, motor and limits, one after the other; a limit
-/// has the last word. Changes its multipliers, as if nothing but itself moved it.
-class RowLaw {
-public:
-    explicit RowLaw(MechanismRow& row) : row_(row) {}
+/// The answer of a tree to a row, or null.
+const Eigen::Vector3d* answerOf(const State& state, const MechanismRow& row, std::uint32_t tree) {
+    for (const TreeAnswer& answer : row.answers)
+        if (answer.tree == tree) return &state.mechanisms.answers[answer.first];
+    return nullptr;
+}
 
-    void run() {
-        if (!(row_.mobility > 0)) return;
-        pullSpring();
-        if (row_.most > 0) set(row_.motor, change(row_.start + row_.way), -row_.most, row_.most);
-        if (std::isfinite(row_.lower)) set(row_.low, change(row_.lower), 0, row_.bound);
-        if (std::isfinite(row_.upper)) set(row_.high, change(row_.upper), -row_.bound, 0);
-    }
+using NodeMoves = std::pmr::vector<Eigen::Vector3d>;
 
-private:
-    /// Of the multiplier, to get there.
-    double change(double goal) const { return (goal - row_.now) / row_.mobility; }
-    void set(double& multiplier, double by, double least, double most) {
-        const double before = multiplier;
-        multiplier = std::clamp(before + by, least, most);
-        row_.now += row_.mobility * (multiplier - before);
-    }
-    void pullSpring() {
-        if (row_.rigid) return set(row_.spring, change(row_.rest), -row_.bound, row_.bound);
-        if (row_.hk + row_.hb == 0) return;
-        const double wanted =
-            -(row_.hk * (row_.now - row_.rest) + row_.hb * (row_.now - row_.start));
-        const double steep = 1 + (row_.hk + row_.hb) * row_.mobility;
-        set(row_.spring, (wanted - row_.spring) / steep, -row_.bound, row_.bound);
-    }
-
-    MechanismRow& row_;
-};
-
-/// Rows in the space of their multipliers. What held in the last step is solved at once; then each
-/// row does what its law says, until nothing changes any more.
-class GroupSweep {
-public:
-    GroupSweep(State& state, const MechanismGroup& group)
-        : rows_(std::span(state.mechanisms.rows).subspan(group.first, group.last - group.first)),
-          matrix_(state.mechanisms.numbers.data() + group.matrix),
-          factor_(state.mechanisms.numbers.data() + group.factor) {}
-
-    void factorise() {
-        const std::size_t n = rows_.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            const RowHold& hold = rows_[k].hold = holdOf(rows_[k]);
-            for (std::size_t j = 0; j <= k; ++j) {
-                const bool both = hold.multiplier && rows_[j].hold.multiplier;
-                double sum = both ? matrix(k, j) + (j == k ? hold.compliance : 0) : 0;
-                for (std::size_t i = 0; i < j; ++i)
-                    sum -= factor(k, i) * factor(j, i) * factor(i, i);
-                if (j < k)
-                    factor(k, j) = factor(j, j) > 0 ? sum / factor(j, j) : 0;
-                else
-                    factor(k, k) = sum > blocked * matrix(k, k) ? sum : 0;
-            }
-        }
-    }
-
-    /// `farthest`: rad or m, that a coordinate may go in a sweep. What asks for more asks for what
-    /// cannot be.
-    void run(double farthest) {
-        std::array<std::array<double, 4>, mostRows> before;
-        std::array<double, mostRows> from{};
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const MechanismRow& row = rows_[k];
-            before[k] = {row.spring, row.motor, row.low, row.high};
-            from[k] = row.now;
-        }
-        if (rows_.size() > 1) solveHeld();
-        for (int i = 0; i < tuned::mostRowPasses && pass(); ++i) {
-        }
-        double way = 0;
-        for (std::size_t k = 0; k < rows_.size(); ++k)
-            way = std::max(way, std::abs(rows_[k].now - from[k]));
-        const double share = std::min(1.0, farthest / std::max(way, 1e-300));
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            MechanismRow& row = rows_[k];
-            const auto led = [&](double& multiplier, double was) {
-                if (share < 1) multiplier = was + share * (multiplier - was);
-            };
-            led(row.spring, before[k][0]);
-            led(row.motor, before[k][1]);
-            led(row.low, before[k][2]);
-            led(row.high, before[k][3]);
-            row.change = row.sum() - (before[k][0] + before[k][1] + before[k][2] + before[k][3]);
-        }
-    }
-
-    /// `row.now`: how far each coordinate is to be moved. Finds what does that, as `row.change`.
-    void lead() {
-        for (MechanismRow& row : rows_) row.change = 0;
-        bool changed = true;
-        for (int i = 0; i < tuned::mostRowPasses && changed; ++i) {
-            changed = false;
-            for (std::size_t k = 0; k < rows_.size(); ++k) {
-                if (!(rows_[k].mobility > 0)) continue;
-                const double more = rows_[k].now / rows_[k].mobility;
-                rows_[k].change += more;
-                for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now -= matrix(j, k) * more;
-                changed |= std::abs(more) > tuned::settledRow * std::abs(rows_[k].change);
-            }
-            changed &= rows_.size() > 1;
-        }
-    }
-
-private:
-    double& matrix(std::size_t k, std::size_t j) const { return matrix_[k * rows_.size() + j]; }
-    double& factor(std::size_t k, std::size_t j) const { return factor_[k * rows_.size() + j]; }
-
-    void solveHeld() {
-        const std::size_t n = rows_.size();
-        std::array<double, mostRows> x{};
-        for (std::size_t k = 0; k < n; ++k) {
-            const MechanismRow& row = rows_[k];
-            if (!row.hold.multiplier) continue;
-            x[k] = row.hold.goal - row.now - row.hold.compliance * row.*row.hold.multiplier;
-            for (std::size_t j = 0; j < k; ++j) x[k] -= factor(k, j) * x[j];
-        }
-        for (std::size_t k = n; k-- > 0;) {
-            if (!(factor(k, k) > 0)) continue;
-            x[k] /= factor(k, k);
-            for (std::size_t j = k + 1; j < n; ++j)
-                if (factor(j, j) > 0) x[k] -= factor(j, k) * x[j];
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-            if (!(factor(k, k) > 0)) continue;
-            rows_[k].*rows_[k].hold.multiplier += x[k];
-            for (std::size_t j = 0; j < n; ++j) rows_[j].now += matrix(j, k) * x[k];
-        }
-    }
-
-    /// Returns whether that has changed anything worth another one.
-    bool pass() {
-        bool changed = false;
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            MechanismRow& row = rows_[k];
-            const double before = row.sum(), was = row.now;
-            RowLaw(row).run();
-            const double change = row.sum() - before;
-            row.now = was;
-            for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now += matrix(j, k) * change;
-            changed |= std::abs(change) > tuned::settledRow * std::abs(row.sum());
-        }
-        return changed && rows_.size() > 1;
-    }
-
-    std::span<MechanismRow> rows_;
-    double* matrix_;
-    double* factor_;
-};
-
-/// Gives what moves the change of a row: push(mover, change) what moves by itself, move(node, by)
-/// those of trees.
+/// Gives what moves the changes of a group: push(mover, change) what moves by itself, move(node,
+/// by) those of trees, each once.
+/// `sum`: room for what a tree gets.
 template <class Push, class Move>
-void give(const State& state, const MechanismRow& row, Push&& push, Move&& move) {
-    if (row.change == 0) return;
-    const Trees& trees = state.trees;
-    for (const TurnedMover& m : row.slopes)
-        if (treeOf(state, m) == none) push(m, row.change);
-    for (const TreeAnswer& answer : row.answers) {
-        if (answer.tree == none) break;
-        const Tree& tree = trees.list[answer.tree];
-        for (auto k = tree.first; k < tree.last; ++k)
-            move(trees.nodes[k],
-                 row.change * state.mechanisms.answers[answer.first + (k - tree.first)]);
+void give(const State& state, const MechanismGroup& group, NodeMoves& sum, Push&& push,
+          Move&& move) {
+    const Mechanisms& all = state.mechanisms;
+    const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
+    for (const MechanismRow& row : rows)
+        for (std::size_t k = 0; k < row.slopes.count && row.change != 0; ++k)
+            if (row.nodes[k] == none) push(row.slopes.movers[k], row.change);
+    for (auto t = group.firstTree; t < group.lastTree; ++t) {
+        const Tree& tree = state.trees.list[all.trees[t]];
+        const std::size_t count = tree.last - tree.first;
+        sum.assign(count, Eigen::Vector3d::Zero());
+        for (const MechanismRow& row : rows) {
+            const Eigen::Vector3d* answer =
+                row.change != 0 ? answerOf(state, row, all.trees[t]) : nullptr;
+            for (std::size_t k = 0; k < count && answer; ++k) sum[k] += row.change * answer[k];
+        }
+        for (std::size_t k = 0; k < count; ++k)
+            if (!sum[k].isZero(0)) move(state.trees.nodes[tree.first + k], sum[k]);
     }
 }
 
@@ -261,12 +121,11 @@ double alongNode(const TurnedMover& m, const Eigen::Vector3d& moved) {
     return m.force.dot(moved.head<2>()) + m.turning * moved[2];
 }
 
-/// Its place among the nodes of its tree.
+/// Its node in a tree.
 std::uint32_t nodeOf(const State& state, const TurnedMover& m, const Tree& tree) {
     for (auto k = tree.first; k < tree.last; ++k) {
         const TreeNode& n = state.trees.nodes[k];
-        if (m.cluster != none ? n.cluster == m.cluster : n.particle == m.particle)
-            return k - tree.first;
+        if (m.cluster != none ? n.cluster == m.cluster : n.particle == m.particle) return k;
     }
     return none;
 }
@@ -277,9 +136,10 @@ void answer(State& state, MechanismRow& row, std::uint32_t tree) {
     auto& answers = state.mechanisms.answers;
     const auto first = static_cast<std::uint32_t>(answers.size());
     answers.resize(answers.size() + (t.last - t.first), Eigen::Vector3d::Zero());
-    for (const TurnedMover& m : row.slopes) {
-        if (treeOf(state, m) != tree) continue;
-        Eigen::Vector3d& own = answers[first + nodeOf(state, m, t)];
+    for (std::size_t k = 0; k < row.slopes.count; ++k) {
+        const TurnedMover& m = row.slopes.movers[k];
+        if (row.nodes[k] < t.first || row.nodes[k] >= t.last) continue;
+        Eigen::Vector3d& own = answers[first + (row.nodes[k] - t.first)];
         own.head<2>() = m.inverseMass * m.force;
         own[2] = m.inverseInertia * m.turning;
     }
@@ -291,6 +151,18 @@ void answer(State& state, MechanismRow& row, std::uint32_t tree) {
     }
 }
 
+/// How all trees that it pushes answer a row.
+void answerRow(State& state, MechanismRow& row) {
+    std::array<std::uint32_t, CoordinateSlopes::most> trees{};
+    for (std::size_t k = 0; k < row.slopes.count; ++k) {
+        const TurnedMover& m = row.slopes.movers[k];
+        trees[k] = treeOf(state, m);
+        row.nodes[k] = trees[k] != none ? nodeOf(state, m, state.trees.list[trees[k]]) : none;
+    }
+    for (std::size_t k = 0; k < row.slopes.count; ++k)
+        if (trees[k] != none && !answerOf(state, row, trees[k])) answer(state, row, trees[k]);
+}
+
 /// How far a unit of a row would move its coordinate if no tree held anything.
 double freeMobility(const MechanismRow& row) {
     double sum = 0;
@@ -299,25 +171,48 @@ double freeMobility(const MechanismRow& row) {
     return sum;
 }
 
-/// How far a unit of one row moves the coordinate of another one.
+/// How far a unit of one row moves the coordinate of another one. It is the same both ways.
 double response(const State& state, const MechanismRow& to, const MechanismRow& by) {
     double sum = 0;
-    for (const TurnedMover& m : to.slopes) {
-        const auto tree = treeOf(state, m);
-        if (tree == none) {
+    for (std::size_t k = 0; k < to.slopes.count; ++k) {
+        const TurnedMover& m = to.slopes.movers[k];
+        if (to.nodes[k] == none) {
             for (const TurnedMover& n : by.slopes)
                 if (m.particle == n.particle && m.cluster == n.cluster)
                     sum += m.inverseMass * m.force.dot(n.force) +
                            m.inverseInertia * m.turning * n.turning;
             continue;
         }
-        for (const TreeAnswer& answer : by.answers)
-            if (answer.tree == tree)
+        for (const TreeAnswer& answer : by.answers) {
+            if (answer.tree == none) break;
+            const Tree& tree = state.trees.list[answer.tree];
+            if (to.nodes[k] >= tree.first && to.nodes[k] < tree.last)
                 sum += alongNode(
-                    m, state.mechanisms
-                           .answers[answer.first + nodeOf(state, m, state.trees.list[tree])]);
+                    m, state.mechanisms.answers[answer.first + (to.nodes[k] - tree.first)]);
+        }
     }
     return sum;
+}
+
+/// What a group needs for its sweeps: the trees that it moves, and how its rows move each other.
+void prepareGroup(State& state, MechanismGroup& group) {
+    Mechanisms& all = state.mechanisms;
+    const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
+    const std::size_t size = rows.size();
+    double* matrix = all.numbers.data() + group.matrix;
+    group.firstTree = static_cast<std::uint32_t>(all.trees.size());
+    for (std::size_t k = 0; k < size; ++k) {
+        for (std::size_t j = 0; j <= k; ++j)
+            matrix[k * size + j] = matrix[j * size + k] = response(state, rows[k], rows[j]);
+        const double own = matrix[k * size + k];
+        rows[k].mobility = own > GroupSweep::blocked * freeMobility(rows[k]) ? own : 0;
+        for (const TreeAnswer& answer : rows[k].answers)
+            if (answer.tree != none && std::find(all.trees.begin() + group.firstTree,
+                                                 all.trees.end(), answer.tree) == all.trees.end())
+                all.trees.push_back(answer.tree);
+    }
+    group.lastTree = static_cast<std::uint32_t>(all.trees.size());
+    GroupSweep(state, group).factorise();
 }
 
 /// Joins rows that push the same things or trees.
@@ -357,11 +252,11 @@ void groupRows(State& state) {
     all.groups.clear();
     std::uint32_t places = 0;
     for (std::uint32_t first = 0, last = 0; first < count; first = last) {
-        while (last < count && last - first < mostRows &&
+        while (last < count && last - first < GroupSweep::mostRows &&
                all.rows[last].group == all.rows[first].group)
             ++last;
         const std::uint32_t size = (last - first) * (last - first);
-        all.groups.push_back({first, last, places, places + size});
+        all.groups.push_back({first, last, places, places + size, 0, 0});
         places += 2 * size;
     }
     all.numbers.assign(places, 0);
@@ -373,44 +268,28 @@ void answerMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     if (all.rows.empty()) return;
     groupRows(state);
-    for (MechanismRow& row : all.rows)
-        for (const TurnedMover& m : row.slopes) {
-            const auto tree = treeOf(state, m);
-            const bool isNew = std::none_of(row.answers.begin(), row.answers.end(),
-                                            [&](const TreeAnswer& a) { return a.tree == tree; });
-            if (tree != none && isNew) answer(state, row, tree);
-        }
-    for (const MechanismGroup& group : all.groups) {
-        const std::uint32_t size = group.last - group.first;
-        for (std::uint32_t k = 0; k < size; ++k)
-            for (std::uint32_t j = 0; j < size; ++j)
-                all.numbers[group.matrix + k * size + j] =
-                    response(state, all.rows[group.first + k], all.rows[group.first + j]);
-        for (std::uint32_t k = 0; k < size; ++k) {
-            MechanismRow& row = all.rows[group.first + k];
-            const double own = all.numbers[group.matrix + k * size + k];
-            row.mobility = own > blocked * freeMobility(row) ? own : 0;
-        }
-        GroupSweep(state, group).factorise();
-    }
+    for (MechanismRow& row : all.rows) answerRow(state, row);
+    all.trees.clear();
+    for (MechanismGroup& group : all.groups) prepareGroup(state, group);
 }
 
 void solveMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
+    NodeMoves sum(&state.arena);
     for (const MechanismGroup& group : all.groups) {
         const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
         for (MechanismRow& row : rows)
             row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
         GroupSweep(state, group).run(maxSpeed * static_cast<double>(state.h));
-        for (const MechanismRow& row : rows)
-            give(
-                state, row, [&](const TurnedMover& m, double change) { push(state, m, change); },
-                [&](const TreeNode& n, const Eigen::Vector3d& by) { moveNode(state, n, by); });
+        give(
+            state, group, sum, [&](const TurnedMover& m, double change) { push(state, m, change); },
+            [&](const TreeNode& n, const Eigen::Vector3d& by) { moveNode(state, n, by); });
     }
 }
 
 void leadMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
+    NodeMoves sum(&state.arena);
     for (const MechanismGroup& group : all.groups) {
         const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
         bool any = false;
@@ -422,17 +301,16 @@ void leadMechanisms(State& state) {
         }
         if (!any) continue;
         GroupSweep(state, group).lead();
-        for (const MechanismRow& row : rows)
-            give(
-                state, row,
-                [&](const TurnedMover& m, double change) {
-                    const Point way = m.inverseMass * change * m.force;
-                    shiftNode(state, m.cluster, m.particle,
-                              {way[0], way[1], m.inverseInertia * change * m.turning});
-                },
-                [&](const TreeNode& n, const Eigen::Vector3d& by) {
-                    shiftNode(state, n.cluster, n.particle, by);
-                });
+        give(
+            state, group, sum,
+            [&](const TurnedMover& m, double change) {
+                const Point way = m.inverseMass * change * m.force;
+                shiftNode(state, m.cluster, m.particle,
+                          {way[0], way[1], m.inverseInertia * change * m.turning});
+            },
+            [&](const TreeNode& n, const Eigen::Vector3d& by) {
+                shiftNode(state, n.cluster, n.particle, by);
+            });
     }
 }
 
