@@ -180,10 +180,10 @@ double angleOf(const State& state, const MechanismArm& arm, bool moved) {
     const ArmEnds ends = endsOf(state, arm);
     double angle = arm.angle;
     if (ends.isComponent) {
-        const Cluster& c = state.clusters.list[state.particles.cluster[ends.from]];
-        const Point line =
-            ends.from == ends.to ? discHeading(state, ends.from) : spanOf(state, ends, false);
-        angle = angleOf(line) + (moved ? c.angle : 0);
+        // What it was when the step began is known, and its turn counts its own whole turns.
+        if (moved) return arm.angle + state.clusters.list[state.particles.cluster[ends.from]].angle;
+        angle = angleOf(ends.from == ends.to ? discHeading(state, ends.from)
+                                             : spanOf(state, ends, false));
     } else if (ends.from == ends.to) {
         angle = angleOf(state.bodies[state.particles.body[ends.from]].turn);
     } else if (const Point line = spanOf(state, ends, moved); line.norm() > nothing) {

@@ -20,7 +20,7 @@ double valueOf(const State& state, const Mechanism& mechanism, RowOf row, bool m
 CoordinateSlopes slopesOf(const State& state, const Mechanism& mechanism, RowOf row);
 /// rad/s or m/s, of the drive's, with the velocities that there are.
 double speedOf(const State& state, const Mechanism& mechanism);
-/// rad, of a body as its arm shows it, with whole turns.
+/// rad, of a body as its arm shows it, with whole turns. `moved` after startMechanisms() only.
 double angleOf(const State& state, const MechanismArm& arm, bool moved);
 /// rad, by how much the second arm is turned more than the first. Within a body, which a call may
 /// turn as a whole, it is the one nearest to that of the last step.

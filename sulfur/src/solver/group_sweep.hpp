@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "core/settings.hpp"
 #include "model/state.hpp"
@@ -36,7 +37,29 @@ public:
         row_.high = at < place ? std::clamp(left, -row_.bound, 0.0) : 0;
     }
 
+    /// How much of a change leaves what holds the row able to hold it. Beyond, it obeys another
+    /// law: all of the change would lead farther away, and back again, in turns.
+    double shareInside(double change) const {
+        const auto [least, most] = reach();
+        const double now = row_.*row_.hold.multiplier;
+        if (now < least || now > most) return 1;
+        if (now + change > most) return (most - now) / change;
+        return now + change < least ? (least - now) / change : 1;
+    }
+
 private:
+    /// The least and the largest of the multiplier that holds the row.
+    std::pair<double, double> reach() const {
+        if (row_.hold.multiplier == &MechanismRow::low) return {0, row_.bound};
+        if (row_.hold.multiplier == &MechanismRow::high) return {-row_.bound, 0};
+        if (row_.hold.multiplier == &MechanismRow::motor) return {-row_.most, row_.most};
+        if (row_.rigid) return {-row_.bound, row_.bound};
+        const double goal = row_.start + row_.way;
+        const double first = row_.motor < 0 ? goal : row_.lower;
+        const double last = row_.motor > 0 ? goal : row_.upper;
+        return {std::isfinite(last) ? springAt(last) : -row_.bound,
+                std::isfinite(first) ? springAt(first) : row_.bound};
+    }
     /// A rigid spring leaves nothing to the others.
     void hold(double place) {
         row_.motor = row_.low = row_.high = 0;
@@ -189,10 +212,13 @@ private:
             x[k] /= factor(k, k);
             for (std::size_t j = k + 1; j < n; ++j) x[k] -= factor(k, j) * x[j];
         }
+        double share = 1;
+        for (std::size_t k = 0; k < n; ++k)
+            if (x[k] != 0) share = std::min(share, RowLaw(rows_[k]).shareInside(x[k]));
         for (std::size_t k = 0; k < n; ++k) {
             if (x[k] == 0) continue;
-            rows_[k].*rows_[k].hold.multiplier += x[k];
-            shift(k, x[k]);
+            rows_[k].*rows_[k].hold.multiplier += share * x[k];
+            shift(k, share * x[k]);
         }
     }
 
