@@ -156,6 +156,13 @@ void scaleImpulses(ContactCore& core, double step) {
     }
 }
 
+/// Whether a network takes back most of what rows give: one sees only where it goes without both.
+bool isOfNetwork(const State& state, bool isCluster, std::uint32_t i) {
+    const Trees& trees = state.trees;
+    const auto tree = isCluster ? trees.ofCluster[i] : trees.ofParticle[i];
+    return tree != none && trees.list[tree].network != none;
+}
+
 /// Of the awake movers from `first` to `last`. Returns how far the farthest goes without rows, m.
 Real takeMotionOf(State& state, std::size_t first, std::size_t last) {
     ContactCore& core = state.core;
@@ -164,6 +171,7 @@ Real takeMotionOf(State& state, std::size_t first, std::size_t last) {
     std::uint8_t* const moved = core.moved.data();
     double* const aheads = core.ahead.data();
     Motion3* const placed = core.placed.data();
+    const bool withNetworks = !state.trees.factors.empty();
     Real farthest = 0;
     for (std::size_t k = first; k < last; ++k) {
         const auto m = core.awakeMovers[k];
@@ -172,7 +180,9 @@ Real takeMotionOf(State& state, std::size_t first, std::size_t last) {
         const bool anew = takePose(body, movers.references[m], seen);
         placed[m] = {body.x, body.y, body.turn};
         // What rows gave in the last step is with what they begin in this one.
-        const Motion3 goes{seen.wayX + body.vx, seen.wayY + body.vy, seen.turn + body.spin};
+        Motion3 goes{seen.wayX + body.vx, seen.wayY + body.vy, seen.turn + body.spin};
+        if (withNetworks && isOfNetwork(state, core.awakeIsCluster[k] != 0, core.awakeDense[k]))
+            goes = {seen.wayX, seen.wayY, seen.turn};
         movers.predictions[m] = {seen.wayX, seen.wayY, seen.turn, 0, goes.x, goes.y, goes.turn, 0};
         const Real reach = movers.reach[m];
         farthest = std::max(farthest, lengthOf(reach, seen.wayX, seen.wayY, seen.turn));

@@ -1,6 +1,8 @@
 #include "contacts/touch_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/clusters.hpp"
 #include "model/contact_core.hpp"
@@ -62,6 +64,14 @@ Real pressingOf(const State& state, std::uint32_t index) {
     return state.core.rows.touch(row).pressing[RowGraph::laneOf(row)];
 }
 
+TouchMasses changeMasses(State& state, std::uint32_t index, TouchMasses masses) {
+    const RowPlace row = state.core.touches[index].row;
+    TouchBlock& t = state.core.rows.touch(row);
+    const auto l = RowGraph::laneOf(row);
+    return {std::exchange(t.normalMass[l], masses.normal),
+            std::exchange(t.tangentMass[l], masses.tangent)};
+}
+
 TouchView viewOfTouch(const State& state, std::uint32_t index) {
     const ContactCore& core = state.core;
     const Touch& touch = core.touches[index];
@@ -69,28 +79,37 @@ TouchView viewOfTouch(const State& state, std::uint32_t index) {
     const auto l = RowGraph::laneOf(touch.row);
     TouchView view;
     view.particles = particlesOfTouch(state, index);
-    const Vec2 normal(t.normalX[l], t.normalY[l]);
-    const Vec2 lean = t.lean[l] * Vec2(t.sideX[l], t.sideY[l]);
-    view.directions = {normal, -t.weightA[l] * normal + lean, -t.weightB[l] * normal - lean};
+    view.movers = moversOfTouch(state, index);
+    const Vec2 normal(t.normalX[l], t.normalY[l]), tangent(-t.normalY[l], t.normalX[l]);
+    const Vec2 side(t.sideX[l], t.sideY[l]), lean = t.lean[l] * side, rod = t.rod[l] * side;
+    view.normal = {{normal, -t.weightA[l] * normal + lean, -t.weightB[l] * normal - lean},
+                   {t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]},
+                   t.mobility[l]};
+    view.tangent = {{tangent, -t.weightA[l] * tangent + rod, -t.weightB[l] * tangent - rod},
+                    {t.tangentArmP[l], -t.tangentArmA[l], -t.tangentArmB[l]},
+                    t.tangentMass[l] > 0 ? 1 / t.tangentMass[l] : Real(0)};
     view.pressing = t.pressing[l];
-    view.inverseMass = t.mobility[l];
+    view.rubbing = t.rubbing[l];
+    view.staticFriction = t.staticFriction[l];
+    view.kineticFriction = t.kineticFriction[l];
     view.gapBefore = view.gap = t.gap[l];
-    const std::array<std::uint32_t, 3> movers = moversOfTouch(state, index);
-    const std::array<Real, 3> arms{t.normalArmP[l], -t.normalArmA[l], -t.normalArmB[l]};
+    view.slop = t.slop[l];
+    view.slide = -t.slip[l];
     for (std::size_t k = 0; k < 3; ++k) {
-        const SolverBody& body = core.movers.bodies[movers[k]];
-        const Motion3 way = motionOf(state, movers[k]);
-        const auto along = [&](Real x, Real y, Real turn) {
-            return view.directions[k].dot(Vec2(x, y)) + arms[k] * turn;
+        const SolverBody& body = core.movers.bodies[view.movers[k]];
+        const Motion3 way = motionOf(state, view.movers[k]);
+        const auto along = [&](const TouchDirection& d, Real x, Real y, Real turn) {
+            return d.ways[k].dot(Vec2(x, y)) + d.arms[k] * turn;
         };
-        view.gapBefore += along(body.x, body.y, body.turn);
-        view.gap += along(body.x + way.x, body.y + way.y, body.turn + way.turn);
+        view.gapBefore += along(view.normal, body.x, body.y, body.turn);
+        view.gap += along(view.normal, body.x + way.x, body.y + way.y, body.turn + way.turn);
+        view.slide += along(view.tangent, way.x, way.y, way.turn);
     }
     return view;
 }
 
-void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool cornerHas,
-                      bool sideHas) {
+void pressFromOutside(State& state, std::uint32_t index, Real pressing, Real rubbing,
+                      const std::array<bool, 3>& have) {
     Movers& movers = state.core.movers;
     const Touch& touch = state.core.touches[index];
     TouchBlock& t = state.core.rows.touch(touch.row);
@@ -98,11 +117,11 @@ void pressFromOutside(State& state, std::uint32_t index, Real impulse, bool corn
     const std::array<std::uint32_t, 3> list = moversOfTouch(state, index);
     std::array<SolverBody, 3> before;
     for (std::size_t k = 0; k < 3; ++k) before[k] = movers.bodies[list[k]];
-    RowGraph::pressTouch(movers, t, l, impulse, 0);
+    RowGraph::pressTouch(movers, t, l, pressing, rubbing);
     const Real settled = slowSpeedsOf(state.settings).settledChange * state.h;
-    const bool stirs = std::abs(impulse) * t.mobility[l] > settled;
+    const bool stirs = std::max(std::abs(pressing), std::abs(rubbing)) * t.mobility[l] > settled;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!(k == 0 ? cornerHas : sideHas)) {
+        if (!have[k]) {
             if (stirs) state.core.stirred[list[k]] = state.core.sweep;
             continue;
         }

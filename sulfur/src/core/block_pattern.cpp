@@ -20,11 +20,6 @@ std::size_t BlockPattern::entryOf(std::uint32_t a, std::uint32_t b) const {
     return static_cast<std::size_t>(std::lower_bound(from, to, last) - row_.begin());
 }
 
-bool BlockPattern::hasEntry(std::uint32_t a, std::uint32_t b) const {
-    const std::size_t entry = entryOf(a, b), first = std::min(column_[a], column_[b]);
-    return entry < start_[first + 1] && row_[entry] == std::max(column_[a], column_[b]);
-}
-
 std::size_t BlockPattern::bytes() const {
     return (column_.size() + start_.size() + row_.size() + rowStart_.size()) *
                sizeof(std::uint32_t) +

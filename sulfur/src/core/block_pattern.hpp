@@ -28,7 +28,6 @@ public:
     std::uint64_t products() const { return products_; }
 
     std::uint32_t columnOf(std::uint32_t node) const { return column_[node]; }
-    bool hasEntry(std::uint32_t a, std::uint32_t b) const;
     /// Of two nodes with an entry, which those with an edge have. The entry stands in the column of
     /// the one that comes first.
     std::size_t entryOf(std::uint32_t a, std::uint32_t b) const;

@@ -267,6 +267,11 @@ inline constexpr double redundantPivot = 1e-13;
 inline constexpr std::uint32_t mostFallbacks = rounds, coarseSteps = rounds;
 /// Times in a sweep that contacts of a tree which would have to pull are let go.
 inline constexpr int mostReleases = 4;
+/// Of the contacts of a network: how many are solved together, and passes over these.
+inline constexpr std::size_t networkContacts = 4 * rounds;
+inline constexpr int networkContactPasses = 8 * rounds;
+/// Of what static friction has beyond the kinetic one: as much of it they use.
+inline constexpr double heldShare = 0.99;
 /// Compliance of a contact, as a share of the tree's own mobility: where a link points along the
 /// normal, both would otherwise be the same row.
 inline constexpr double softest = 1e-3;

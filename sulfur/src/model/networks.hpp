@@ -1,6 +1,7 @@
 // Networks: what is tied together in loops, and is solved as a whole.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,7 @@ struct NetworkLink {
     std::uint32_t here = 0, there = 0;  // nodes of its first and second end, from Tree::first
     LinkEnd atHere, atThere;
     std::array<double, 2> pushed{0, 0};  // N, in its last step, without what contacts have added
+    std::array<double, 2> swept{0, 0};   // N, what these have, in the last sweeps
 
     template <class Archive>
     void archive(Archive& a) {
@@ -31,6 +33,8 @@ struct NetworkLink {
         a(atThere);
         a(pushed[0]);
         a(pushed[1]);
+        a(swept[0]);
+        a(swept[1]);
     }
 };
 
@@ -59,28 +63,48 @@ struct NetworkRow {
     }
 };
 
-/// A contact that pushes on a point of a network, or on the capsule between two.
+/// A contact that pushes on points of a network.
 struct NetworkTouch {
     std::uint32_t network = none, touch = none;  // Tree::network, number of the touch
-    std::uint32_t here = 0, there = none;        // nodes, from Tree::first
+    /// From Tree::first: which nodes its corner and the ends of its side are, or none.
+    std::array<std::uint32_t, 3> nodes{none, none, none};
+    Real pressing = 0;  // kg m, when the step begins
 };
 
-/// A contact as a row of the matrix: how the gap grows with the motion of one or two nodes.
+/// Effective masses of the row of a touch, kg.
+struct TouchMasses {
+    Real normal = 0, tangent = 0;
+};
+
+/// A contact of a network, or its friction: how its gap or slide grows with the motion of up to
+/// three nodes and other movers, those of its corner and of the ends of its side.
 struct PressedRow {
+    using Vector = Eigen::Vector3d;
     std::uint32_t touch = none;
-    std::uint32_t here = 0, there = none;
-    Eigen::Vector3d alongHere = Eigen::Vector3d::Zero(), alongThere = Eigen::Vector3d::Zero();
-    double stiffness = 0;          // kg
-    double gap = 0;                // m, to become 0 before anything has moved
-    double pressed = 0, best = 0;  // kg m, of this sweep
-    double value = 0;              // m, and after a correction the change of what it presses
+    std::array<std::uint32_t, 3> nodes{none, none, none};
+    std::array<std::uint32_t, 3> bodies{none, none, none};  // NetworkSweep::bodies
+    std::array<Vector, 3> along{Vector::Zero(), Vector::Zero(), Vector::Zero()};  // of either
+    double value = 0;                          // m, gap or slide before anything has moved
+    double overlap = 0;                        // m, when the step began, beyond what stays
+    double before = 0;                         // kg m, that it pressed before this sweep
+    double pressed = 0, best = 0, change = 0;  // kg m, of this sweep, and of a pass
+    std::uint32_t normal = none;               // of friction: the row that presses
+    double hold = 0, brake = 0;                // of friction: its coefficients
+};
+
+/// A mover that presses on a network and is no node of it.
+struct PressingBody {
+    using Vector = Eigen::Vector3d;
+    std::uint32_t mover = none;
+    Vector inverseMass = Vector::Zero();
+    Vector moved = Vector::Zero();  // in these passes
 };
 
 /// Work space of a sweep over a network. Vectors of three are places and angles of nodes.
 struct NetworkSweep {
     std::vector<NetworkRow> rows;  // at the present places
     std::vector<PressedRow> contacts;
-    std::vector<std::uint32_t> pressing;  // touches of these
+    std::vector<PressingBody> bodies;
     std::vector<Eigen::Vector3d> inverseMass, moved, bestMoved, residual, nodes;
     std::vector<std::array<double, 2>> lambda, bestLambda, wanted, values;  // of links
 };
@@ -108,10 +132,13 @@ struct NetworkFactor {
     /// In the sweeps of a tick: with contacts that press, along the directions of their own time.
     NetworkSystem swept;
     std::vector<NetworkRow> rows;
-    std::vector<std::uint32_t> pressing;  // touches that are in it
+    /// How rows of contacts answer to a push at each of them, 1/kg (the Delassus operator), row by
+    /// row; empty where that is not known.
+    std::vector<double> answers;
     std::uint64_t tick = 0;
     std::uint64_t work = 0;  // products of blocks, in the sweeps of this step
     bool waits = false;      // for the last sweep, because there is no work left
+    double error = 0;        // that the last sweep has left
     /// Of each node: the sum of what the links have given in the sweeps, kg m and kg m^2.
     std::vector<Eigen::Vector3d> given;
 };

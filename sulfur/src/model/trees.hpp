@@ -96,6 +96,7 @@ struct Trees {
     std::vector<std::uint32_t> contact;
     std::vector<std::uint32_t> nodeOfParticle;
     std::vector<NetworkTouch> networkTouches;  // by networks
+    std::vector<TouchMasses> heldRows;         // of these, while only networks solve them
     NetworkSweep networkSweep;
     TreeScratch scratch;
 

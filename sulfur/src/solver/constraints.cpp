@@ -86,6 +86,15 @@ bool sweepContacts(State& state, int number) {
     return stirred;
 }
 
+/// Before impacts, which would find nodes thrown by what their rows begin with.
+void answerLoadsOfNetworks(State& state) {
+    if (state.trees.networkTouches.empty()) return;
+    listTiedToNetworks(state);
+    giveMotion(state);
+    answerLoads(state);
+    takeMotionOfTied(state, 1);
+}
+
 /// Rows of contacts alone are done when none stirs. Joints, whose errors add up along a body, get
 /// more sweeps than triangles, which only have to keep their side.
 void sweepAll(State& state) {
@@ -96,6 +105,7 @@ void sweepAll(State& state) {
     const int most = sweepsFor(state, wanted), least = alone ? 1 : std::min(sweeps, most);
     listTied(state);
     giveMotion(state);
+    holdNetworkRows(state);
     bool stirred = true;
     for (int number = 1; number <= most && (stirred || number <= least); ++number) {
         solveImplicitJoints(state);
@@ -117,6 +127,7 @@ void sweepAll(State& state) {
         sweepRigid(state, 1);
     }
     finishNetworks(state);
+    releaseNetworkRows(state);
 }
 
 }  // namespace
@@ -130,6 +141,7 @@ void solveConstraints(State& state) {
     startGrabs(state);
     settleMechanisms(state);
     touchTrees(state);
+    answerLoadsOfNetworks(state);
     answerMechanisms(state);
     startAreas(state);
     strikeRows(state);

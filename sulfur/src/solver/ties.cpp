@@ -78,6 +78,12 @@ private:
 
 }  // namespace
 
+void listTiedToNetworks(State& state) {
+    Ties ties(state);
+    ties.addTrees(state.trees.touchedAlone);
+    ties.addNetworkTouches();
+}
+
 void listTied(State& state) {
     Ties ties(state);
     ties.addJoints();

@@ -1,9 +1,11 @@
 // Which contact is a row of which link.
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <tuple>
+#include <vector>
 
 #include "contacts/touch_rows.hpp"
+#include "core/settings.hpp"
 #include "model/state.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -38,29 +40,39 @@ std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& pa
     return none;
 }
 
-/// The network that only one side of a touch is of, with the nodes of that side: of a capsule both
-/// ends, whose motion the factorisation couples.
+/// The network that a touch is of, with its nodes: that of its corner, else of its side.
 NetworkTouch networkTouchOf(const State& state, std::uint32_t touch) {
     const Trees& trees = state.trees;
     const auto particles = particlesOfTouch(state, touch);
-    const auto nodeOf = [&](std::uint32_t i) {
-        return state.particles.cluster[i] == none ? trees.nodeOfParticle[i] : none;
-    };
     const auto networkOf = [&](std::uint32_t i) {
-        const auto tree = nodeOf(i) == none ? none : trees.ofParticle[i];
-        return tree == none ? none : trees.list[tree].network;
+        if (state.particles.cluster[i] != none || trees.nodeOfParticle[i] == none) return none;
+        return trees.list[trees.ofParticle[i]].network;
     };
-    const auto p = networkOf(particles[0]), a = networkOf(particles[1]),
-               b = networkOf(particles[2]);
-    const auto from = [&](std::uint32_t particle) {
-        return nodeOf(particle) - trees.list[trees.ofParticle[particle]].first;
-    };
-    if (p != none && p != a && p != b) return {p, touch, from(particles[0]), none};
-    if (p != none || a == none || a != b) return {};
-    const NetworkTouch held{a, touch, from(particles[1]), from(particles[2])};
-    if (held.here == held.there) return {a, touch, held.here, none};
-    const bool coupled = trees.factors[a].pattern.hasEntry(held.here, held.there);
-    return coupled ? held : NetworkTouch{};
+    NetworkTouch held{none, touch, {none, none, none}, pressingOf(state, touch)};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto network = networkOf(particles[k]);
+        if (held.network == none) held.network = network;
+        if (network == none || network != held.network) continue;
+        const Tree& tree = trees.list[trees.ofParticle[particles[k]]];
+        held.nodes[k] = trees.nodeOfParticle[particles[k]] - tree.first;
+    }
+    return held;
+}
+
+/// Of each network those that press most, as many as it solves as a whole.
+void choosePressing(std::vector<NetworkTouch>& touches) {
+    std::sort(touches.begin(), touches.end(), [](const NetworkTouch& a, const NetworkTouch& b) {
+        return std::tuple(a.network, -a.pressing, a.touch) <
+               std::tuple(b.network, -b.pressing, b.touch);
+    });
+    std::uint32_t network = none;
+    std::size_t kept = 0, ofNetwork = 0;
+    for (const NetworkTouch& t : touches) {
+        ofNetwork = t.network == network ? ofNetwork + 1 : 0;
+        network = t.network;
+        if (ofNetwork < tuned::networkContacts) touches[kept++] = t;
+    }
+    touches.resize(kept);
 }
 
 void giveTouches(State& state) {
@@ -69,8 +81,10 @@ void giveTouches(State& state) {
     for (std::uint32_t i = 0; i < touches.size(); ++i) {
         if (touches[i].pair == none || !touches[i].row) continue;
         if (!state.trees.factors.empty())
-            if (const auto held = networkTouchOf(state, i); held.network != none)
+            if (const auto held = networkTouchOf(state, i); held.network != none) {
                 state.trees.networkTouches.push_back(held);
+                continue;
+            }
         const auto k = nodeFor(state, particlesOfTouch(state, i));
         if (k == none) continue;
         const Real gap = viewOfTouch(state, i).gap;
@@ -92,10 +106,7 @@ void giveContacts(State& state) {
         if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
             trees.nodeOfParticle[trees.nodes[k].particle] = k;
     giveTouches(state);
-    std::sort(trees.networkTouches.begin(), trees.networkTouches.end(),
-              [](const NetworkTouch& a, const NetworkTouch& b) {
-                  return std::pair(a.network, a.touch) < std::pair(b.network, b.touch);
-              });
+    choosePressing(trees.networkTouches);
 }
 
 }  // namespace sulfur::detail

@@ -15,7 +15,8 @@ public:
     using Vector = typename BlockFactor<N>::Vector;
     using Block = typename BlockFactor<N>::Block;
 
-    Assembly(State& state, const Tree& tree, const NetworkRows& rows, NetworkSystem& system)
+    Assembly(State& state, const Tree& tree, std::span<const NetworkRow> rows,
+             NetworkSystem& system)
         : state_(state),
           tree_(tree),
           rows_(rows),
@@ -25,11 +26,21 @@ public:
     void factorise() {
         factor_.begin(pattern_);
         for (std::uint32_t i = 0; i < tree_.last - tree_.first; ++i) addMass(i);
-        for (std::size_t l = 0; l < rows_.links.size(); ++l)
-            addLink(state_.trees.links[tree_.firstLink + l], rows_.links[l]);
-        for (const PressedRow& row : rows_.contacts)
-            addRow(row.here, row.there, row.stiffness, part(row.alongHere), part(row.alongThere));
+        for (std::size_t l = 0; l < rows_.size(); ++l)
+            addLink(state_.trees.links[tree_.firstLink + l], rows_[l]);
         factor_.factorise(pattern_);
+    }
+
+    /// Becomes what the nodes answer to these pushes, with what links pull then.
+    void answer(std::vector<Freedoms>& pushes) {
+        auto& x = state_.trees.scratch.network.right<N>();
+        x.resize(pattern_.size());
+        for (std::uint32_t i = 0; i < pushes.size(); ++i) x[pattern_.columnOf(i)] = part(pushes[i]);
+        factor_.solve(pattern_, x);
+        for (std::uint32_t i = 0; i < pushes.size(); ++i) {
+            pushes[i].setZero();
+            pushes[i].template head<N>() = x[pattern_.columnOf(i)];
+        }
     }
 
     void correct(std::vector<Freedoms>& nodes, std::vector<std::array<double, 2>>& links) {
@@ -42,11 +53,6 @@ public:
                 x[pattern_.columnOf(link.here)] -= push * part(row.here[r]);
                 x[pattern_.columnOf(link.there)] -= push * part(row.there[r]);
             });
-        for (const PressedRow& row : rows_.contacts) {
-            const double push = row.stiffness * row.value;
-            x[pattern_.columnOf(row.here)] -= push * part(row.alongHere);
-            if (row.there != none) x[pattern_.columnOf(row.there)] -= push * part(row.alongThere);
-        }
         factor_.solve(pattern_, x);
         for (std::uint32_t i = 0; i < nodes.size(); ++i) {
             nodes[i].setZero();
@@ -58,11 +64,6 @@ public:
                     row.here[r].dot(nodes[link.here]) + row.there[r].dot(nodes[link.there]);
                 links[l][r] = -row.stiffness[r] * (links[l][r] + change);
             });
-        for (PressedRow& row : rows_.contacts) {
-            double change = row.alongHere.dot(nodes[row.here]);
-            if (row.there != none) change += row.alongThere.dot(nodes[row.there]);
-            row.value = -row.stiffness * (row.value + change);
-        }
     }
 
 private:
@@ -92,7 +93,6 @@ private:
                 const Vector& there) {
         const Vector pull = stiffness * here;
         factor_.add(pattern_, a, pull * here.transpose());
-        if (b == none) return;
         factor_.add(pattern_, b, (stiffness * there) * there.transpose());
         factor_.add(pattern_, a, b, pull * there.transpose());
     }
@@ -104,15 +104,15 @@ private:
 
     template <class Function>
     void forEachRow(Function&& f) const {
-        for (std::size_t l = 0; l < rows_.links.size(); ++l)
+        for (std::size_t l = 0; l < rows_.size(); ++l)
             for (std::size_t r = 0; r < 2; ++r)
-                if (rows_.links[l].stiffness[r] != 0)
-                    f(state_.trees.links[tree_.firstLink + l], rows_.links[l], l, r);
+                if (rows_[l].stiffness[r] != 0)
+                    f(state_.trees.links[tree_.firstLink + l], rows_[l], l, r);
     }
 
     State& state_;
     const Tree& tree_;
-    const NetworkRows& rows_;
+    std::span<const NetworkRow> rows_;
     const BlockPattern& pattern_;
     BlockFactor<N>& factor_;
 };
@@ -167,7 +167,7 @@ void prepareNetworks(State& state) {
     }
 }
 
-void factoriseNetwork(State& state, const Tree& tree, const NetworkRows& rows,
+void factoriseNetwork(State& state, const Tree& tree, std::span<const NetworkRow> rows,
                       NetworkSystem& system) {
     if (tree.points)
         Assembly<2>(state, tree, rows, system).factorise();
@@ -175,12 +175,21 @@ void factoriseNetwork(State& state, const Tree& tree, const NetworkRows& rows,
         Assembly<3>(state, tree, rows, system).factorise();
 }
 
-void correctNetwork(State& state, const Tree& tree, const NetworkRows& rows, NetworkSystem& system,
-                    std::vector<Freedoms>& nodes, std::vector<std::array<double, 2>>& values) {
+void correctNetwork(State& state, const Tree& tree, std::span<const NetworkRow> rows,
+                    NetworkSystem& system, std::vector<Freedoms>& nodes,
+                    std::vector<std::array<double, 2>>& values) {
     if (tree.points)
         Assembly<2>(state, tree, rows, system).correct(nodes, values);
     else
         Assembly<3>(state, tree, rows, system).correct(nodes, values);
+}
+
+void answerOfNetwork(State& state, const Tree& tree, NetworkSystem& system,
+                     std::vector<Freedoms>& pushes) {
+    if (tree.points)
+        Assembly<2>(state, tree, {}, system).answer(pushes);
+    else
+        Assembly<3>(state, tree, {}, system).answer(pushes);
 }
 
 bool isSlow(double worst, double last, double tolerance) {
@@ -189,8 +198,8 @@ bool isSlow(double worst, double last, double tolerance) {
     return !(expected <= tolerance);
 }
 
-NetworkRows stepRows(State& state, const Tree& tree) {
-    return {std::span(state.trees.rows).subspan(tree.firstLink, tree.lastLink - tree.firstLink)};
+std::span<const NetworkRow> stepRows(State& state, const Tree& tree) {
+    return std::span(state.trees.rows).subspan(tree.firstLink, tree.lastLink - tree.firstLink);
 }
 
 NetworkSystem& stepSystem(State& state, const Tree& tree) {

@@ -37,20 +37,18 @@ bool analyseNetwork(State& state, const Tree& tree);
 /// Patterns of all networks of a world that was restored.
 void prepareNetworks(State& state);
 
-/// Links and contacts of which a matrix is made.
-struct NetworkRows {
-    std::span<const NetworkRow> links;
-    std::span<PressedRow> contacts = {};
-};
-
-void factoriseNetwork(State& state, const Tree& tree, const NetworkRows& rows,
+void factoriseNetwork(State& state, const Tree& tree, std::span<const NetworkRow> rows,
                       NetworkSystem& system);
 /// One correction with what has been factorised of these rows: `nodes` holds r and becomes d,
 /// `values` holds c of the links and becomes the change of lambda.
-void correctNetwork(State& state, const Tree& tree, const NetworkRows& rows, NetworkSystem& system,
-                    std::vector<Freedoms>& nodes, std::vector<std::array<double, 2>>& values);
+void correctNetwork(State& state, const Tree& tree, std::span<const NetworkRow> rows,
+                    NetworkSystem& system, std::vector<Freedoms>& nodes,
+                    std::vector<std::array<double, 2>>& values);
+/// `pushes`, kg m and kg m^2, on the nodes of what has been factorised become how these move.
+void answerOfNetwork(State& state, const Tree& tree, NetworkSystem& system,
+                     std::vector<Freedoms>& pushes);
 /// The rows and the factors of the step, which a restored world has to make again.
-NetworkRows stepRows(State& state, const Tree& tree);
+std::span<const NetworkRow> stepRows(State& state, const Tree& tree);
 NetworkSystem& stepSystem(State& state, const Tree& tree);
 
 /// Whether factors are better renewed, which costs as much as some passes do, than kept: whether
@@ -67,7 +65,9 @@ public:
         : state_(state), tree_(state.trees.list[tree]) {}
     void remember();
     void share(std::span<const Freedoms> given);
-    void sweep();
+    /// Answers what contacts begin with.
+    void answerLoads();
+    void sweep(bool first);
     /// Sweeps once more what has waited.
     void finish();
     double strain();

@@ -13,8 +13,10 @@
 #include "contacts/touch_rows.hpp"
 #include "core/settings.hpp"
 #include "core/trigonometry.hpp"
+#include "model/slow_speeds.hpp"
 #include "particles/motion.hpp"
 #include "rigid/grip.hpp"
+#include "trees/network_contacts.hpp"
 #include "trees/networks.hpp"
 #include "trees/tree_solver.hpp"
 
@@ -32,70 +34,120 @@ public:
           factor_(state.trees.factors[tree.network]),
           work_(state.trees.networkSweep),
           count_(tree.last - tree.first),
-          links_(tree.lastLink - tree.firstLink) {
+          links_(tree.lastLink - tree.firstLink),
+          contacts_(state, tree),
+          places_(&state.arena) {
         work_.inverseMass.resize(count_);
         for (std::size_t i = 0; i < count_; ++i)
             work_.inverseMass[i] = inverseMassOf(state_, node(i));
     }
 
     void remember() {
-        work_.moved.assign(count_, Freedoms::Zero());
+        begin();
         for (std::size_t l = 0; l < links_; ++l) met(l) = valueOf(l);
         factor_.given.assign(count_, Freedoms::Zero());
+        factor_.answers.clear();
         factor_.work = 0;
+        factor_.error = 0;
         factor_.waits = false;
     }
 
     /// Takes away by how much links have grown longer by blows, along the directions of the step.
     void share(std::span<const Freedoms> given) {
-        const NetworkRows rows = stepRows(state_, tree_);
+        const auto rows = stepRows(state_, tree_);
         work_.values.assign(links_, {0, 0});
         for (std::size_t l = 0; l < links_; ++l) {
             const NetworkLink& n = link(l);
             if (n.kind == LinkKind::joint && state_.joints.kind[n.link] != JointKind::rigid)
                 continue;
             for (std::size_t r = 0; r < 2; ++r)
-                work_.values[l][r] = rows.links[l].here[r].dot(given[n.here]) +
-                                     rows.links[l].there[r].dot(given[n.there]);
+                work_.values[l][r] =
+                    rows[l].here[r].dot(given[n.here]) + rows[l].there[r].dot(given[n.there]);
         }
         work_.nodes.assign(count_, Freedoms::Zero());
         correctNetwork(state_, tree_, rows, stepSystem(state_, tree_), work_.nodes, work_.values);
         work_.nodes.assign(count_, Freedoms::Zero());
-        addPulls(rows.links, work_.values);
+        addPulls(rows, work_.values);
         move();
     }
 
-    /// Up to so many passes, unless there is no work left.
-    void sweep(int mostPasses = tuned::networkPasses) {
-        work_.moved.assign(count_, Freedoms::Zero());
+    /// Up to so many passes, unless there is no work left. `loads`: it begins where the nodes would
+    /// be without what rows begin with.
+    void sweep(int mostPasses = tuned::networkPasses, bool loads = false) {
+        begin();
         work_.wanted.assign(links_, {0, 0});
-        const auto first = state_.trees.linkLambda.begin() + tree_.firstLink;
-        work_.lambda.assign(first, first + static_cast<std::ptrdiff_t>(links_));
-        listPressed();
+        const auto step = stepRows(state_, tree_);
+        work_.rows.assign(step.begin(), step.end());
+        for (std::size_t l = 0; l < links_; ++l) stiffen(l);
+        work_.lambda.resize(links_);
+        const double perNewton = 1 / static_cast<double>(newtonsPerMultiplier(state_));
+        for (std::size_t l = 0; l < links_; ++l)
+            for (std::size_t r = 0; r < 2; ++r)
+                work_.lambda[l][r] = loads ? perNewton * link(l).swept[r]
+                                           : state_.trees.linkLambda[tree_.firstLink + l][r];
+        if (loads) takeLoadsBack();
+        contacts_.list();
         double best = 0, last = 0;
+        bool isBest = true;
         for (int pass = 0;; ++pass) {
-            const double worst = evaluate();
-            if (pass == 0 && worst == 0 && work_.contacts.empty()) return;
-            // What contacts press is no part of the first error.
-            const bool done = pass > 0 && worst <= tuned::sweptTolerance;
-            if (pass == 0 || worst < best || done) {
-                best = std::max(worst, tuned::sweptTolerance);
+            const double worst = std::max(evaluate(), contacts_.error());
+            const bool done = worst <= tuned::sweptTolerance;
+            factor_.error = pass == 0 ? worst : std::min(factor_.error, worst);
+            if (pass == 0 && done && !loads) return;
+            isBest = pass == 0 || worst < best;
+            if (isBest) {
+                best = worst;
                 keepBest();
             }
             factor_.work += tuned::productsOfNode * (count_ + work_.contacts.size());
-            if (done || pass == mostPasses || !(worst < 1e2 * best)) break;
+            if (done || pass == mostPasses || !std::isfinite(worst)) break;
             if (pass == 0 ? isStale() : isSlow(worst, last, tuned::sweptTolerance)) factorise();
+            if (!contacts_.areKnown()) contacts_.findAnswers(factor_.swept);
             last = worst;
             solve();
-            for (int k = 0; k < tuned::mostReleases && release(); ++k) solve();
             advance();
         }
-        push();
+        push(isBest);
+    }
+
+    /// Nodes that overlaps push apart take their links along, and what presses on these.
+    void settlePushes() {
+        bool any = contacts_.overlap();
+        work_.residual.assign(count_, Freedoms::Zero());
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (!(inverseMassAt(i)[0] > 0)) continue;
+            const Freedoms push = pushOf(state_, moverOfNode(i));
+            any = any || !push.isZero(0);
+            for (int k = 0; k < 3; ++k)
+                if (inverseMassAt(i)[k] > 0) work_.residual[i][k] = -push[k] / inverseMassAt(i)[k];
+        }
+        if (!any) return;
+        if (isStale()) factorise();
+        if (!contacts_.areKnown()) contacts_.findAnswers(factor_.swept);
+        work_.wanted.assign(links_, {0, 0});
+        correct();
+        contacts_.solvePushes(work_.nodes);
+        contacts_.addChanges(work_.residual, -1);
+        correct();
+        for (std::size_t i = 0; i < count_; ++i) placeBy(state_, moverOfNode(i), work_.nodes[i]);
+        contacts_.placeBodies();
+    }
+
+    /// Where passes have not led to a solution, which a network that is crumpled or pressed beyond
+    /// what it can bear may not have: all of it loses what speed it has against what it touches.
+    void brakeUnsolved() {
+        if (factor_.error <= tuned::brakingTolerable) return;
+        ++state_.statistics.chainFallbacks;
+        begin();
+        contacts_.list();
+        contacts_.brake();
+        for (std::size_t l = 0; l < links_; ++l)
+            state_.trees.linkLambda[tree_.firstLink + l] = {0, 0};
     }
 
     /// The largest error of a rigid joint's length, as a share of it.
     double strain() {
-        work_.moved.assign(count_, Freedoms::Zero());
+        begin();
         double most = 0;
         for (std::size_t l = 0; l < links_; ++l) {
             const NetworkLink& n = link(l);
@@ -125,24 +177,67 @@ private:
         Point at{0, 0}, arm{0, 0};
     };
 
-    Place placeOf(std::uint32_t i, const LinkEnd& end) const {
-        const TreeNode& n = node(i);
-        const Freedoms& more = work_.moved[i];
+    /// Nothing has moved yet in these passes.
+    void begin() {
+        work_.moved.assign(count_, Freedoms::Zero());
+        places_.resize(count_);
+        for (std::size_t i = 0; i < count_; ++i) places_[i] = placeOf(node(i));
+    }
+
+    Point placeOf(const TreeNode& n) const {
         if (n.cluster != none) {
             const Cluster& c = state_.clusters.list[n.cluster];
-            const Point arm = turned(unitVector(c.angle + more[2]), turned(c.heading, end.place));
-            return {c.centre + c.displacement.cast<double>() + more.head<2>() + arm, arm};
+            return c.centre + c.displacement.cast<double>();
         }
         const Particles& p = state_.particles;
         const auto at = [&](std::uint32_t k) {
             return Point(p.position[k] + p.displacement[k].cast<double>());
         };
-        if (n.particle != none) return {at(n.particle) + more.head<2>()};
+        if (n.particle != none) return at(n.particle);
         const Attachment& held = state_.attachments[n.link];
-        Place sum;
+        Point sum(0, 0);
         for (std::uint32_t k = 0; k < held.count; ++k)
-            sum.at += static_cast<double>(held.weight[k]) * at(held.support[k]);
+            sum += static_cast<double>(held.weight[k]) * at(held.support[k]);
         return sum;
+    }
+
+    std::uint32_t moverOfNode(std::size_t i) const {
+        const TreeNode& n = node(i);
+        if (n.cluster != none) return moverOfCluster(state_, n.cluster);
+        return n.particle != none ? moverOfParticle(state_, n.particle) : none;
+    }
+
+    void takeLoadsBack() {
+        for (std::size_t i = 0; i < count_; ++i) {
+            const auto m = moverOfNode(i);
+            if (m == none) continue;
+            const Motion3& given = state_.core.movers.given[m];
+            work_.moved[i] = -Freedoms(static_cast<double>(given.x), static_cast<double>(given.y),
+                                       static_cast<double>(given.turn));
+        }
+    }
+
+    /// The step softens what cannot hold. Sweeps only keep lengths as they are, which can.
+    void stiffen(std::size_t l) {
+        const NetworkLink& n = link(l);
+        if (n.kind == LinkKind::joint && state_.joints.kind[n.link] != JointKind::rigid) return;
+        NetworkRow& row = work_.rows[l];
+        for (std::size_t r = 0; r < 2; ++r) {
+            if (row.stiffness[r] == 0) continue;
+            const double mobility = row.here[r].cwiseAbs2().dot(inverseMassAt(n.here)) +
+                                    row.there[r].cwiseAbs2().dot(inverseMassAt(n.there));
+            row.stiffness[r] =
+                std::max(row.stiffness[r], 1 / (tuned::networkCompliance * mobility));
+        }
+    }
+
+    Place placeOf(std::uint32_t i, const LinkEnd& end) const {
+        const Freedoms& more = work_.moved[i];
+        const Point centre = places_[i] + more.head<2>();
+        if (tree_.points || node(i).cluster == none) return {centre};
+        const Cluster& c = state_.clusters.list[node(i).cluster];
+        const Point arm = turned(unitVector(c.angle + more[2]), turned(c.heading, end.place));
+        return {centre + arm, arm};
     }
 
     /// A length, or how far apart two places are.
@@ -158,29 +253,29 @@ private:
     }
 
     /// A link along its present direction, as stiff as in its step; the tension of the sweeps so
-    /// far keeps it from being turned.
-    NetworkRow rowOf(std::size_t l) const {
+    /// far keeps it from being turned. Returns its value.
+    std::array<double, 2> updateRow(std::size_t l) {
         const NetworkLink& n = link(l);
-        NetworkRow row = stepRows(state_, tree_).links[l];
+        NetworkRow& row = work_.rows[l];
         const Place here = placeOf(n.here, n.atHere), there = placeOf(n.there, n.atThere);
+        const Point apart = here.at - there.at;
         if (n.kind != LinkKind::joint) {
             for (std::size_t r = 0; r < 2; ++r) {
                 const Point unit = r == 0 ? Point(1, 0) : Point(0, 1);
                 row.here[r] = along(n.here, unit, here.arm);
                 row.there[r] = -along(n.there, unit, there.arm);
             }
-            return row;
+            return {apart[0], apart[1]};
         }
-        const Point apart = here.at - there.at;
         const double length = apart.norm();
-        if (!(length > 1e-12)) return row;
+        if (!(length > 1e-12)) return {length, 0};
         const Point direction = apart / length, across = perpendicular(direction);
         row.here[0] = along(n.here, direction, here.arm);
         row.there[0] = -along(n.there, direction, there.arm);
         row.acrossHere = along(n.here, across, here.arm);
         row.acrossThere = -along(n.there, across, there.arm);
         row.tension = std::max(-work_.lambda[l][0], 0.0) / length;
-        return row;
+        return {length, 0};
     }
 
     // --- Newton's method ----------------------------------------------------------------------
@@ -188,10 +283,8 @@ private:
     /// Rows, values and residuals where the nodes are now; the largest error, relative to lengths.
     double evaluate() {
         double worst = 0;
-        work_.rows.clear();
         for (std::size_t l = 0; l < links_; ++l) {
-            work_.rows.push_back(rowOf(l));
-            const auto now = valueOf(l);
+            const auto now = updateRow(l);
             for (std::size_t r = 0; r < 2; ++r) {
                 const double stiffness = work_.rows[l].stiffness[r];
                 if (stiffness == 0) continue;
@@ -209,10 +302,7 @@ private:
     void addResiduals() {
         work_.nodes.assign(count_, Freedoms::Zero());
         addPulls(work_.rows, work_.lambda);
-        for (const PressedRow& row : work_.contacts) {
-            work_.nodes[row.here] += row.pressed * row.alongHere;
-            if (row.there != none) work_.nodes[row.there] += row.pressed * row.alongThere;
-        }
+        contacts_.addPressed(work_.nodes);
         work_.residual.assign(count_, Freedoms::Zero());
         for (std::size_t i = 0; i < count_; ++i) {
             const Freedoms w = inverseMassAt(i);
@@ -224,9 +314,7 @@ private:
     }
 
     bool isStale() const {
-        if (factor_.tick != state_.tick || factor_.pressing != work_.pressing ||
-            factor_.rows.size() != links_)
-            return true;
+        if (factor_.tick != state_.tick || factor_.rows.size() != links_) return true;
         for (std::size_t l = 0; l < links_; ++l) {
             const Freedoms turn = work_.rows[l].here[0] - factor_.rows[l].here[0];
             if (!(turn.head<2>().norm() < tuned::factorTurn)) return true;
@@ -237,22 +325,23 @@ private:
     void factorise() {
         factor_.rows = work_.rows;
         factor_.tick = state_.tick;
-        factor_.pressing = work_.pressing;
-        factoriseNetwork(state_, tree_, {factor_.rows, work_.contacts}, factor_.swept);
+        factoriseNetwork(state_, tree_, factor_.rows, factor_.swept);
+        factor_.answers.clear();
         factor_.work += priceOf(state_, tree_);
         ++state_.statistics.networkFactors;
     }
 
+    /// First without what contacts change, which then find what they have to.
     void solve() {
+        correct();
+        contacts_.solve(work_.nodes);
+        contacts_.addChanges(work_.residual, -1);
+        correct();
+    }
+    void correct() {
         work_.nodes = work_.residual;
         work_.values = work_.wanted;
-        for (PressedRow& row : work_.contacts) {
-            row.value =
-                row.gap + row.alongHere.dot(work_.moved[row.here]) + row.pressed / row.stiffness;
-            if (row.there != none) row.value += row.alongThere.dot(work_.moved[row.there]);
-        }
-        correctNetwork(state_, tree_, {factor_.rows, work_.contacts}, factor_.swept, work_.nodes,
-                       work_.values);
+        correctNetwork(state_, tree_, factor_.rows, factor_.swept, work_.nodes, work_.values);
     }
 
     /// No farther than a link's length, for which the directions do not hold at all.
@@ -266,69 +355,13 @@ private:
         for (std::size_t i = 0; i < count_; ++i) work_.moved[i] += work_.nodes[i] / way;
         for (std::size_t l = 0; l < links_; ++l)
             for (std::size_t r = 0; r < 2; ++r) work_.lambda[l][r] += work_.values[l][r] / way;
-        for (PressedRow& row : work_.contacts) row.pressed += row.value / way;
+        contacts_.advance(1 / way);
     }
 
     void keepBest() {
         work_.bestLambda = work_.lambda;
         work_.bestMoved = work_.moved;
-        for (PressedRow& row : work_.contacts) row.best = row.pressed;
-    }
-
-    // --- contacts -----------------------------------------------------------------------------
-
-    /// Contacts that press. The other side's mobility stands in the place of a compliance, as many
-    /// times as the network touches something (mass splitting: Tonge, Benevolenski and Voroshilov
-    /// 2012).
-    void listPressed() {
-        work_.contacts.clear();
-        work_.pressing.clear();
-        const auto& all = state_.trees.networkTouches;
-        const auto isBefore = [](const NetworkTouch& a, std::uint32_t n) { return a.network < n; };
-        const auto first = std::lower_bound(all.begin(), all.end(), tree_.network, isBefore);
-        auto last = first;
-        while (last != all.end() && last->network == tree_.network) ++last;
-        const auto touching = static_cast<double>(last - first);
-        for (auto held = first; held != last; ++held) addPressed(*held, touching);
-    }
-
-    void addPressed(const NetworkTouch& held, double touching) {
-        const TouchView t = viewOfTouch(state_, held.touch);
-        if (t.pressing <= 0 && t.gap >= 0) return;
-        PressedRow row;
-        row.touch = held.touch;
-        row.here = held.here;
-        row.there = held.there;
-        row.alongHere = alongOf(t, held.here);
-        double own = row.alongHere.squaredNorm() * inverseMassAt(held.here)[0];
-        if (held.there != none) {
-            row.alongThere = alongOf(t, held.there);
-            own += row.alongThere.squaredNorm() * inverseMassAt(held.there)[0];
-        }
-        const double other = std::max(static_cast<double>(t.inverseMass) - own, 0.0);
-        row.stiffness = 1 / (touching * other + tuned::softest * own);
-        // What overlaps already is pushed apart elsewhere.
-        row.gap = static_cast<double>(t.gap) - std::min(static_cast<double>(t.gapBefore), 0.0);
-        work_.contacts.push_back(row);
-        work_.pressing.push_back(held.touch);
-    }
-    Freedoms alongOf(const TouchView& t, std::uint32_t i) const {
-        Freedoms sum(0, 0, 0);
-        for (std::size_t k = 0; k < 3; ++k)
-            if (node(i).particle == t.particles[k]) sum.head<2>() += t.directions[k].cast<double>();
-        return sum;
-    }
-
-    /// Contacts that would have to pull are let go. Returns whether there were any.
-    bool release() {
-        const auto pulls = [&](const PressedRow& row) {
-            return static_cast<double>(pressingOf(state_, row.touch)) + row.pressed + row.value < 0;
-        };
-        if (std::erase_if(work_.contacts, pulls) == 0) return false;
-        work_.pressing.clear();
-        for (const PressedRow& row : work_.contacts) work_.pressing.push_back(row.touch);
-        factorise();
-        return true;
+        contacts_.keepBest();
     }
 
     // --- the answer ---------------------------------------------------------------------------
@@ -337,19 +370,21 @@ private:
     void addPulls(std::span<const NetworkRow> rows, const Pairs& multipliers) {
         for (std::size_t l = 0; l < links_; ++l)
             for (std::size_t r = 0; r < 2; ++r) {
+                if (rows[l].stiffness[r] == 0) continue;
                 work_.nodes[link(l).here] += multipliers[l][r] * rows[l].here[r];
                 work_.nodes[link(l).there] += multipliers[l][r] * rows[l].there[r];
             }
     }
 
     /// Nodes get what the links give along their directions at the end, and what contacts press.
-    void push() {
-        work_.lambda = work_.bestLambda;
-        work_.moved = work_.bestMoved;
-        for (std::size_t l = 0; l < links_; ++l) {
-            work_.rows[l] = rowOf(l);
-            state_.trees.linkLambda[tree_.firstLink + l] = work_.lambda[l];
+    void push(bool isBest) {
+        if (!isBest) {
+            work_.lambda = work_.bestLambda;
+            work_.moved = work_.bestMoved;
+            for (std::size_t l = 0; l < links_; ++l) updateRow(l);
         }
+        for (std::size_t l = 0; l < links_; ++l)
+            state_.trees.linkLambda[tree_.firstLink + l] = work_.lambda[l];
         work_.nodes.assign(count_, Freedoms::Zero());
         addPulls(work_.rows, work_.lambda);
         for (std::size_t i = 0; i < count_; ++i) {
@@ -357,18 +392,8 @@ private:
             factor_.given[i] = work_.nodes[i];
             work_.nodes[i] = more;
         }
-        for (const PressedRow& row : work_.contacts) pushContact(row);
+        contacts_.push(work_.nodes);
         move();
-    }
-
-    /// What the network's side of a contact gets, the other side gets too.
-    void pushContact(const PressedRow& row) {
-        const double change =
-            std::max(row.best, -static_cast<double>(pressingOf(state_, row.touch)));
-        work_.nodes[row.here] += change * row.alongHere;
-        if (row.there != none) work_.nodes[row.there] += change * row.alongThere;
-        const bool isCorner = particlesOfTouch(state_, row.touch)[0] == node(row.here).particle;
-        pressFromOutside(state_, row.touch, static_cast<Real>(change), isCorner, !isCorner);
     }
 
     /// Displacements take up the impulses in `nodes`.
@@ -391,6 +416,8 @@ private:
     NetworkFactor& factor_;
     NetworkSweep& work_;
     std::size_t count_, links_;
+    NetworkContacts contacts_;
+    std::pmr::vector<Point> places_;  // m, of nodes before anything has moved
 };
 
 }  // namespace
@@ -403,15 +430,23 @@ void NetworkSweeper::share(std::span<const Freedoms> given) {
     SweptNetwork(state_, tree_).share(given);
 }
 
-void NetworkSweeper::sweep() {
+void NetworkSweeper::answerLoads() {
+    SweptNetwork(state_, tree_).sweep(tuned::networkPasses, true);
+}
+
+void NetworkSweeper::sweep(bool first) {
     NetworkFactor& factor = state_.trees.factors[tree_.network];
     factor.waits = factor.work > productsOfStep(tree_);
-    if (!factor.waits) SweptNetwork(state_, tree_).sweep();
+    if (factor.waits) return;
+    SweptNetwork network(state_, tree_);
+    network.sweep();
+    if (first) network.settlePushes();
 }
 
 void NetworkSweeper::finish() {
-    if (std::exchange(state_.trees.factors[tree_.network].waits, false))
-        SweptNetwork(state_, tree_).sweep(tuned::factorPasses);
+    SweptNetwork network(state_, tree_);
+    if (std::exchange(state_.trees.factors[tree_.network].waits, false)) network.sweep();
+    network.brakeUnsolved();
 }
 
 double NetworkSweeper::strain() {
@@ -420,8 +455,10 @@ double NetworkSweeper::strain() {
 
 void recordNetworkForces(State& state, const Tree& tree) {
     for (auto l = tree.firstLink; l < tree.lastLink; ++l) {
-        const NetworkLink& n = state.trees.links[l];
+        NetworkLink& n = state.trees.links[l];
         const auto& lambda = state.trees.linkLambda[l];
+        for (std::size_t r = 0; r < 2; ++r)
+            n.swept[r] = static_cast<double>(newtonsPerMultiplier(state)) * lambda[r];
         if (n.kind == LinkKind::joint) {
             state.joints.lambda[n.link] += static_cast<Real>(lambda[0]);
             continue;

@@ -16,13 +16,18 @@ namespace sulfur::detail {
 namespace {
 
 template <class Function>
-void withSweeper(State& state, std::uint32_t tree, Function&& f) {
-    if (state.trees.list[tree].network != none)
-        f(NetworkSweeper(state, tree));
-    else if (state.trees.list[tree].points)
+void withTreeSweeper(State& state, std::uint32_t tree, Function&& f) {
+    if (state.trees.list[tree].points)
         f(TreeSweeper<2>(state, tree));
     else
         f(TreeSweeper<3>(state, tree));
+}
+template <class Function>
+void withSweeper(State& state, std::uint32_t tree, Function&& f) {
+    if (state.trees.list[tree].network != none)
+        f(NetworkSweeper(state, tree));
+    else
+        withTreeSweeper(state, tree, f);
 }
 
 void pull(State& state, const Grip& grip) {
@@ -81,7 +86,11 @@ void touchTrees(State& state) {
         for (const TurnedMover& m : row.slopes) pull(state, {m.particle, m.cluster});
     for (const auto i : tied) trees.touched[i] = Trees::pulled;
     for (const auto i : state.work.lonelyTrees) {
-        if (!trees.touched[i]) continue;
+        const Tree& tree = trees.list[i];
+        if (!trees.touched[i]) {
+            for (auto l = tree.firstLink; l < tree.lastLink; ++l) trees.links[l].swept = {0, 0};
+            continue;
+        }
         trees.touchedAlone.push_back(i);
         withSweeper(state, i, [](auto&& s) { s.remember(); });
     }
@@ -125,14 +134,39 @@ void answerOfTree(State& state, std::uint32_t tree, std::span<Freedoms> given) {
         TreeSweeper<3>(state, tree).answer(given);
 }
 
+void answerLoads(State& state) {
+    state.core.stirred.assign(state.core.movers.size(), 0);
+    state.core.sweep = 0;
+    for (const auto i : state.trees.touchedAlone)
+        if (state.trees.list[i].network != none) NetworkSweeper(state, i).answerLoads();
+}
+
 void sweepTrees(State& state, int number) {
-    const auto sweep = [&](std::uint32_t i) { withSweeper(state, i, [](auto&& s) { s.sweep(); }); };
+    const auto sweep = [&](std::uint32_t i) {
+        if (state.trees.list[i].network != none)
+            NetworkSweeper(state, i).sweep(number == 1);
+        else
+            withTreeSweeper(state, i, [](auto&& s) { s.sweep(); });
+    };
     for (const auto i : state.work.lines) sweep(i);
     const Trees& trees = state.trees;
     for (const auto i : trees.touchedAlone)
         if (number == 1 || trees.touched[i] == Trees::pulled ||
             isStirred(state, trees.list[i], number))
             sweep(i);
+}
+
+void holdNetworkRows(State& state) {
+    auto& masses = state.trees.heldRows;
+    masses.clear();
+    for (const NetworkTouch& held : state.trees.networkTouches)
+        masses.push_back(changeMasses(state, held.touch, {}));
+}
+
+void releaseNetworkRows(State& state) {
+    for (std::size_t k = 0; k < state.trees.heldRows.size(); ++k)
+        changeMasses(state, state.trees.networkTouches[k].touch, state.trees.heldRows[k]);
+    state.trees.heldRows.clear();
 }
 
 void finishNetworks(State& state) {

@@ -28,9 +28,15 @@ void shareBlows(State& state);
 /// `given`: displacement and angle of each node of a tree that has no cycles and is touched. Of
 /// that becomes what its rigid links leave.
 void answerOfTree(State& state, std::uint32_t tree, std::span<Eigen::Vector3d> given);
+/// Before the first sweep over rows: networks answer what these begin with. Else rows, which see
+/// nodes as free, would take nearly all of it back, and find it anew in every step.
+void answerLoads(State& state);
 /// One sweep: every line through a mesh is solved as a whole, and every touched tree that the
 /// `number`-th sweep over rows has stirred; the first one solves all.
 void sweepTrees(State& state, int number);
+/// In between, rows that networks solve as their own are left alone by the sweeps over rows.
+void holdNetworkRows(State& state);
+void releaseNetworkRows(State& state);
 /// Networks for whose sweeps there was no work left get the last one.
 void finishNetworks(State& state);
 /// By what share of its length a link is wrong, at most, in trees that contacts pull on.

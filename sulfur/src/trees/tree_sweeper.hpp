@@ -245,14 +245,14 @@ private:
             static_cast<double>(t.gap) - std::min(static_cast<double>(t.gapBefore), 0.0);
         const double own = here.squaredNorm() * solver_.nodes[i].inverseMass[0] +
                            there.squaredNorm() * solver_.nodes[link.parent].inverseMass[0];
-        const double other = static_cast<double>(t.inverseMass) - own;
+        const double other = static_cast<double>(t.normal.inverseMass) - own;
         link.compliance[1] = touching_ * std::max(other, 0.0) + tuned::softest * own;
         held_.push_back(static_cast<std::uint32_t>(i));
     }
     static Point directionOf(const TouchView& t, std::uint32_t particle) {
         Point sum(0, 0);
         for (std::size_t k = 0; k < 3 && particle != none; ++k)
-            if (t.particles[k] == particle) sum += t.directions[k].cast<double>();
+            if (t.particles[k] == particle) sum += t.normal.ways[k].cast<double>();
         return sum;
     }
 
@@ -275,7 +275,8 @@ private:
         const auto touch = state_.trees.contact[tree_.first + i];
         const double change = std::max(lambda, -static_cast<double>(pressingOf(state_, touch)));
         const bool isCorner = particlesOfTouch(state_, touch)[0] == node(i).particle;
-        pressFromOutside(state_, touch, static_cast<Real>(change), isCorner, !isCorner);
+        pressFromOutside(state_, touch, static_cast<Real>(change), 0,
+                         {isCorner, !isCorner, !isCorner});
     }
 
     double whip(std::uint32_t joint, double length) const {

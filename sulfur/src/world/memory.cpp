@@ -124,11 +124,12 @@ MemoryUse ofTrees(const State& state) {
 MemoryUse ofNetworks(const State& state) {
     const auto& t = state.trees;
     Sum sum;
-    sum.add(t.links, t.rows, t.linkMet, t.linkLambda, t.networkTouches);
+    sum.add(t.links, t.rows, t.linkMet, t.linkLambda, t.networkTouches, t.heldRows);
     for (const auto* factors : {&t.factors, &t.earlier})
         for (const auto& f : *factors) {
-            sum.add(f.rows, f.pressing, f.given);
-            sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes());
+            sum.add(f.rows, f.given);
+            sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes() +
+                         f.answers.size() * sizeof(double));
         }
     return sum.as("networks: links and factors", t.links.size(), true);
 }
@@ -189,8 +190,8 @@ MemoryUse ofScratch(const State& state) {
              t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
              t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
         .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.best, n.values,
-             n.points, n.bodies, w.rows, w.contacts, w.pressing, w.inverseMass, w.moved,
-             w.bestMoved, w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
+             n.points, n.bodies, w.rows, w.contacts, w.bodies, w.inverseMass, w.moved, w.bestMoved,
+             w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
         .add(state.young, state.asked)
         .addBytes(state.arena.bytes())

@@ -302,7 +302,8 @@ std::string validateSlotLists(const State& state) {
         !within(state.placed, bodies) || !within(state.turned, bodies))
         return "a list of bodies that there are not";
     for (const TiedCapsule& tied : core.tiedCapsules)
-        if (tied.joint.index - 1 >= state.jointSlots.slots() || tied.a >= bodies || tied.b >= bodies)
+        if (tied.joint.index - 1 >= state.jointSlots.slots() || tied.a >= bodies ||
+            tied.b >= bodies)
             return "a list of joints that there are not";
     const Movers& movers = core.movers;
     if (!evenlyLong(movers) || !within(movers.free, movers.size()))

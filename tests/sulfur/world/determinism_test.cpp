@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 13985532696577469354u);
+    EXPECT_EQ(world.hash(), 18048308665405300625u);
 #else
-    EXPECT_EQ(world.hash(), 2972978052576119710u);
+    EXPECT_EQ(world.hash(), 6143628443571705490u);
 #endif
 }
 

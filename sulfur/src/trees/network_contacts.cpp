@@ -1,0 +1,338 @@
+#include "trees/network_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/settings.hpp"
+#include "model/slow_speeds.hpp"
+#include "rigid/grip.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+/// Adds what the nodes of a row get by so much of it.
+void addTo(std::vector<Freedoms>& nodes, const PressedRow& row, double amount) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (row.nodes[k] != none) nodes[row.nodes[k]] += amount * row.along[k];
+}
+
+}  // namespace
+
+NetworkContacts::NetworkContacts(State& state, const Tree& tree)
+    : state_(state),
+      tree_(tree),
+      factor_(state.trees.factors[tree.network]),
+      work_(state.trees.networkSweep),
+      settled_(static_cast<double>(slowSpeedsOf(state.settings).settledChange * state.h)) {}
+
+// --- what touches ------------------------------------------------------------------------------
+
+void NetworkContacts::list() {
+    work_.contacts.clear();
+    work_.bodies.clear();
+    const auto& all = state_.trees.networkTouches;
+    const auto isBefore = [](const NetworkTouch& a, std::uint32_t n) { return a.network < n; };
+    auto held = std::lower_bound(all.begin(), all.end(), tree_.network, isBefore);
+    for (; held != all.end() && held->network == tree_.network; ++held) addTouch(*held);
+}
+
+/// A contact, and its friction after it.
+void NetworkContacts::addTouch(const NetworkTouch& held) {
+    const TouchView t = viewOfTouch(state_, held.touch);
+    const auto normal = static_cast<std::uint32_t>(rows());
+    addRow(held, t, t.normal);
+    PressedRow& pressed = work_.contacts.back();
+    // What overlaps already is pushed apart without a velocity.
+    pressed.value = static_cast<double>(t.gap) - std::min(static_cast<double>(t.gapBefore), 0.0);
+    pressed.overlap = -static_cast<double>(t.gapBefore) - static_cast<double>(t.slop);
+    pressed.before = static_cast<double>(t.pressing);
+    if (!(t.staticFriction > 0)) return;
+    addRow(held, t, t.tangent);
+    PressedRow& rubs = work_.contacts.back();
+    rubs.normal = normal;
+    rubs.value = static_cast<double>(t.slide);
+    rubs.before = static_cast<double>(t.rubbing);
+    rubs.brake = static_cast<double>(t.kineticFriction);
+    // Rows would let go of what their roundings take beyond static friction.
+    rubs.hold =
+        rubs.brake + tuned::heldShare * (static_cast<double>(t.staticFriction) - rubs.brake);
+}
+
+void NetworkContacts::addRow(const NetworkTouch& held, const TouchView& t,
+                             const TouchDirection& d) {
+    PressedRow row;
+    row.touch = held.touch;
+    row.nodes = held.nodes;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Freedoms along(static_cast<double>(d.ways[k][0]), static_cast<double>(d.ways[k][1]),
+                             static_cast<double>(d.arms[k]));
+        if (row.nodes[k] != none) {
+            row.along[k] = ofMovable(along, work_.inverseMass[row.nodes[k]]);
+            continue;
+        }
+        const SolverBody& body = state_.core.movers.bodies[t.movers[k]];
+        const auto w = static_cast<double>(body.inverseMass);
+        const Freedoms inverseMass(w, w, static_cast<double>(body.inverseInertia));
+        row.along[k] = ofMovable(along, inverseMass);
+        if (!row.along[k].isZero(0)) row.bodies[k] = bodyOf(t.movers[k], inverseMass);
+    }
+    work_.contacts.push_back(row);
+}
+
+std::uint32_t NetworkContacts::bodyOf(std::uint32_t mover, const Freedoms& inverseMass) {
+    const auto known = std::find_if(work_.bodies.begin(), work_.bodies.end(),
+                                    [&](const auto& b) { return b.mover == mover; });
+    const auto b = static_cast<std::uint32_t>(known - work_.bodies.begin());
+    if (known == work_.bodies.end()) work_.bodies.push_back({mover, inverseMass});
+    return b;
+}
+
+// --- how it answers ----------------------------------------------------------------------------
+
+double NetworkContacts::along(const PressedRow& row, std::span<const Freedoms> nodes) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        if (row.nodes[k] != none) sum += row.along[k].dot(nodes[row.nodes[k]]);
+    return sum;
+}
+
+/// Gap or slide now.
+double NetworkContacts::valueOf(const PressedRow& row) const {
+    double value = row.value + along(row, work_.moved);
+    for (std::size_t k = 0; k < 3; ++k)
+        if (row.bodies[k] != none) value += row.along[k].dot(work_.bodies[row.bodies[k]].moved);
+    return value;
+}
+
+bool NetworkContacts::areKnown() const {
+    return factor_.answers.size() == rows() * rows();
+}
+
+/// 1/kg, without the network: by the bodies that both push.
+double NetworkContacts::ownAnswer(std::size_t i, std::size_t j) const {
+    const PressedRow &a = work_.contacts[i], &b = work_.contacts[j];
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t m = 0; m < 3; ++m)
+            if (a.bodies[k] != none && a.bodies[k] == b.bodies[m])
+                sum +=
+                    a.along[k].cwiseProduct(b.along[m]).dot(work_.bodies[a.bodies[k]].inverseMass);
+    return sum;
+}
+
+void NetworkContacts::findAnswers(NetworkSystem& system) {
+    const std::size_t count = rows();
+    factor_.answers.resize(count * count);
+    for (std::size_t j = 0; j < count; ++j) {
+        work_.nodes.assign(work_.moved.size(), Freedoms::Zero());
+        addTo(work_.nodes, work_.contacts[j], 1);
+        answerOfNetwork(state_, tree_, system, work_.nodes);
+        factor_.work += 2 * factor_.pattern.entries();
+        for (std::size_t i = 0; i < count; ++i)
+            factor_.answers[i * count + j] =
+                along(work_.contacts[i], work_.nodes) + ownAnswer(i, j);
+    }
+}
+
+// --- what presses ------------------------------------------------------------------------------
+
+/// As much of a multiplier as the laws of contact and friction allow.
+double NetworkContacts::allowed(const PressedRow& row, double total) const {
+    if (row.normal == none) return std::max(total, 0.0);
+    const PressedRow& normal = work_.contacts[row.normal];
+    const double pressing = std::max(normal.before + normal.pressed + normal.change, 0.0);
+    const bool sticks = std::abs(total) <= row.hold * pressing;
+    const double most = (sticks ? row.hold : row.brake) * pressing;
+    return std::clamp(total, -most, most);
+}
+
+/// Projected Gauss-Seidel. `values`: of the rows before any change, m.
+template <class Total, class Law>
+void NetworkContacts::relax(std::span<double> values, Total&& totalOf, Law&& law) {
+    const auto& answers = factor_.answers;
+    auto& rows = work_.contacts;
+    for (int pass = 0; pass < tuned::networkContactPasses; ++pass) {
+        double most = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double answer = answers[i * rows.size() + i], total = totalOf(rows[i]);
+            if (!(answer > 0)) continue;
+            const double change = law(rows[i], total - values[i] / answer) - total;
+            if (change == 0) continue;
+            rows[i].change += change;
+            most = std::max(most, std::abs(change) * answer);
+            for (std::size_t k = 0; k < rows.size(); ++k)
+                values[k] += answers[k * rows.size() + i] * change;
+        }
+        if (most <= settled_ / tuned::rounds) break;
+    }
+}
+
+void NetworkContacts::solve(std::span<const Freedoms> goes) {
+    std::pmr::vector<double> values(rows(), 0, &state_.arena);
+    for (std::size_t i = 0; i < rows(); ++i) {
+        work_.contacts[i].change = 0;
+        values[i] = valueOf(work_.contacts[i]) + along(work_.contacts[i], goes);
+    }
+    relax(
+        values, [](const PressedRow& r) { return r.before + r.pressed + r.change; },
+        [&](const PressedRow& r, double total) { return allowed(r, total); });
+}
+
+Freedoms pushOf(const State& state, std::uint32_t mover) {
+    if (mover == none) return Freedoms::Zero();
+    const SolverBody& body = state.core.movers.bodies[mover];
+    const Motion3& placed = state.core.placed[mover];
+    return {static_cast<double>(body.x - placed.x), static_cast<double>(body.y - placed.y),
+            static_cast<double>(body.turn - placed.turn)};
+}
+void placeBy(State& state, std::uint32_t mover, const Freedoms& push) {
+    if (mover == none) return;
+    SolverBody& body = state.core.movers.bodies[mover];
+    const Motion3& placed = state.core.placed[mover];
+    if (body.inverseMass > 0) {
+        body.x = placed.x + static_cast<Real>(push[0]);
+        body.y = placed.y + static_cast<Real>(push[1]);
+    }
+    if (body.inverseInertia > 0) body.turn = placed.turn + static_cast<Real>(push[2]);
+}
+
+void NetworkContacts::solvePushes(std::span<const Freedoms> pushes) {
+    const double h = static_cast<double>(state_.h);
+    const double share = std::min(tuned::recoveryRate * h, tuned::recoveryShare);
+    std::pmr::vector<double> values(rows(), 0, &state_.arena);
+    for (std::size_t i = 0; i < rows(); ++i) {
+        PressedRow& row = work_.contacts[i];
+        row.change = 0;
+        values[i] =
+            along(row, pushes) - std::clamp(share * row.overlap, 0.0, tuned::recoverySpeed * h);
+        for (std::size_t k = 0; k < 3; ++k)
+            if (row.bodies[k] != none)
+                values[i] += row.along[k].dot(pushOf(state_, work_.bodies[row.bodies[k]].mover));
+    }
+    relax(
+        values, [](const PressedRow& r) { return r.change; },
+        [](const PressedRow& r, double total) {
+            return r.normal == none && r.overlap > 0 ? std::max(total, 0.0) : 0.0;
+        });
+}
+
+bool NetworkContacts::overlap() const {
+    return std::any_of(work_.contacts.begin(), work_.contacts.end(),
+                       [](const PressedRow& row) { return row.normal == none && row.overlap > 0; });
+}
+
+void NetworkContacts::placeBodies() {
+    for (PressingBody& body : work_.bodies) body.moved = pushOf(state_, body.mover);
+    for (const PressedRow& row : work_.contacts) moveBodies(row, row.change);
+    for (const PressingBody& body : work_.bodies) placeBy(state_, body.mover, body.moved);
+}
+
+void NetworkContacts::moveBodies(const PressedRow& row, double amount) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (row.bodies[k] == none) continue;
+        PressingBody& body = work_.bodies[row.bodies[k]];
+        body.moved += amount * body.inverseMass.cwiseProduct(row.along[k]);
+    }
+}
+
+void NetworkContacts::addChanges(std::vector<Freedoms>& nodes, double sign) const {
+    for (const PressedRow& row : work_.contacts) addTo(nodes, row, sign * row.change);
+}
+void NetworkContacts::addPressed(std::vector<Freedoms>& nodes) const {
+    for (const PressedRow& row : work_.contacts) addTo(nodes, row, row.pressed);
+}
+
+void NetworkContacts::advance(double share) {
+    for (PressedRow& row : work_.contacts) {
+        row.pressed += share * row.change;
+        moveBodies(row, share * row.change);
+    }
+}
+
+void NetworkContacts::keepBest() {
+    for (PressedRow& row : work_.contacts) row.best = row.pressed;
+}
+
+double NetworkContacts::error() const {
+    double most = 0;
+    for (const PressedRow& row : work_.contacts) {
+        if (row.normal != none) continue;
+        const double value = valueOf(row);
+        const double wrong = row.before + row.pressed > 0 ? std::abs(value) : -value;
+        most = std::max(most, wrong - settled_);
+    }
+    return most;
+}
+
+/// Movers that touch the network and are no nodes, in order.
+std::pmr::vector<std::uint32_t> NetworkContacts::touching() const {
+    std::pmr::vector<std::uint32_t> movers(&state_.arena);
+    for (const PressedRow& row : work_.contacts) {
+        const auto all = moversOfTouch(state_, row.touch);
+        const bool presses = row.before > 0 || row.value < 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (presses && row.nodes[k] == none && state_.core.denseOfMover[all[k]] != none)
+                movers.push_back(all[k]);
+    }
+    std::sort(movers.begin(), movers.end());
+    movers.erase(std::unique(movers.begin(), movers.end()), movers.end());
+    return movers;
+}
+
+void NetworkContacts::brake() {
+    struct Part {
+        std::uint32_t cluster, particle;
+    };
+    std::pmr::vector<Part> parts(&state_.arena);
+    for (auto i = tree_.first; i < tree_.last; ++i)
+        parts.push_back({state_.trees.nodes[i].cluster, state_.trees.nodes[i].particle});
+    for (const auto m : touching()) {
+        const auto dense = state_.core.denseOfMover[m];
+        const bool isCluster = state_.core.moverIsCluster[m] != 0;
+        parts.push_back({isCluster ? dense : none, isCluster ? none : dense});
+    }
+    Point momentum(0, 0), standing(0, 0);
+    double mass = 0, fixed = 0;
+    for (const auto& [cluster, particle] : parts) {
+        const bool isCluster = cluster != none;
+        if (!isCluster && particle == none) {
+            ++fixed;  // what an attachment holds to stands fast here
+            continue;
+        }
+        const Point way = (isCluster ? state_.clusters.list[cluster].displacement
+                                     : state_.particles.displacement[particle])
+                              .cast<double>();
+        const auto w = static_cast<double>(isCluster ? state_.clusters.list[cluster].inverseMass
+                                                     : state_.particles.inverseMass[particle]);
+        (w > 0 ? momentum : standing) += w > 0 ? Point(way / w) : way;
+        (w > 0 ? mass : fixed) += w > 0 ? 1 / w : 1;
+    }
+    const Vec2 way = (fixed > 0 ? Point(standing / fixed) : Point(momentum / mass)).cast<Real>();
+    for (const auto& [cluster, particle] : parts) {
+        if (cluster != none) {
+            Cluster& c = state_.clusters.list[cluster];
+            if (c.inverseMass > 0) c.displacement = way;
+            if (c.inverseInertia > 0) turnBy(c, -c.angle);
+        } else if (particle != none && state_.particles.inverseMass[particle] > 0) {
+            state_.particles.displacement[particle] = way;
+        }
+    }
+    for (const PressedRow& row : work_.contacts) {
+        const Real before = static_cast<Real>(row.before);
+        pressFromOutside(state_, row.touch, row.normal == none ? -before : 0,
+                         row.normal == none ? 0 : -before, {true, true, true});
+    }
+}
+
+void NetworkContacts::push(std::vector<Freedoms>& nodes) {
+    for (const PressedRow& row : work_.contacts) {
+        addTo(nodes, row, row.best);
+        const Real amount = static_cast<Real>(row.best);
+        const auto isNode = [&](std::size_t k) { return row.nodes[k] != none; };
+        pressFromOutside(state_, row.touch, row.normal == none ? amount : 0,
+                         row.normal == none ? 0 : amount, {isNode(0), isNode(1), isNode(2)});
+    }
+}
+
+}  // namespace sulfur::detail

@@ -1,0 +1,80 @@
+// What presses on a network, in its sweeps: contacts with friction, solved together.
+//
+// A network answers a push at one contact at all the others. These answers, with those of the
+// movers that press, are a small dense matrix (the Delassus operator); what presses and rubs is
+// found on it by projected Gauss-Seidel (Jourdan, Alart and Jean 1998), with the law of the rows.
+// The rows of these contacts are nobody else's in the sweeps: to a row, light nodes that carry much
+// are free.
+#pragma once
+
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+#include <vector>
+
+#include "contacts/touch_rows.hpp"
+#include "trees/networks.hpp"
+
+namespace sulfur::detail {
+
+/// How far rows have pushed a mover in this step, without a velocity.
+Freedoms pushOf(const State& state, std::uint32_t mover);
+void placeBy(State& state, std::uint32_t mover, const Freedoms& push);
+
+class NetworkContacts {
+public:
+    NetworkContacts(State& state, const Tree& tree);
+
+    /// Takes up the touches of the network, as they are now.
+    void list();
+    /// Rows for which no answers are known: those of another tick, or of other factors.
+    void findAnswers(NetworkSystem& system);
+    bool areKnown() const;
+
+    /// Changes of what presses and rubs, from where the nodes would go without any.
+    void solve(std::span<const Freedoms> goes);
+    /// The same of pushes without a velocity, which part what overlaps. `pushes`: of nodes, m.
+    void solvePushes(std::span<const Freedoms> pushes);
+    /// Adds these changes, or all that the passes have given so far, to the impulses on nodes.
+    void addChanges(std::vector<Freedoms>& nodes, double sign) const;
+    void addPressed(std::vector<Freedoms>& nodes) const;
+    /// So much of the changes is made.
+    void advance(double share);
+    void keepBest();
+    /// m, by which a contact is open or closed at most, beyond what rows would leave alone as well.
+    double error() const;
+
+    /// Adds what the network's side gets to `nodes`; the other side gets it here.
+    void push(std::vector<Freedoms>& nodes);
+    /// Whether there is anything to part.
+    bool overlap() const;
+    /// What bodies that press are pushed apart by; call it after solvePushes().
+    void placeBodies();
+
+    /// Nodes and what presses on them go on as one, with their momentum: no link is strained and
+    /// nothing comes nearer. What pressed is forgotten.
+    void brake();
+
+    std::size_t rows() const { return work_.contacts.size(); }
+
+private:
+    void addTouch(const NetworkTouch& held);
+    void addRow(const NetworkTouch& held, const TouchView& t, const TouchDirection& d);
+    std::uint32_t bodyOf(std::uint32_t mover, const Freedoms& inverseMass);
+    double along(const PressedRow& row, std::span<const Freedoms> nodes) const;
+    double valueOf(const PressedRow& row) const;
+    double ownAnswer(std::size_t i, std::size_t j) const;
+    void moveBodies(const PressedRow& row, double amount);
+    std::pmr::vector<std::uint32_t> touching() const;
+    double allowed(const PressedRow& row, double total) const;
+    template <class Total, class Law>
+    void relax(std::span<double> values, Total&& totalOf, Law&& law);
+
+    State& state_;
+    const Tree& tree_;
+    NetworkFactor& factor_;
+    NetworkSweep& work_;
+    double settled_;  // m, by which surfaces may part that do not
+};
+
+}  // namespace sulfur::detail
