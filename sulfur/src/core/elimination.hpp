@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/settings.hpp"
@@ -72,6 +73,19 @@ public:
         for (std::size_t i = 1; i < nodes.size(); ++i) substitute(nodes[i], links[i]);
     }
 
+    /// `given`: changes of the nodes. Of these becomes what the links leave that solve() has
+    /// eliminated, which push along their rows.
+    void answer(std::span<Eigen::Vector3d> given) {
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            nodes[i].offset = given[i].template head<N>();
+            nodes[i].impulse.setZero();
+        }
+        for (std::size_t i = nodes.size() - 1; i > 0; --i) passOn(nodes[i], links[i]);
+        for (std::size_t i = 1; i < nodes.size(); ++i) substitute(nodes[i], links[i]);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            given[i].template head<N>() += nodes[i].inverseMass.cwiseProduct(nodes[i].impulse);
+    }
+
     std::vector<Node> nodes;
     std::vector<Link> links;  // links[i] leads from node i to its parent; links[0] is unused
 
@@ -124,6 +138,22 @@ private:
         }
         inverse = {m[1][1] / determinant, -m[0][1] / determinant, -m[1][0] / determinant,
                    m[0][0] / determinant};
+    }
+
+    /// What of the offsets goes through an eliminated link to the parent.
+    void passOn(const Node& child, Link& link) {
+        Node& parent = nodes[link.parent];
+        const auto rows = static_cast<std::size_t>(link.rows);
+        for (std::size_t r = 0; r < rows; ++r)
+            link.offset[r] =
+                link.rowHere[r].dot(child.offset) + link.rowThere[r].dot(parent.offset);
+        const auto& m = link.inverse;
+        if (rows == 1) {
+            parent.offset -= link.answer[0] * (m[0] * link.offset[0]);
+        } else if (rows == 2) {
+            parent.offset -= link.answer[0] * (m[0] * link.offset[0] + m[1] * link.offset[1]) +
+                             link.answer[1] * (m[2] * link.offset[0] + m[3] * link.offset[1]);
+        }
     }
 
     void substitute(Node& child, Link& link) {

@@ -121,6 +121,10 @@ double alongNode(const TurnedMover& m, const Eigen::Vector3d& moved) {
     return m.force.dot(moved.head<2>()) + m.turning * moved[2];
 }
 
+bool hasNode(const Tree& tree, std::uint32_t node) {
+    return node >= tree.first && node < tree.last;
+}
+
 /// Its node in a tree.
 std::uint32_t nodeOf(const State& state, const TurnedMover& m, const Tree& tree) {
     for (auto k = tree.first; k < tree.last; ++k) {
@@ -131,19 +135,26 @@ std::uint32_t nodeOf(const State& state, const TurnedMover& m, const Tree& tree)
 }
 
 /// How a tree answers a row: what the row gives its nodes, and what its links then take.
-void answer(State& state, MechanismRow& row, std::uint32_t tree) {
+/// `eliminated`: whether these are what has been eliminated last.
+void answer(State& state, MechanismRow& row, std::uint32_t tree, bool eliminated) {
     const Tree& t = state.trees.list[tree];
     auto& answers = state.mechanisms.answers;
     const auto first = static_cast<std::uint32_t>(answers.size());
     answers.resize(answers.size() + (t.last - t.first), Eigen::Vector3d::Zero());
     for (std::size_t k = 0; k < row.slopes.count; ++k) {
         const TurnedMover& m = row.slopes.movers[k];
-        if (row.nodes[k] < t.first || row.nodes[k] >= t.last) continue;
+        if (!hasNode(t, row.nodes[k])) continue;
         Eigen::Vector3d& own = answers[first + (row.nodes[k] - t.first)];
         own.head<2>() = m.inverseMass * m.force;
         own[2] = m.inverseInertia * m.turning;
     }
-    answerOfTree(state, tree, std::span(answers).subspan(first, t.last - t.first));
+    const auto given = std::span(answers).subspan(first, t.last - t.first);
+    if (!eliminated)
+        answerOfTree(state, tree, given);
+    else if (t.points)
+        state.trees.scratch.elimination<2>().answer(given);
+    else
+        state.trees.scratch.elimination<3>().answer(given);
     for (TreeAnswer& free : row.answers) {
         if (free.tree != none) continue;
         free = {tree, first};
@@ -151,16 +162,34 @@ void answer(State& state, MechanismRow& row, std::uint32_t tree) {
     }
 }
 
-/// How all trees that it pushes answer a row.
-void answerRow(State& state, MechanismRow& row) {
-    std::array<std::uint32_t, CoordinateSlopes::most> trees{};
-    for (std::size_t k = 0; k < row.slopes.count; ++k) {
-        const TurnedMover& m = row.slopes.movers[k];
-        trees[k] = treeOf(state, m);
-        row.nodes[k] = trees[k] != none ? nodeOf(state, m, state.trees.list[trees[k]]) : none;
+/// Finds the trees that a group pushes, and how each answers its rows.
+void answerGroup(State& state, MechanismGroup& group) {
+    Mechanisms& all = state.mechanisms;
+    const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
+    group.firstTree = static_cast<std::uint32_t>(all.trees.size());
+    for (MechanismRow& row : rows)
+        for (std::size_t k = 0; k < row.slopes.count; ++k) {
+            const auto tree = treeOf(state, row.slopes.movers[k]);
+            row.nodes[k] = none;
+            if (tree == none) continue;
+            row.nodes[k] = nodeOf(state, row.slopes.movers[k], state.trees.list[tree]);
+            if (std::find(all.trees.begin() + group.firstTree, all.trees.end(), tree) ==
+                all.trees.end())
+                all.trees.push_back(tree);
+        }
+    group.lastTree = static_cast<std::uint32_t>(all.trees.size());
+    for (auto k = group.firstTree; k < group.lastTree; ++k) {
+        const Tree& tree = state.trees.list[all.trees[k]];
+        bool eliminated = false;
+        for (MechanismRow& row : rows) {
+            const auto end = row.nodes.begin() + static_cast<std::ptrdiff_t>(row.slopes.count);
+            if (std::none_of(row.nodes.begin(), end,
+                             [&](auto node) { return hasNode(tree, node); }))
+                continue;
+            answer(state, row, all.trees[k], eliminated);
+            eliminated = true;
+        }
     }
-    for (std::size_t k = 0; k < row.slopes.count; ++k)
-        if (trees[k] != none && !answerOf(state, row, trees[k])) answer(state, row, trees[k]);
 }
 
 /// How far a unit of a row would move its coordinate if no tree held anything.
@@ -186,7 +215,7 @@ double response(const State& state, const MechanismRow& to, const MechanismRow& 
         for (const TreeAnswer& answer : by.answers) {
             if (answer.tree == none) break;
             const Tree& tree = state.trees.list[answer.tree];
-            if (to.nodes[k] >= tree.first && to.nodes[k] < tree.last)
+            if (hasNode(tree, to.nodes[k]))
                 sum += alongNode(
                     m, state.mechanisms.answers[answer.first + (to.nodes[k] - tree.first)]);
         }
@@ -194,24 +223,18 @@ double response(const State& state, const MechanismRow& to, const MechanismRow& 
     return sum;
 }
 
-/// What a group needs for its sweeps: the trees that it moves, and how its rows move each other.
-void prepareGroup(State& state, MechanismGroup& group) {
+/// What a group needs for its sweeps: how its rows move each other.
+void prepareGroup(State& state, const MechanismGroup& group) {
     Mechanisms& all = state.mechanisms;
     const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
     const std::size_t size = rows.size();
     double* matrix = all.numbers.data() + group.matrix;
-    group.firstTree = static_cast<std::uint32_t>(all.trees.size());
     for (std::size_t k = 0; k < size; ++k) {
         for (std::size_t j = 0; j <= k; ++j)
             matrix[k * size + j] = matrix[j * size + k] = response(state, rows[k], rows[j]);
         const double own = matrix[k * size + k];
         rows[k].mobility = own > GroupSweep::blocked * freeMobility(rows[k]) ? own : 0;
-        for (const TreeAnswer& answer : rows[k].answers)
-            if (answer.tree != none && std::find(all.trees.begin() + group.firstTree,
-                                                 all.trees.end(), answer.tree) == all.trees.end())
-                all.trees.push_back(answer.tree);
     }
-    group.lastTree = static_cast<std::uint32_t>(all.trees.size());
     GroupSweep(state, group).factorise();
 }
 
@@ -268,9 +291,11 @@ void answerMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     if (all.rows.empty()) return;
     groupRows(state);
-    for (MechanismRow& row : all.rows) answerRow(state, row);
     all.trees.clear();
-    for (MechanismGroup& group : all.groups) prepareGroup(state, group);
+    for (MechanismGroup& group : all.groups) {
+        answerGroup(state, group);
+        prepareGroup(state, group);
+    }
 }
 
 void solveMechanisms(State& state) {
