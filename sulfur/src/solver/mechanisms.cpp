@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory_resource>
 
 #include "bodies/mechanism_bodies.hpp"
@@ -162,7 +163,8 @@ RowHold holdOf(const MechanismRow& row) {
     if (row.most > 0 && std::abs(row.motor) < row.most)
         return {&MechanismRow::motor, row.start + row.way};
     const double stiff = row.hk + row.hb;
-    if (stiff == 0) return {};
+    // A spring so weak that roundings outweigh it holds nothing, and 1 / stiff may be no number.
+    if (!(stiff * row.mobility > std::numeric_limits<double>::epsilon())) return {};
     return {&MechanismRow::spring, (row.hk * row.rest + row.hb * row.start) / stiff, 1 / stiff};
 }
 

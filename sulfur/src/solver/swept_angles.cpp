@@ -5,6 +5,7 @@
 // neighbours only, as along a strip, the matrix is a narrow band.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory_resource>
 
 #include "core/settings.hpp"
@@ -75,7 +76,7 @@ SweptAngle startOf(const State& state, std::uint32_t i) {
     s.hk = perTorque * static_cast<double>(angles.stiffness[i] - angles.explicitStiffness[i]);
     s.hb = perTorque / static_cast<double>(state.h) *
            static_cast<double>(angles.damping[i] - angles.explicitDamping[i]);
-    s.inert = mobility == 0 || s.hk + s.hb == 0;
+    s.inert = !((s.hk + s.hb) * mobility > std::numeric_limits<double>::epsilon());
     s.whips =
         perTorque * std::abs(static_cast<double>(angles.torque[i])) * mobility > tuned::mostWhip;
     return s;

@@ -2,6 +2,7 @@
 // whom.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mechanism_ends.hpp"
@@ -145,6 +146,23 @@ TEST_P(MechanismLaws, HoldForEachHingeOfAChainAtTheEndOfAStep) {
 INSTANTIATE_TEST_SUITE_P(OfAll, MechanismLaws,
                          testing::Values(Drives::friction, Drives::limits, Drives::motors,
                                          Drives::springs, Drives::mixed));
+
+/// Springs so weak that their compliance is no number leave motion as it is.
+TEST(WeakSprings, OfAChainLeaveItAsItIs) {
+    const auto spinAfter = [](Real stiffness) {
+        World world({.gravity = Vec2(0, 0)});
+        const Body nail = fixedAt(world, {0, 0});
+        const Body inner = boxAt(world, {0.5, 0}, {1, Real(0.1)}, 1);
+        const Body outer = boxAt(world, {1.5, 0}, {1, Real(0.1)}, 1);
+        world.hinge(nail, inner, {0, 0}, {.drive = {.stiffness = stiffness}});
+        world.hinge(inner, outer, {1, 0}, {.drive = {.stiffness = stiffness}});
+        outer.setVelocity({0, 1}, 1);
+        test::run(world, 1);
+        return outer.angularVelocity();
+    };
+    const Real weakest = std::numeric_limits<Real>::denorm_min();
+    EXPECT_EQ(spinAfter(weakest), spinAfter(0));
+}
 
 }  // namespace
 }  // namespace sulfur
