@@ -42,7 +42,7 @@ TEST(Deaths, PiecesOfSomethingDeadlyAreDeadly) {
         withBody(roomWith(R"("surfaces": {"wall": {"deadly": true, "sticky": false}})"), "wall",
                  R"("shape": "wall", "size": [0.8, 0.4], "columns": 4, "rows": 2, "mass": 4,
                     "strength": 60)",
-                 "[-2, 1.5]");
+                 "[-2, 2]");
     Session session(room(wall));
     play(session, {}, 750);
     int pieces = 0;
