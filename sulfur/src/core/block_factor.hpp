@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/block_pattern.hpp"
@@ -20,6 +21,9 @@ class BlockFactor {
 public:
     using Vector = Eigen::Matrix<double, N, 1>;
     using Block = Eigen::Matrix<double, N, N>;
+    /// As many right sides as are solved side by side.
+    static constexpr int lanes = 8;
+    using Lanes = Eigen::Matrix<double, N, lanes, Eigen::RowMajor>;
 
     /// Begins a matrix of zeros.
     void begin(const BlockPattern& pattern) {
@@ -60,21 +64,22 @@ public:
         }
     }
 
-    /// In place; `x` stands in the order of columns.
-    void solve(const BlockPattern& pattern, std::vector<Vector>& x) const {
+    /// In place; `x`, of Vector or Lanes, stands in the order of columns.
+    template <class Right>
+    void solve(const BlockPattern& pattern, std::span<Right> x) const {
         for (std::size_t j = 0; j < pattern.size(); ++j) {
             for (int r = 1; r < N; ++r)
-                for (int c = 0; c < r; ++c) x[j][r] -= pivot_[j](r, c) * x[j][c];
-            const Vector y = x[j];
+                for (int c = 0; c < r; ++c) x[j].row(r) -= pivot_[j](r, c) * x[j].row(c);
+            const Right y = x[j];
             for (auto k = pattern.begin(j); k < pattern.end(j); ++k)
                 x[pattern.row(k)].noalias() -= lower_[k] * y;
         }
         for (std::size_t j = pattern.size(); j-- > 0;) {
-            Vector y = inverse_[j].cwiseProduct(x[j]);
+            Right y = inverse_[j].asDiagonal() * x[j];
             for (auto k = pattern.begin(j); k < pattern.end(j); ++k)
                 y.noalias() -= lower_[k].transpose() * x[pattern.row(k)];
             for (int r = N - 1; r > 0; --r)
-                for (int c = 0; c < r; ++c) y[c] -= pivot_[j](r, c) * y[r];
+                for (int c = 0; c < r; ++c) y.row(c) -= pivot_[j](r, c) * y.row(r);
             x[j] = y;
         }
     }

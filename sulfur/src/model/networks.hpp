@@ -132,8 +132,8 @@ struct NetworkFactor {
     /// In the sweeps of a tick: with contacts that press, along the directions of their own time.
     NetworkSystem swept;
     std::vector<NetworkRow> rows;
-    /// How rows of contacts answer to a push at each of them, 1/kg (the Delassus operator), row by
-    /// row; empty where that is not known.
+    /// How rows of contacts answer to a push at each of them, 1/kg (the Delassus operator), push by
+    /// push; empty where that is not known.
     std::vector<double> answers;
     std::uint64_t tick = 0;
     std::uint64_t work = 0;  // products of blocks, in the sweeps of this step

@@ -113,26 +113,23 @@ bool NetworkContacts::areKnown() const {
 double NetworkContacts::ownAnswer(std::size_t i, std::size_t j) const {
     const PressedRow &a = work_.contacts[i], &b = work_.contacts[j];
     double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (a.bodies[k] == none) continue;
         for (std::size_t m = 0; m < 3; ++m)
-            if (a.bodies[k] != none && a.bodies[k] == b.bodies[m])
+            if (a.bodies[k] == b.bodies[m])
                 sum +=
                     a.along[k].cwiseProduct(b.along[m]).dot(work_.bodies[a.bodies[k]].inverseMass);
+    }
     return sum;
 }
 
 void NetworkContacts::findAnswers(NetworkSystem& system) {
     const std::size_t count = rows();
-    factor_.answers.resize(count * count);
-    for (std::size_t j = 0; j < count; ++j) {
-        work_.nodes.assign(work_.moved.size(), Freedoms::Zero());
-        addTo(work_.nodes, work_.contacts[j], 1);
-        answerOfNetwork(state_, tree_, system, work_.nodes);
-        factor_.work += 2 * factor_.pattern.entries();
-        for (std::size_t i = 0; i < count; ++i)
-            factor_.answers[i * count + j] =
-                along(work_.contacts[i], work_.nodes) + ownAnswer(i, j);
-    }
+    factor_.answers.assign(count * count, 0);
+    addAnswersOfNetwork(state_, tree_, system, work_.contacts, factor_.answers);
+    factor_.work += 2 * count * factor_.pattern.entries();
+    for (std::size_t j = 0; j < count; ++j)
+        for (std::size_t i = 0; i < count; ++i) factor_.answers[j * count + i] += ownAnswer(i, j);
 }
 
 // --- what presses ------------------------------------------------------------------------------
@@ -161,8 +158,9 @@ void NetworkContacts::relax(std::span<double> values, Total&& totalOf, Law&& law
             if (change == 0) continue;
             rows[i].change += change;
             most = std::max(most, std::abs(change) * answer);
-            for (std::size_t k = 0; k < rows.size(); ++k)
-                values[k] += answers[k * rows.size() + i] * change;
+            const auto count = static_cast<Eigen::Index>(rows.size());
+            Eigen::Map<Eigen::VectorXd>(values.data(), count) +=
+                change * Eigen::Map<const Eigen::VectorXd>(&answers[i * rows.size()], count);
         }
         if (most <= settled_ / tuned::rounds) break;
     }

@@ -31,15 +31,24 @@ public:
         factor_.factorise(pattern_);
     }
 
-    /// Becomes what the nodes answer to these pushes, with what links pull then.
-    void answer(std::vector<Freedoms>& pushes) {
-        auto& x = state_.trees.scratch.network.right<N>();
-        x.resize(pattern_.size());
-        for (std::uint32_t i = 0; i < pushes.size(); ++i) x[pattern_.columnOf(i)] = part(pushes[i]);
-        factor_.solve(pattern_, x);
-        for (std::uint32_t i = 0; i < pushes.size(); ++i) {
-            pushes[i].setZero();
-            pushes[i].template head<N>() = x[pattern_.columnOf(i)];
+    void answers(std::span<const PressedRow> pressed, std::span<double> answers) const {
+        using Lanes = typename BlockFactor<N>::Lanes;
+        std::pmr::vector<Lanes> x(pattern_.size(), &state_.arena);
+        for (std::size_t first = 0; first < pressed.size(); first += BlockFactor<N>::lanes) {
+            const auto side = pressed.subspan(
+                first, std::min<std::size_t>(BlockFactor<N>::lanes, pressed.size() - first));
+            std::fill(x.begin(), x.end(), Lanes::Zero());
+            for (std::size_t lane = 0; lane < side.size(); ++lane)
+                forEachNode(side[lane], [&](std::uint32_t column, const Vector& along) {
+                    x[column].col(static_cast<int>(lane)) += along;
+                });
+            factor_.solve(pattern_, std::span(x));
+            for (std::size_t i = 0; i < pressed.size(); ++i)
+                for (std::size_t lane = 0; lane < side.size(); ++lane)
+                    forEachNode(pressed[i], [&](std::uint32_t column, const Vector& along) {
+                        answers[(first + lane) * pressed.size() + i] +=
+                            along.dot(x[column].col(static_cast<int>(lane)));
+                    });
         }
     }
 
@@ -53,7 +62,7 @@ public:
                 x[pattern_.columnOf(link.here)] -= push * part(row.here[r]);
                 x[pattern_.columnOf(link.there)] -= push * part(row.there[r]);
             });
-        factor_.solve(pattern_, x);
+        factor_.solve(pattern_, std::span(x));
         for (std::uint32_t i = 0; i < nodes.size(); ++i) {
             nodes[i].setZero();
             nodes[i].template head<N>() = x[pattern_.columnOf(i)];
@@ -68,6 +77,13 @@ public:
 
 private:
     static Vector part(const Freedoms& v) { return v.template head<N>(); }
+
+    /// Calls f(column, direction) for the nodes that a row pushes.
+    template <class Function>
+    void forEachNode(const PressedRow& row, Function&& f) const {
+        for (std::size_t k = 0; k < row.nodes.size(); ++k)
+            if (row.nodes[k] != none) f(pattern_.columnOf(row.nodes[k]), part(row.along[k]));
+    }
 
     /// Freedoms that a node has not get a one.
     void addMass(std::uint32_t i) {
@@ -184,12 +200,12 @@ void correctNetwork(State& state, const Tree& tree, std::span<const NetworkRow> 
         Assembly<3>(state, tree, rows, system).correct(nodes, values);
 }
 
-void answerOfNetwork(State& state, const Tree& tree, NetworkSystem& system,
-                     std::vector<Freedoms>& pushes) {
+void addAnswersOfNetwork(State& state, const Tree& tree, NetworkSystem& system,
+                         std::span<const PressedRow> pressed, std::span<double> answers) {
     if (tree.points)
-        Assembly<2>(state, tree, {}, system).answer(pushes);
+        Assembly<2>(state, tree, {}, system).answers(pressed, answers);
     else
-        Assembly<3>(state, tree, {}, system).answer(pushes);
+        Assembly<3>(state, tree, {}, system).answers(pressed, answers);
 }
 
 bool isSlow(double worst, double last, double tolerance) {

@@ -44,9 +44,10 @@ void factoriseNetwork(State& state, const Tree& tree, std::span<const NetworkRow
 void correctNetwork(State& state, const Tree& tree, std::span<const NetworkRow> rows,
                     NetworkSystem& system, std::vector<Freedoms>& nodes,
                     std::vector<std::array<double, 2>>& values);
-/// `pushes`, kg m and kg m^2, on the nodes of what has been factorised become how these move.
-void answerOfNetwork(State& state, const Tree& tree, NetworkSystem& system,
-                     std::vector<Freedoms>& pushes);
+/// Adds how what has been factorised moves along each row by a push of one along another, 1/kg:
+/// those of one push after those of another.
+void addAnswersOfNetwork(State& state, const Tree& tree, NetworkSystem& system,
+                         std::span<const PressedRow> pressed, std::span<double> answers);
 /// The rows and the factors of the step, which a restored world has to make again.
 std::span<const NetworkRow> stepRows(State& state, const Tree& tree);
 NetworkSystem& stepSystem(State& state, const Tree& tree);
