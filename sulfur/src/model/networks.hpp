@@ -136,9 +136,10 @@ struct NetworkFactor {
     /// push; empty where that is not known.
     std::vector<double> answers;
     std::uint64_t tick = 0;
-    std::uint64_t work = 0;  // products of blocks, in the sweeps of this step
-    bool waits = false;      // for the last sweep, because there is no work left
-    double error = 0;        // that the last sweep has left
+    std::uint64_t work = 0;   // products of blocks, in the sweeps of this step
+    bool waits = false;       // for the last sweep, because there is no work left
+    double error = 0;         // that the last sweep has left
+    double mostPressing = 0;  // kg m, of a contact in this step
     /// Of each node: the sum of what the links have given in the sweeps, kg m and kg m^2.
     std::vector<Eigen::Vector3d> given;
 };

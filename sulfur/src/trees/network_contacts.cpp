@@ -134,9 +134,23 @@ void NetworkContacts::findAnswers(NetworkSystem& system) {
 
 // --- what presses ------------------------------------------------------------------------------
 
+void NetworkContacts::bound() {
+    double mass = 0, closing = 0;
+    const auto add = [&](const Freedoms& inverseMass) {
+        if (inverseMass[0] > 0) mass += 1 / inverseMass[0];
+    };
+    for (const Freedoms& w : work_.inverseMass) add(w);
+    for (const PressingBody& body : work_.bodies) add(body.inverseMass);
+    for (const PressedRow& row : work_.contacts)
+        if (row.normal == none) closing = std::max(closing, -valueOf(row));
+    const double h = static_cast<double>(state_.h);
+    const double falls = h * h * static_cast<double>(state_.settings.gravity.norm());
+    factor_.mostPressing = tuned::networkLeverage * mass * (closing + falls);
+}
+
 /// As much of a multiplier as the laws of contact and friction allow.
 double NetworkContacts::allowed(const PressedRow& row, double total) const {
-    if (row.normal == none) return std::max(total, 0.0);
+    if (row.normal == none) return std::clamp(total, 0.0, factor_.mostPressing);
     const PressedRow& normal = work_.contacts[row.normal];
     const double pressing = std::max(normal.before + normal.pressed + normal.change, 0.0);
     const bool sticks = std::abs(total) <= row.hold * pressing;

@@ -27,6 +27,10 @@ public:
 
     /// Takes up the touches of the network, as they are now.
     void list();
+    /// Notes how much a contact may press in this step: what stops all that is there, and some
+    /// leverage. What is held between links that cannot give and what stands fast presses without
+    /// end else.
+    void bound();
     /// Rows for which no answers are known: those of another tick, or of other factors.
     void findAnswers(NetworkSystem& system);
     bool areKnown() const;

@@ -87,6 +87,7 @@ public:
                                            : state_.trees.linkLambda[tree_.firstLink + l][r];
         if (loads) takeLoadsBack();
         contacts_.list();
+        if (loads) contacts_.bound();
         double best = 0, last = 0;
         bool isBest = true;
         for (int pass = 0;; ++pass) {
