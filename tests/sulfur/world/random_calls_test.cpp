@@ -39,7 +39,8 @@ TEST(RandomCalls, BreakingAndRemovingGivesNoEnergy) {
     const double deepest =
         std::sqrt(2 * 9.81 * 12);  // m/s: from the highest place made to the floor
     int broken = 0;
-    for (std::uint64_t seed = 31; seed <= 33; ++seed) {
+    // In the last three, what was held between a taut bridge and the ground once flew off.
+    for (const std::uint64_t seed : {31, 32, 33, 1463, 1502, 1745}) {
         Caller caller(seed, false, Calls::harmless);
         for (int i = 0; i < 1500; ++i) {
             caller.call();
