@@ -80,3 +80,40 @@ drop ${WORK}/nothing.json 0 1
 expect problem = 1
 ")
 run_window(0 --script ${WORK}/drop.txt)
+
+# The file of a template is edited as a scene of its own: one of the program's is copied first. A scene
+# keeps the version that it has until it takes that of the library.
+file(WRITE ${WORK}/edit.txt "
+place 0 0.1 Snowman
+save ${WORK}/snow.json
+library snowman
+do template-edit
+expect instances = 0
+expect modified = 0
+select belly
+expect property.mass = 20
+property mass 33
+do save
+expect modified = 0
+open ${WORK}/snow.json
+select belly
+expect property.mass = 20
+expect instances = 1
+do template-take
+select belly
+expect property.mass = 33
+expect steps = 1
+expect overrides = 0
+do undo
+select belly
+expect property.mass = 20
+do new
+place 0 0.1 Snowman         # what is placed from now on is the new version
+select belly
+expect property.mass = 33
+expect problem = 0
+")
+run_window(0 --script ${WORK}/edit.txt)
+if(NOT EXISTS ${WORK}/data/sulfurchamber/templates/snowman.json)
+  message(FATAL_ERROR "the template of the program was not copied")
+endif()

@@ -129,6 +129,14 @@ set gravity 9.81
 do bring-back
 expect strays = 0
 expect newest.y < 5
+set gravity -30
+run 4
+expect strays = 2
+do delete-strays
+expect strays = 0
+expect bodies = 1
+do undo
+expect bodies = 3
 ")
 run_window(0 --script ${WORK}/edit.txt)
 
