@@ -214,8 +214,14 @@ void MainFrame::makePanels() {
                              wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
     // What is told takes room of the scene, not of the panel, whose fields stay under the mouse.
     auto* column = new wxBoxSizer(wxVERTICAL);
-    lesson_ =
-        new LessonPanel(centre_, bench_, view_, [this](const std::string& name) { perform(name); });
+    // The game's own clock waits for the first key.
+    const auto played = [this] {
+        return stage_->test() ? static_cast<double>(1 + stage_->test()->session().ticks()) /
+                                    quaoar::Session::tickRate
+                              : 0;
+    };
+    lesson_ = new LessonPanel(
+        centre_, bench_, view_, [this](const std::string& name) { perform(name); }, played);
     column->Add(infoBar_, wxSizerFlags(0).Expand());
     column->Add(lesson_, wxSizerFlags(0).Expand());
     column->Add(canvas_, wxSizerFlags(1).Expand());

@@ -11,8 +11,13 @@
 namespace sulfurchamber {
 
 LessonPanel::LessonPanel(wxWindow* parent, Workbench& bench, SceneView& view,
-                         std::function<void(const std::string&)> act)
-    : wxPanel(parent), bench_(bench), view_(view), act_(std::move(act)) {
+                         std::function<void(const std::string&)> act,
+                         std::function<double()> played)
+    : wxPanel(parent),
+      bench_(bench),
+      view_(view),
+      act_(std::move(act)),
+      played_(std::move(played)) {
     title_ = new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                               wxST_NO_AUTORESIZE | wxST_ELLIPSIZE_END);
     title_->SetFont(title_->GetFont().Bold());
@@ -50,7 +55,7 @@ LessonPanel::LessonPanel(wxWindow* parent, Workbench& bench, SceneView& view,
 
 void LessonPanel::start(const Lesson& lesson) {
     hand_.reset();
-    run_.emplace(bench_, lesson);
+    run_.emplace(bench_, lesson, played_);
     Show();
     tell();
 }

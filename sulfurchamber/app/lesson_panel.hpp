@@ -18,9 +18,10 @@ namespace sulfurchamber {
 
 class LessonPanel final : public wxPanel {
 public:
-    /// All must outlive the panel, which is hidden at first. `act` runs an action of the menus.
+    /// All must outlive the panel, which is hidden at first. `act` runs an action of the menus,
+    /// `played` tells the seconds of the play-test that goes on, 0 while none does.
     LessonPanel(wxWindow* parent, Workbench& bench, SceneView& view,
-                std::function<void(const std::string&)> act);
+                std::function<void(const std::string&)> act, std::function<double()> played);
 
     /// Begins a lesson with what is open, and appears.
     void start(const Lesson& lesson);
@@ -44,6 +45,7 @@ private:
     Workbench& bench_;
     SceneView& view_;
     std::function<void(const std::string&)> act_;
+    std::function<double()> played_;
     std::optional<LessonRun> run_;
     std::optional<Hand> hand_;
     std::int64_t movedNs_ = 0;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "geometry.hpp"
+#include "level_pieces.hpp"
 #include "properties.hpp"
 
 namespace sulfurchamber {
@@ -51,6 +53,26 @@ double stiffnessOf(const Workbench& bench) {
     return common(bench.document(), bodies, *numberProperty("stiffness")).value.value_or(0);
 }
 
+// What is there of a level: where it begins and ends, and what is between.
+void lookAtLevel(const Document& document, LessonState& state) {
+    state.level = isLevel(document);
+    if (!state.level) return;
+    state.spawn = shapeOf(document, {LevelKind::spawn, 0, {}}).at;
+    state.exit = shapeOf(document, {LevelKind::exit, 0, {}}).at;
+    const auto [left, right] = std::minmax(state.spawn.x(), state.exit.x());
+    const auto count = [&, left = left, right = right](double x) {
+        if (x > left && x < right) ++state.between;
+    };
+    for (const BodyId body : document.world().bodies())
+        count(document.world().centreOfMass(body).x());
+    for (const LevelThing& thing : levelThings(document)) {
+        if (infoOf(thing.kind).ofBody || thing.kind == LevelKind::bounds) continue;
+        const LevelShape shape = shapeOf(document, thing);
+        if (shape.form == LevelShape::Form::point) count(shape.at.x());
+        if (shape.form == LevelShape::Form::rectangle) count(shape.box.centre().x());
+    }
+}
+
 LessonState stateOf(const Workbench& bench) {
     const Document& document = bench.document();
     const Totals sums = totals(document.world());
@@ -65,6 +87,7 @@ LessonState stateOf(const Workbench& bench) {
     state.branch = timeline.now() ? timeline.now()->branch : 0;
     state.time = document.world().time();
     state.stiffness = stiffnessOf(bench);
+    lookAtLevel(document, state);
     return state;
 }
 
@@ -264,12 +287,62 @@ constexpr LessonStep rewindSteps[] = {
      [](const Workbench&) { return act("pause") + act("other-future", 0.4); }},
 };
 
+// --- level -----------------------------------------------------------------------------------
+
+constexpr double leastWay = 4;    // metres from the spawn to the exit
+constexpr double leastPlay = 2;   // seconds
+constexpr double eyeLevel = 0.5;  // metres: where a hand puts spawn and exit above the floor
+
+double floorOf(const Workbench& bench) {
+    return floorHeight(bench.document().world());
+}
+
+constexpr LessonStep levelSteps[] = {
+    {"A level is a scene with a beginning and an end. Choose \"Make a level of this scene\" in the "
+     "menu Level.",
+     [](const LessonView& view) { return view.now.level; },
+     [](const Workbench&) { return act("level-make", 0.5); }},
+    {"Choose Spawn in the menu Level > Place and click at the left, a little above the floor: the "
+     "hero begins there.",
+     [](const LessonView& view) { return view.now.spawn != view.start.spawn; },
+     [](const Workbench& bench) {
+         return act("place-spawn", 0.4) + click({-4, floorOf(bench) + eyeLevel});
+     }},
+    {"Choose Exit there and click at the right, four metres from the spawn or more: who comes "
+     "there "
+     "has finished the level.",
+     [](const LessonView& view) {
+         return view.now.exit != view.start.exit &&
+                (view.now.exit - view.now.spawn).norm() >= leastWay;
+     },
+     [](const Workbench& bench) {
+         const Point spawn = shapeOf(bench.document(), {LevelKind::spawn, 0, {}}).at;
+         return act("place-exit", 0.4) + click({spawn.x() + 8, floorOf(bench) + eyeLevel});
+     }},
+    {"Put something between them: drag a box with the box tool (B), or take a piece of the menu "
+     "Level > Place.",
+     [](const LessonView& view) { return view.now.between > view.start.between; },
+     [](const Workbench& bench) {
+         const LessonState state = stateOf(bench);
+         const Point middle((state.spawn.x() + state.exit.x()) / 2, floorOf(bench) + 0.05);
+         return take(ToolKind::box) + drag(middle - Point(0.4, 0), middle + Point(0.4, 0.8));
+     }},
+    {"Press F5 and play the level for some seconds, in this window: A and D move the hero, the "
+     "mouse shoots the rope.",
+     [](const LessonView& view) { return view.now.played > leastPlay; },
+     [](const Workbench&) { return act("level-play", leastPlay); }},
+    {"Press Esc: you are back where you edited. Playing has changed nothing of it.",
+     [](const LessonView& view) { return view.seen.played && view.now.played == 0; },
+     [](const Workbench&) { return act("level-edit"); }},
+};
+
 constexpr Lesson all[] = {
     {"build", "Build", "A box on a rope", buildSteps},
     {"break", "Break", "A wall that crumbles", breakSteps},
     {"soften", "Soften", "From jelly to rigid with one number", softenSteps},
     {"measure", "Measure", "A ruler and a diagram", measureSteps},
     {"rewind", "Rewind", "Back in time, and another future", rewindSteps},
+    {"level", "Level", "A level of your own, played at once", levelSteps},
 };
 
 }  // namespace
@@ -284,12 +357,19 @@ const Lesson* lessonOf(std::string_view name) {
     return nullptr;
 }
 
-LessonRun::LessonRun(Workbench& bench, const Lesson& lesson) : bench_(bench), lesson_(lesson) {
+LessonRun::LessonRun(Workbench& bench, const Lesson& lesson, std::function<double()> played)
+    : bench_(bench), lesson_(lesson), played_(std::move(played)) {
     begin();
 }
 
+LessonState LessonRun::state() const {
+    LessonState state = stateOf(bench_);
+    if (played_) state.played = played_();
+    return state;
+}
+
 void LessonRun::begin() {
-    start_ = stateOf(bench_);
+    start_ = state();
     seen_ = {};
 }
 
@@ -302,7 +382,9 @@ bool LessonRun::look() {
     const Preview preview = bench_.preview();
     if (preview.kind == Preview::Kind::spring && bench_.document().playing()) seen_.pulled = true;
     if (preview.kind == Preview::Kind::ruler) seen_.ruled = std::max(seen_.ruled, preview.size);
-    if (!lesson_.steps[step_].done({bench_, start_, stateOf(bench_), seen_})) return false;
+    const LessonState now = state();
+    if (now.played > 0) seen_.played = true;
+    if (!lesson_.steps[step_].done({bench_, start_, now, seen_})) return false;
     skip();
     return true;
 }

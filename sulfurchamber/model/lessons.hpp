@@ -1,6 +1,7 @@
 // Lessons that look at what the learner does, and go on only when it is done.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,12 +21,18 @@ struct LessonState {
     std::uint32_t branch = 0;  ///< of the present moment
     double time = 0;           ///< simulated, seconds
     double stiffness = 0;      ///< N/m, of what was selected last and is elastic
+    bool level = false;        ///< the scene is one; what follows is about it
+    sulfur::Point spawn{0, 0};
+    sulfur::Point exit{0, 0};
+    std::size_t between = 0;  ///< bodies and things of the level on the way from one to the other
+    double played = 0;        ///< seconds of the play-test that goes on; 0: none does
 };
 
 /// What was seen since a step began, also for a moment only.
 struct LessonSeen {
     bool pulled = false;
     double ruled = 0;  ///< metres on the ruler
+    bool played = false;
 };
 
 /// What a step looks at.
@@ -58,8 +65,9 @@ const Lesson* lessonOf(std::string_view name);
 /// One lesson on its way. Begins with what is open; an empty floor is best.
 class LessonRun {
 public:
-    /// Both must outlive the run.
-    LessonRun(Workbench& bench, const Lesson& lesson);
+    /// Both must outlive the run. `played` tells LessonState::played; empty where no level can be
+    /// played.
+    LessonRun(Workbench& bench, const Lesson& lesson, std::function<double()> played = {});
 
     const Lesson& lesson() const { return lesson_; }
     /// Of the present step, 0 at first; the number of steps at the end.
@@ -76,10 +84,12 @@ public:
     Hand show(std::function<void(const std::string&)> act);
 
 private:
+    LessonState state() const;
     void begin();
 
     Workbench& bench_;
     const Lesson& lesson_;
+    std::function<double()> played_;
     std::size_t step_ = 0;
     LessonState start_;
     LessonSeen seen_;

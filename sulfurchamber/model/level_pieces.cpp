@@ -348,8 +348,8 @@ sulfur::scene::Scene newLevel() {
 void makeLevel(Document& document) {
     if (isLevel(document)) return;
     const Bounds all = interestingBounds(document.world())
-                           .value_or(Bounds{{-6, floorHeight(document.world())},
-                                            {6, floorHeight(document.world()) + 1}});
+                           .value_or(Bounds{{-4, floorHeight(document.world())},
+                                            {4, floorHeight(document.world()) + 1}});
     const Point low = all.low - Point(2, 1.5), high = all.high + Point(2, 3);
     const double floor = all.low.y() + 0.4;
     document.planForEditing().settings.tickRate = 500;

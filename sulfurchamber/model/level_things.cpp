@@ -170,7 +170,7 @@ LevelShape shapeOf(const Document& document, const LevelThing& thing) {
     LevelShape shape;
     shape.thing = thing;
     shape.label = wordsOf(text, thing);
-    if (shape.label.empty()) shape.label = infoOf(thing.kind).name;
+    if (shape.label.empty()) shape.label = tr(std::string(infoOf(thing.kind).name));
     switch (thing.kind) {
         case LevelKind::spawn:
             shapePoint(shape, text, "", "", 0);

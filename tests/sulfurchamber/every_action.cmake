@@ -5,7 +5,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
 # They begin another document or end the program; the scripts beside do them.
 set(but quit about new level-new open-text save lesson-build lesson-break lesson-soften lesson-measure
-  lesson-rewind)
+  lesson-rewind lesson-level template-edit)
 string(REPLACE ";" " " but "${but}")
 file(COPY ${SCENES}/car.json ${SCENES}/../../levels/09-frost-slug.json DESTINATION ${WORK})
 file(WRITE ${WORK}/group.txt "open car.json\ndo select-all\ndo group\nsave grouped.json\n")

@@ -53,6 +53,57 @@ do lesson-end
 ")
 run_window(0 --script ${WORK}/lesson.txt)
 
+# The sixth makes a level: by hand up to the play-test, which Esc ends; then a hand does all of it.
+file(WRITE ${WORK}/level.txt "
+do lesson-level
+expect lesson.step = 0
+do level-make
+await lesson.step = 1 5
+do place-spawn
+click -4 0.5
+await lesson.step = 2 5
+do place-exit
+click 4 0.5
+await lesson.step = 3 5
+tool box
+drag -0.4 0.1 0.4 0.9
+await lesson.step = 4 5
+screenshot ${WORK}/level.png
+whole
+key F5
+await playtest = 1 10
+await lesson.step = 5 20
+screenshot ${WORK}/level-played.png
+key Escape
+await lesson.step = 6 10
+expect playtest = 0
+expect level.things > 6
+do lesson-end
+do new
+do lesson-level
+do lesson-show
+await lesson.step = 1 10
+await lesson.showing = 0 10
+do lesson-show
+await lesson.step = 2 10
+await lesson.showing = 0 10
+do lesson-show
+await lesson.step = 3 10
+await lesson.showing = 0 10
+do lesson-show
+await lesson.step = 4 10
+await lesson.showing = 0 10
+do lesson-show
+await lesson.step = 5 20
+await lesson.showing = 0 10
+do lesson-show
+await lesson.step = 6 10
+expect playtest = 0
+expect level.problems = 0
+")
+run_window(0 --script ${WORK}/level.txt)
+run(0 ${PICTURE_CHECK} differ ${WORK}/level.png ${WORK}/level-played.png)
+
 # The gallery draws its pictures.
 file(WRITE ${WORK}/gallery.txt "
 do gallery
@@ -96,6 +147,19 @@ thing exit 0
 whole
 do lesson-measure
 run 0.05
+whole
+do lesson-end
+do lesson-level
+whole
+do lesson-skip
+whole
+do lesson-skip
+whole
+do lesson-skip
+whole
+do lesson-skip
+whole
+do lesson-skip
 whole
 do lesson-end
 do page-measure

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "model/level_pieces.hpp"
 #include "model/measurement.hpp"
 
 namespace sulfurchamber {
@@ -13,7 +14,7 @@ namespace {
 /// Does what the window does for a lesson's hand.
 class Learner {
 public:
-    explicit Learner(const Lesson& lesson) : run(bench, lesson) {}
+    explicit Learner(const Lesson& lesson) : run(bench, lesson, [this] { return played; }) {}
 
     void act(const std::string& name) {
         Document& document = bench.document();
@@ -21,6 +22,11 @@ public:
         if (name == "plot") bench.measure({quantity("height"), quantity("energy")});
         if (name == "plot-speed")
             bench.measure({quantity("height"), quantity("energy"), quantity("speed")});
+        if (name == "level-make") document.edit("Make a level", [&] { makeLevel(document); });
+        for (const LevelPieceInfo& piece : levelPieces())
+            if (name == "place-" + std::string(piece.name)) bench.setPlacing(piece.piece);
+        if (name == "level-play") played = 0.001;
+        if (name == "level-edit") played = 0;
         if (name == "second-back") {
             const auto& timeline = document.timeline();
             const auto second = static_cast<std::uint64_t>(document.world().settings().tickRate);
@@ -38,6 +44,7 @@ public:
         const int rate = bench.document().world().settings().tickRate;
         for (int frame = 0; frame < seconds * 60; ++frame) {
             if (hand != nullptr) hand->advance(1.0 / 60);
+            if (played > 0) played += 1.0 / 60;
             if (bench.document().playing())
                 for (int i = 0; i < rate / 60; ++i) bench.tick();
             run.look();
@@ -46,6 +53,7 @@ public:
         return false;
     }
 
+    double played = 0;  // seconds of the play-test
     Workbench bench;
     LessonRun run;
 };
@@ -85,12 +93,13 @@ TEST_P(Lessons, StepsCanBeSkipped) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, Lessons,
-                         testing::Values("build", "break", "soften", "measure", "rewind"),
+                         testing::Values("build", "break", "soften", "measure", "rewind", "level"),
                          [](const auto& lesson) { return std::string(lesson.param); });
 
 TEST(LessonList, HasThemInOrder) {
-    EXPECT_EQ(lessons().size(), 5u);
+    EXPECT_EQ(lessons().size(), 6u);
     EXPECT_STREQ(lessons().front().name, "build");
+    EXPECT_STREQ(lessons().back().name, "level");
     EXPECT_EQ(lessonOf("no such lesson"), nullptr);
 }
 
@@ -101,6 +110,29 @@ TEST(LessonSteps, AreNotDoneByAnotherThing) {
     EXPECT_TRUE(ball.done());
     Hand box(learner.bench, hand::operator+(hand::take(ToolKind::box), hand::click({1, 1})));
     EXPECT_TRUE(learner.wait(1, &box));
+}
+
+TEST(LessonSteps, OfALevelWantAWayWithSomethingOnIt) {
+    Learner learner(*lessonOf("level"));
+    const auto place = [&](const char* piece, const sulfur::Point& at) {
+        learner.act(piece);
+        Hand hand(learner.bench, hand::click(at));
+        return learner.wait(1, &hand);
+    };
+    learner.act("level-make");
+    ASSERT_TRUE(learner.wait(0.1));
+    ASSERT_TRUE(place("place-spawn", {-3, 0.5}));
+    EXPECT_FALSE(place("place-exit", {0.5, 0.5})) << "3.5 m are too near";
+    EXPECT_TRUE(place("place-exit", {3, 0.5}));
+    EXPECT_FALSE(place("place-pickup", {4, 0.5})) << "behind the exit";
+    EXPECT_TRUE(place("place-pickup", {0, 0.5})) << "things of the level are something too";
+    learner.act("level-play");
+    EXPECT_FALSE(learner.wait(1)) << "a glance is not enough";
+    EXPECT_TRUE(learner.wait(2));
+    EXPECT_FALSE(learner.wait(1)) << "it is played still";
+    learner.act("level-edit");
+    EXPECT_TRUE(learner.wait(0.1));
+    EXPECT_TRUE(learner.run.finished());
 }
 
 }  // namespace
