@@ -57,6 +57,15 @@ TEST(Machines, TheRopeBridgeBearsFiveCrates) {
     EXPECT_EQ(crates, 5);
 }
 
+TEST(Machines, TheRopeBridgeRestsWithinTenSeconds) {
+    Machine bridge("rope-bridge");
+    bridge.run(10);
+    EXPECT_TRUE(bridge.world().asleep(bridge.body("rope")));
+    for (const BodyId body : bridge.world().bodies())
+        for (const auto particle : bridge.world().particles(body))
+            EXPECT_LT(bridge.world().velocity(particle).norm(), 0.05f) << bridge.world().name(body);
+}
+
 TEST(Machines, TheCatapultThrowsBeyondTenMetres) {
     Machine catapult("catapult");
     catapult.run(1);
