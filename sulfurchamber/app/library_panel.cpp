@@ -64,8 +64,9 @@ void LibraryPanel::makeInstance(wxSizer* sizer) {
     };
     button("Reset", "template-reset", "Back to what the template has");
     button("Apply", "template-apply", "Give it to the template; all instances follow");
-    button("Update template", "template-update",
-           "The template becomes as this instance is; all others follow");
+    update_ =
+        button("Update template", "template-update",
+               "The template becomes as the one instance that is selected; all others follow");
     button("Unlink", "template-unlink", "It no longer follows the template");
     newer_ = button("Take from library", "template-take",
                     "The library has another version; all instances become as it is");
@@ -129,6 +130,7 @@ void LibraryPanel::showInstance() {
     for (const Override& one : told.overrides) lines.Add(wxTr(one.name));
     overrides_->Set(lines);
     shownOverrides_ = told.overrides;
+    update_->Enable(instancesOf(bench_.document(), bench_.selection()).size() == 1);
     newer_->Enable(told.newerInLibrary);
 }
 

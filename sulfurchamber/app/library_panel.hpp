@@ -51,6 +51,7 @@ private:
     wxPanel* instance_ = nullptr;  ///< all of what is told of the selection
     wxStaticText* text_ = nullptr;
     wxListBox* overrides_ = nullptr;
+    wxButton* update_ = nullptr;
     wxButton* newer_ = nullptr;
     std::vector<Override> shownOverrides_;
     std::string shownKey_;  ///< of what the list was made of

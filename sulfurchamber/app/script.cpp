@@ -104,7 +104,7 @@ std::string scriptHelp() {
            "  label ACTION WORDS      fails unless the menu says this of an action\n"
            "  every-action FILE TICKS [BUT...]   opens a file for each action that asks nothing,\n"
            "                          lets time pass, does it with all selected, and fails\n"
-           "                          unless undo takes it back\n"
+           "                          if it refuses, or unless undo takes it back\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
 }

@@ -48,8 +48,13 @@ void Script::tryAction(const std::shared_ptr<const Round>& round, std::size_t in
     for (int i = 0; i < round->ticks; ++i) frame_.bench().tick();
     frame_.perform("select-all");
     const std::string before = frame_.bench().document().text();
+    const std::string told = frame_.lastProblem();
     if (frame_.perform(name)) done_.insert(name);
-    waitForFrames(framesOfAction, [this, round, index, before] {
+    waitForFrames(framesOfAction, [this, round, index, before, told] {
+        // What cannot be done is not offered.
+        if (frame_.lastProblem() != told)
+            fail("the action " + round->names[index] +
+                 " is offered but refuses: " + frame_.lastProblem());
         takeBack(round->names[index], before);
         tryAction(round, index + 1);
     });

@@ -15,6 +15,23 @@ std::vector<atlax::FileKind> pictureKinds() {
     return {{tr("Pictures"), {"svg", "png", "jpg", "jpeg"}}, {tr("All files"), {}}};
 }
 
+bool wearsAny(const Workbench& bench) {
+    const Document& document = bench.document();
+    const auto& bodies = bench.selection();
+    return std::any_of(bodies.begin(), bodies.end(), [&](sulfur::BodyId body) {
+        const std::string id = document.idOf(body);
+        return !id.empty() &&
+               !skinOf(document.plan().prefab(document.plan().body(id).blueprint)).empty();
+    });
+}
+
+// Handles stand around the picture of one body.
+bool hasOnePicture(const Workbench& bench) {
+    if (bench.selection().size() != 1 || !wearsAny(bench)) return false;
+    const Document& document = bench.document();
+    return mappingOf(document.plan().dressed(document.idOf(bench.selection().front()))).has_value();
+}
+
 }  // namespace
 
 void MainFrame::wearPicture(const std::vector<sulfur::BodyId>& bodies,
@@ -37,42 +54,48 @@ bool MainFrame::wearFile(const std::filesystem::path& file) {
 }
 
 void MainFrame::placeSkin() {
-    const auto& selection = bench_.selection();
-    if (selection.size() != 1) throw std::runtime_error("one body must be selected for that");
-    const std::string id = bench_.document().idOf(selection.front());
-    if (id.empty() || !mappingOf(bench_.document().plan().dressed(id)))
-        throw std::runtime_error("the selected body wears no picture that could be placed");
-    bench_.take(makeSkinTool(bench_, selection.front()));
+    bench_.take(makeSkinTool(bench_, bench_.selection().front()));
 }
 
 void MainFrame::addSkinActions() {
     const auto m = MenuId::edit;
     const auto any = [this] { return !bench_.selection().empty(); };
+    const auto dressed = [this] { return wearsAny(bench_); };
     const auto entry = [&](const char* name, const wxString& label, const char* help,
-                           std::function<void()> run) {
-        add({name, m, label, 0, help, "", std::move(run), any}).under = "Skin";
+                           std::function<void()> run, std::function<bool()> enabled) {
+        add({name, m, label, 0, help, "", std::move(run), std::move(enabled)}).under = "Skin";
     };
-    entry("skin-choose", wxString::FromUTF8("&Choose a picture\xE2\x80\xA6"),
-          "A PNG, JPEG or SVG that the selected bodies wear", [this] {
-              const auto file = canvas_->platform().chooseFile(
-                  {.title = tr("Choose a picture to wear"), .kinds = pictureKinds()});
-              if (file) wearPicture(bench_.selection(), *file);
-          });
-    entry("skin-place", "&Place it by handles",
-          "Move, scale and turn the picture on the selected body", [this] { placeSkin(); });
-    entry("skin-fit", "&Fit it to the body", "The picture covers the body's whole rectangle",
-          [this] {
-              bench_.document().edit("Fit the skin", [this] {
-                  bench_.document().change(bench_.selection(), [](sulfur::scene::Prefab& prefab) {
-                      if (const std::string texture = skinOf(prefab); !texture.empty())
-                          wear(prefab, texture);
-                  });
-              });
-          });
-    entry("skin-remove", "&Remove it", "The usual colours again", [this] {
-        bench_.document().edit("Remove the skin",
-                               [this] { undressAll(bench_.document(), bench_.selection()); });
-    });
+    entry(
+        "skin-choose", wxString::FromUTF8("&Choose a picture\xE2\x80\xA6"),
+        "A PNG, JPEG or SVG that the selected bodies wear",
+        [this] {
+            const auto file = canvas_->platform().chooseFile(
+                {.title = tr("Choose a picture to wear"), .kinds = pictureKinds()});
+            if (file) wearPicture(bench_.selection(), *file);
+        },
+        any);
+    entry(
+        "skin-place", "&Place it by handles",
+        "Move, scale and turn the picture on the one body that is selected",
+        [this] { placeSkin(); }, [this] { return hasOnePicture(bench_); });
+    entry(
+        "skin-fit", "&Fit it to the body", "The picture covers the body's whole rectangle",
+        [this] {
+            bench_.document().edit("Fit the skin", [this] {
+                bench_.document().change(bench_.selection(), [](sulfur::scene::Prefab& prefab) {
+                    if (const std::string texture = skinOf(prefab); !texture.empty())
+                        wear(prefab, texture);
+                });
+            });
+        },
+        dressed);
+    entry(
+        "skin-remove", "&Remove it", "The usual colours again",
+        [this] {
+            bench_.document().edit("Remove the skin",
+                                   [this] { undressAll(bench_.document(), bench_.selection()); });
+        },
+        dressed);
 }
 
 // A picture is worn by the body on which it falls.

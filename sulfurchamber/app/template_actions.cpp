@@ -105,6 +105,13 @@ void MainFrame::addTemplateActions() {
     const wxString under = "Template";
     const auto any = [this] { return !bench_.selection().empty(); };
     const auto member = [this] { return desk_.anySelected(); };
+    // A template follows one instance only.
+    const auto oneInstance = [this] {
+        return instancesOf(bench_.document(), bench_.selection()).size() == 1;
+    };
+    const auto inLibrary = [this] {
+        return desk_.library().find(desk_.selectedTemplate()) != nullptr;
+    };
     const auto entry = [&](const char* name, const wxString& label, const char* help,
                            std::function<void()> run, std::function<bool()> enabled) {
         add({name, m, label, 0, help, "", std::move(run), std::move(enabled)}).under = under;
@@ -123,8 +130,8 @@ void MainFrame::addTemplateActions() {
         [this] { return !side_->library().chosen().empty(); });
     entry(
         "template-update", "&Update the template from this instance",
-        "The template becomes as this instance is; all others follow",
-        [this] { desk_.updateFromSelection(); }, member);
+        "The template becomes as the one instance that is selected; all others follow",
+        [this] { desk_.updateFromSelection(); }, oneInstance);
     entry(
         "template-reset", "&Reset what differs", "Back to what the template has",
         [this] { desk_.resetSelection(side_->library().chosenOverride()); }, member);
@@ -135,14 +142,15 @@ void MainFrame::addTemplateActions() {
     entry(
         "template-take", "&Take the library's version",
         "The template of the scene becomes as the library has it; all instances follow",
-        [this] { desk_.takeFromLibrary(); }, member);
+        [this] { desk_.takeFromLibrary(); }, inLibrary);
     entry(
         "template-unlink", "U&nlink from the template", "It no longer follows the template",
         [this] { desk_.unlinkSelection(); }, member);
     entry(
         "template-edit", "&Edit the template's file",
         "Open the file of the template that is chosen or selected; saving it changes the template",
-        [this] { editTemplate(); }, [this] { return !templateInQuestion().empty(); });
+        [this] { editTemplate(); },
+        [this] { return desk_.library().find(templateInQuestion()) != nullptr; });
 }
 
 // Only what says so is a template: any scene could be one.
