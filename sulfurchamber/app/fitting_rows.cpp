@@ -1,15 +1,9 @@
 #include "fitting_rows.hpp"
 
+#include "property_spec.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
-namespace {
-
-wxString wide(std::string_view text) {
-    return wxString::FromUTF8(text.data(), text.size());
-}
-
-}  // namespace
 
 FittingRows::FittingRows(wxWindow* parent, wxSizer* sizer, Workbench& bench,
                          std::function<void(const std::string&)> refuse)
@@ -63,28 +57,15 @@ void FittingRows::addRow(wxWindow* parent, wxSizer* sizer, const FittingProperty
     Row& row = rows_.back();
     row.property = &property;
     const std::string label = tr("Change {}", {trInside(std::string(property.name))});
-    ValueSpec spec;
-    spec.name = wide(property.name);
-    spec.unit = wide(property.unit);
-    spec.help = wide(property.help);
-    spec.low = property.low;
-    spec.high = property.high;
-    spec.scale = property.scale;
-    spec.endless = wide(property.endless);
-    spec.whole = property.whole;
+    ValueSpec spec = specOf(property);
     spec.get = [this, &property] { return valueOf(property); };
     spec.initial = [this, at] { return rows_[at].first; };
     spec.set = [this, &property, label](double value) {
         const auto ref = bench_.fitting();
         if (!ref) return;
         Document& document = bench_.document();
-        if (!document.editing() || document.undoLabel() != label) document.begin(label);
-        try {
-            setFittingProperty(document, *ref, property, value);
-        } catch (const std::exception& problem) {
-            document.rollback();
-            refuse_(problem.what());
-        }
+        setInStep(
+            document, label, [&] { setFittingProperty(document, *ref, property, value); }, refuse_);
     };
     spec.finish = [this] {
         try {

@@ -6,16 +6,10 @@
 #include <cmath>
 
 #include "../model/instances.hpp"
+#include "property_spec.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
-namespace {
-
-wxString utf8(std::string_view text) {
-    return wxString::FromUTF8(text.data(), text.size());
-}
-
-}  // namespace
 
 PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
                                  const std::function<void(const std::string&)>& run,
@@ -184,26 +178,14 @@ void PropertiesPanel::addNumber(wxSizer* sizer, const NumberProperty& property) 
     Number& number = numbers_.back();
     number.property = &property;
     const std::string label = tr("Change {}", {trInside(std::string(property.name))});
-    ValueSpec spec;
-    spec.name = utf8(property.name);
-    spec.unit = utf8(property.unit);
-    spec.help = utf8(property.help);
-    spec.low = property.low;
-    spec.high = property.high;
-    spec.scale = property.scale;
-    spec.endless = utf8(property.endless);
-    spec.whole = property.whole;
+    ValueSpec spec = specOf(property);
     spec.get = [this, at] { return numbers_[at].now.value; };
     spec.initial = [this, at] { return numbers_[at].first.value; };
     spec.set = [this, &property, label](double value) {
         Document& document = bench_.document();
-        if (!document.editing() || document.undoLabel() != label) document.begin(label);
-        try {
-            setProperty(document, bench_.selection(), property, value);
-        } catch (const std::exception& problem) {
-            document.rollback();
-            refuse_(problem.what());
-        }
+        setInStep(
+            document, label, [&] { setProperty(document, bench_.selection(), property, value); },
+            refuse_);
         readSelection();
     };
     spec.finish = [this] { bench_.document().commit(); };
@@ -212,12 +194,7 @@ void PropertiesPanel::addNumber(wxSizer* sizer, const NumberProperty& property) 
 }
 
 void PropertiesPanel::addPlace(wxSizer* sizer, const PlaceProperty& property) {
-    ValueSpec spec;
-    spec.name = utf8(property.name);
-    spec.unit = utf8(property.unit);
-    spec.help = utf8(property.help);
-    spec.low = property.low;
-    spec.high = property.high;
+    ValueSpec spec = specOf(property);
     spec.scale = property.low > 0 ? Scale::logarithmic : Scale::linear;
     spec.moves = true;
     const std::string label = tr("Change {}", {trInside(std::string(property.name))});

@@ -1,4 +1,5 @@
 #include "skin_section.hpp"
+#include "property_spec.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -62,18 +63,14 @@ void SkinSection::addNumber(wxWindow* parent, wxSizer* sizer, const wxString& na
     spec.set = [this, set](double value) {
         if (!mapping_) return;
         Document& document = bench_.document();
-        const std::string label = "Place the skin";
-        if (!document.editing() || document.undoLabel() != label) document.begin(label);
         SkinMapping next = *mapping_;
         set(next, value);
-        try {
+        const auto place = [&] {
             document.change(bench_.selection(), [&](sulfur::scene::Prefab& prefab) {
                 if (prefab.blueprint.skin) setMapping(prefab, next);
             });
-        } catch (const std::exception& problem) {
-            document.rollback();
-            refuse_(problem.what());
-        }
+        };
+        setInStep(document, "Place the skin", place, refuse_);
         read();
     };
     spec.finish = [this] { bench_.document().commit(); };

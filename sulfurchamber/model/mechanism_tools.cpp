@@ -31,6 +31,29 @@ Real rounded(double value) {
     return static_cast<Real>(std::round(value / power) * power);
 }
 
+// What tools say that make one of several kinds.
+struct KindWords {
+    ToolKind kind;
+    const char* step;
+    const char* hint;
+};
+constexpr KindWords kindWords[] = {
+    {ToolKind::hinge, "Add hinge",
+     "Click where two bodies overlap to hinge them, or a single body to hang it"},
+    {ToolKind::motor, "Add motor",
+     "Click where two bodies overlap to turn the upper one, or a single body"},
+    {ToolKind::weld, "Add weld",
+     "Click where two bodies overlap to weld them, or a single body to hold it"},
+    {ToolKind::spring, "Add spring", "Drag a spring from body to body, or to the background"},
+    {ToolKind::cable, "Add cable", "Drag a cable from body to body: it only pulls"},
+    {ToolKind::winch, "Add winch",
+     "Drag a winch from where it stands to its load: Up winds in, Down out"}};
+
+const KindWords& kindWordsOf(ToolKind kind) {
+    return *std::find_if(std::begin(kindWords), std::end(kindWords),
+                         [kind](const KindWords& words) { return words.kind == kind; });
+}
+
 // What all of these do.
 class FitTool : public DragTool {
 public:
@@ -90,16 +113,7 @@ private:
 class PinnedTool final : public FitTool {
 public:
     PinnedTool(Workbench& bench, ToolKind kind) : FitTool(bench), kind_(kind) {}
-    std::string hint() const override {
-        switch (kind_) {
-            case ToolKind::motor:
-                return "Click where two bodies overlap to turn the upper one, or a single body";
-            case ToolKind::weld:
-                return "Click where two bodies overlap to weld them, or a single body to hold it";
-            default:
-                return "Click where two bodies overlap to hinge them, or a single body to hang it";
-        }
-    }
+    std::string hint() const override { return kindWordsOf(kind_).hint; }
 
 private:
     void make(const Pointer& pointer) override {
@@ -107,25 +121,21 @@ private:
         const BodyId upper = planned(bodies, 0);
         const BodyId lower = planned(bodies, 1);
         if (!upper) return;
-        const char* labels[] = {"Add hinge", "Add motor", "Add weld"};
-        const bool motor = kind_ == ToolKind::motor;
-        fit(labels[motor                     ? 1
-                   : kind_ == ToolKind::weld ? 2
-                                             : 0],
-            [&] {
-                const Real torque = rounded(40 * massOf(upper) * radiusOf(upper));
-                SceneMechanism made;
-                const std::string b = document().idOf(upper);
-                const std::string a = endAt(to(), lower);
-                if (kind_ == ToolKind::weld) {
-                    made.spec = sulfur::scene::Weld{a, b, to(), {}, {}};
-                    return made;
-                }
-                sulfur::scene::Hinge hinge{a, b, to(), {}};
-                if (motor) hinge.options.drive = {.motorSpeed = 3, .motorMax = torque};
-                made.spec = hinge;
+        fit(kindWordsOf(kind_).step, [&] {
+            const Real torque = rounded(40 * massOf(upper) * radiusOf(upper));
+            SceneMechanism made;
+            const std::string b = document().idOf(upper);
+            const std::string a = endAt(to(), lower);
+            if (kind_ == ToolKind::weld) {
+                made.spec = sulfur::scene::Weld{a, b, to(), {}, {}};
                 return made;
-            });
+            }
+            sulfur::scene::Hinge hinge{a, b, to(), {}};
+            if (kind_ == ToolKind::motor)
+                hinge.options.drive = {.motorSpeed = 3, .motorMax = torque};
+            made.spec = hinge;
+            return made;
+        });
     }
 
     ToolKind kind_;
@@ -142,14 +152,7 @@ public:
     std::string hint() const override {
         if (dragging() && !clicked())
             return tr("{}; release on another body", {metresText(length())});
-        switch (kind_) {
-            case ToolKind::spring:
-                return "Drag a spring from body to body, or to the background";
-            case ToolKind::winch:
-                return "Drag a winch from where it stands to its load: Up winds in, Down out";
-            default:
-                return "Drag a cable from body to body: it only pulls";
-        }
+        return kindWordsOf(kind_).hint;
     }
 
 private:
@@ -160,10 +163,7 @@ private:
         if (a == b)
             throw std::runtime_error(a ? "both ends are on one body; allowed are two"
                                        : "both ends are on the background; allowed is at most one");
-        const char* label = kind_ == ToolKind::spring  ? "Add spring"
-                            : kind_ == ToolKind::winch ? "Add winch"
-                                                       : "Add cable";
-        fit(label, [&] {
+        fit(kindWordsOf(kind_).step, [&] {
             sulfur::scene::Distance made;
             made.options.drive = drive(a, b);
             made.a = endAt(from(), a);
