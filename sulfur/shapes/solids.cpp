@@ -3,6 +3,7 @@
 #include <sulfur/shapes.hpp>
 
 #include "core/error_checks.hpp"
+#include "core/limits.hpp"
 #include "core/trigonometry.hpp"
 #include "parts.hpp"
 #include "solid.hpp"
@@ -16,25 +17,50 @@ using detail::requireRange;
 
 namespace {
 
+/// How the mass of a box is shared where the corners and a core alone cannot carry it.
+struct BoxShares {
+    double corners = 0, ends = 0, core = 0;  // of all four, of both, of one; their sum is 1
+};
+
+constexpr double coreBesideEnds = 0.04;
+
 /// Thick capsules leave the corners so near to the middle that even all of the mass in them has
 /// too little inertia. Then the middle of the two short outer sides, where the capsules still
 /// cover it, carries the rest: with the share q in the corners at the distance |half|,
 ///   q |half|^2 + (1 - q) (length / 2)^2 = gyration^2,
-/// and q is at least a third, because gyration^2 <= length^2 / 6.
+/// and q is at least a third, because gyration^2 <= length^2 / 6. Where the corners have a little
+/// too much by themselves, and too little for a core alone, both do: the core has a steady share.
+BoxShares boxShares(const detail::Solid& solid, double corner2, double end2) {
+    const double gyration2 = solid.gyration2();
+    const double corners = (end2 - gyration2) / (end2 - corner2);
+    const double end = (1 - corners) / 2, corner = corners / 4;
+    // Ends with less than that, no world takes.
+    if (solid.mass * end >= detail::minMass && end * detail::maxMassRatio >= corner)
+        return {corners, 1 - corners, 0};
+    const double outside = 1 - coreBesideEnds;
+    const double ends = (gyration2 - outside * corner2) / (end2 - corner2);
+    return {outside - ends, ends, coreBesideEnds};
+}
+
+void joinToCorners(Blueprint& plan, const Point& place, double mass, const Bracing& bracing) {
+    const auto index = static_cast<std::uint32_t>(plan.particles.size());
+    plan.particles.push_back({.position = place.cast<Real>(), .mass = static_cast<Real>(mass)});
+    for (std::uint32_t i = 0; i < 4; ++i) join(plan, i, index, 0, bracing);
+}
+
 void addOutriggers(Blueprint& plan, Vec2 size, const detail::Solid& solid, const Bracing& bracing) {
     const int axis = size.x() >= size.y() ? 0 : 1;
     const double arm = static_cast<double>(size[axis]) / 2;
-    const double corner2 = plan.particles[0].position.cast<double>().squaredNorm();
-    const double q = (arm * arm - solid.gyration2()) / (arm * arm - corner2);
-    for (auto& corner : plan.particles) corner.mass = static_cast<Real>(solid.mass * q / 4);
+    const BoxShares shares =
+        boxShares(solid, plan.particles[0].position.cast<double>().squaredNorm(), arm * arm);
+    for (auto& corner : plan.particles)
+        corner.mass = static_cast<Real>(solid.mass * shares.corners / 4);
     for (const double sign : {-1.0, 1.0}) {
         Point place(0, 0);
         place[axis] = sign * arm;
-        const auto index = static_cast<std::uint32_t>(plan.particles.size());
-        plan.particles.push_back(
-            {.position = place.cast<Real>(), .mass = static_cast<Real>(solid.mass * (1 - q) / 2)});
-        for (std::uint32_t i = 0; i < 4; ++i) join(plan, i, index, 0, bracing);
+        joinToCorners(plan, place, solid.mass * shares.ends / 2, bracing);
     }
+    if (shares.core > 0) joinToCorners(plan, {0, 0}, solid.mass * shares.core, bracing);
 }
 
 void addCore(Blueprint& plan, const detail::Shares& shares, std::uint32_t outline,

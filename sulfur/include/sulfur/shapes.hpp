@@ -47,7 +47,8 @@ Blueprint floor(Vec2 from, Vec2 to, Real radius = Real(0.05));
 /// third of the mass in the corners and two thirds in the middle have the moment of inertia of a
 /// solid rectangle about its centre, m (w^2 + h^2) / 12, where w and h are the outer size. Where
 /// thick capsules keep the corners too near to the middle for that, two particles in the middle of
-/// the short sides take the place of the fifth.
+/// the short sides take the place of the fifth, or, where the corners nearly do by themselves, join
+/// it as the fifth and the sixth.
 /// Without it the corners carry all (the paper's box of Table 4, three times the inertia).
 ///
 /// Where a rounded box is so thick, four particles at the outermost points of its round corners do,

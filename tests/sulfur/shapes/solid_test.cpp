@@ -147,6 +147,56 @@ TEST(SolidShapes, Box) {
     }
 }
 
+/// Radii, some of which leave the corners so near to the middle that they nearly do by themselves.
+std::vector<double> radiiOf(const Point& size) {
+    std::vector<double> radii;
+    for (const double share : {0.02, 0.3, 0.5, 0.7, 0.8, 0.9, 0.98})
+        radii.push_back(share * size.minCoeff() / 2);
+    for (const double share : {0.979, 0.981, 0.99, 0.999, 1.0, 1.001}) {
+        // Where |size / 2 - radius|^2 share is the radius of gyration, squared.
+        const double corner2 = size.squaredNorm() / 12 / share, sum = size.sum();
+        const double radius =
+            (sum - std::sqrt(sum * sum - 2 * size.squaredNorm() + 8 * corner2)) / 4;
+        if (radius < 0.99 * size.minCoeff() / 2) radii.push_back(radius);
+    }
+    return radii;
+}
+
+TEST(SolidShapes, BoxOfAnySizeHasMassesThatAWorldTakes) {
+    int ends = 0, both = 0;
+    for (double length = 1e-3; length < 1.1e3; length *= 2.3)
+        for (double ratio = 1; ratio < 1.1e4; ratio *= 1.13)
+            for (const Point& size : {Point(length, length / ratio), Point(length / ratio, length)})
+                for (const double radius : radiiOf(size)) {
+                    const Blueprint plan = shapes::box({.size = size.cast<Real>(),
+                                                        .mass = 2,
+                                                        .radius = static_cast<Real>(radius)});
+                    const Moments m = momentsOf(plan);
+                    const double inertia = 2 * size.squaredNorm() / 12;
+                    ASSERT_NEAR(m.mass, 2, 2e-6) << size.transpose() << ", " << radius;
+                    ASSERT_NEAR(m.inertia / inertia, 1, 2e-5) << size.transpose() << ", " << radius;
+                    ends += plan.particles.size() == 6;
+                    both += plan.particles.size() == 7;
+                    World world;
+                    world.add(plan);
+                }
+    EXPECT_GT(ends, 300);
+    EXPECT_GT(both, 300) << "corners that nearly do by themselves";
+}
+
+TEST(SolidShapes, BoxWhoseCornersNearlyDoByThemselves) {
+    // What was refused once for a particle whose mass is negative.
+    for (const Vec2& size : {Vec2(0.0951f, 0.0946f), Vec2(0.0986f, 0.0931f), Vec2(0.1086f, 0.0516f),
+                             Vec2(0.0676f, 0.1101f)}) {
+        SCOPED_TRACE(size.transpose());
+        const Blueprint plan = shapes::box({.size = size, .mass = 40});
+        EXPECT_EQ(plan.particles.size(), 7u);
+        expectSolid(plan, integrate(rectangle(size), static_cast<double>(size.maxCoeff()) / 2, 40));
+        expectOuterSize(plan, size);
+        EXPECT_EQ(freedoms(plan), 3);
+    }
+}
+
 TEST(SolidShapes, PlainBoxHasTheInertiaOfItsCorners) {
     const Moments m = momentsOf(shapes::box({.mass = 2, .solidInertia = false}));
     EXPECT_NEAR(m.inertia, 2 * 2 * 0.48 * 0.48, 1e-5);
