@@ -49,17 +49,6 @@ void inPieces(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, Functi
     });
 }
 
-/// Calls both, at once where there are threads for two.
-template <class First, class Second>
-void runBoth(Tasks* tasks, First&& first, Second&& second) {
-    if (!tasks || tasks->threads() < 2) {
-        first();
-        second();
-        return;
-    }
-    runPieces(tasks, 2, [&](std::size_t i) { i == 0 ? first() : second(); });
-}
-
 /// Whether f(first, last) is true for any of the pieces.
 template <class Function>
 bool anyInPieces(Tasks* tasks, std::size_t count, std::size_t inMicrosecond, Function&& f) {
