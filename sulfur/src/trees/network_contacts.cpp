@@ -6,6 +6,7 @@
 #include "core/settings.hpp"
 #include "model/slow_speeds.hpp"
 #include "rigid/grip.hpp"
+#include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
 
@@ -143,9 +144,7 @@ void NetworkContacts::bound() {
     for (const PressingBody& body : work_.bodies) add(body.inverseMass);
     for (const PressedRow& row : work_.contacts)
         if (row.normal == none) closing = std::max(closing, -valueOf(row));
-    const double h = static_cast<double>(state_.h);
-    const double falls = h * h * static_cast<double>(state_.settings.gravity.norm());
-    factor_.mostPressing = tuned::networkLeverage * mass * (closing + falls);
+    factor_.mostPressing = mostPressing(state_, mass, closing);
 }
 
 /// As much of a multiplier as the laws of contact and friction allow.

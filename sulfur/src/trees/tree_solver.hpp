@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/limits.hpp"
+#include "core/settings.hpp"
 #include "model/state.hpp"
 
 namespace sulfur::detail {
@@ -53,6 +54,14 @@ void dissolveTrees(State& state);
 inline Vec2& forceOf(State& state, const TreeNode& node) {
     return node.kind == LinkKind::hinge ? state.clusters.hinges[node.link].force
                                         : state.attachments[node.link].force;
+}
+
+/// kg m, that a contact of a tree or network may press with: what takes part brings no more
+/// momentum. `mass`: kg, of all of it; `closing`: m, the most that is to be closed.
+inline double mostPressing(const State& state, double mass, double closing) {
+    const double h = static_cast<double>(state.h);
+    const double falls = h * h * static_cast<double>(state.settings.gravity.norm());
+    return tuned::contactLeverage * mass * (closing + falls);
 }
 
 /// m/s, at which comes together what the caller has torn apart there.

@@ -75,7 +75,8 @@ public:
             addContact(i);
         }
         solver_.solve();
-        for (int k = 0; k < tuned::mostReleases && releaseContacts(); ++k) solver_.solve();
+        const double most = held_.empty() ? 0 : mostPressingNow();
+        for (int k = 0; k < tuned::mostReleases && releaseContacts(most); ++k) solver_.solve();
         for (std::size_t i = 0; i < count_; ++i) apply(i);
         for (std::size_t i = 1; i < count_; ++i) {
             const auto& link = solver_.links[i];
@@ -247,6 +248,7 @@ private:
                            there.squaredNorm() * solver_.nodes[link.parent].inverseMass[0];
         const double other = static_cast<double>(t.normal.inverseMass) - own;
         link.compliance[1] = touching_ * std::max(other, 0.0) + tuned::softest * own;
+        if (other > tuned::softest * own) touchingMass_ += 1 / other;  // less is rounding
         held_.push_back(static_cast<std::uint32_t>(i));
     }
     static Point directionOf(const TouchView& t, std::uint32_t particle) {
@@ -256,14 +258,28 @@ private:
         return sum;
     }
 
-    /// Contacts that would have to pull are let go. Returns whether there were any.
-    bool releaseContacts() {
-        const auto pulls = [&](std::uint32_t i) {
+    /// The most that a contact may press with in this sweep: what takes part brings no more.
+    double mostPressingNow() const {
+        double mass = touchingMass_, closing = 0;
+        for (const auto& n : solver_.nodes)
+            if (n.inverseMass[0] > 0) mass += 1 / n.inverseMass[0];
+        for (std::size_t i = 1; i < count_; ++i)
+            for (int r = 0; r < solver_.links[i].rows; ++r)
+                closing = std::max(closing,
+                                   std::abs(solver_.links[i].value[static_cast<std::size_t>(r)]));
+        return mostPressing(state_, mass, closing);
+    }
+
+    /// Contacts that would have to pull are let go, and those that would have to press beyond all
+    /// measure, for links that cannot hold beside them. Returns whether there were any.
+    bool releaseContacts(double most) {
+        const auto isWrong = [&](std::uint32_t i) {
             const auto touch = state_.trees.contact[tree_.first + i];
-            return static_cast<double>(pressingOf(state_, touch)) + solver_.links[i].lambda[1] < 0;
+            const double change = solver_.links[i].lambda[1];
+            return static_cast<double>(pressingOf(state_, touch)) + change < 0 || change > most;
         };
-        const auto kept =
-            std::partition(held_.begin(), held_.end(), [&](std::uint32_t i) { return !pulls(i); });
+        const auto kept = std::partition(held_.begin(), held_.end(),
+                                         [&](std::uint32_t i) { return !isWrong(i); });
         if (kept == held_.end()) return false;
         for (auto i = kept; i != held_.end(); ++i) solver_.links[*i].rows = 1;
         held_.erase(kept, held_.end());
@@ -326,7 +342,8 @@ private:
     const Tree& tree_;
     Elimination<N>& solver_;
     std::size_t count_;
-    double touching_ = 0;   // contacts of the tree
+    double touching_ = 0;      // contacts of the tree
+    double touchingMass_ = 0;  // kg, of what they press on
     double lengthNow_ = 0;  // of the link that was updated last; negative when its ends have passed
     std::vector<std::uint32_t>& held_ = state_.trees.scratch.held;
 };
