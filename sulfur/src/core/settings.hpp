@@ -272,8 +272,6 @@ inline constexpr std::size_t networkContacts = 4 * rounds;
 inline constexpr int networkContactPasses = 8 * rounds;
 /// What wedges of contacts, and links beside them, may multiply a push by.
 inline constexpr double contactLeverage = rounds;
-/// Of what static friction has beyond the kinetic one: as much of it they use.
-inline constexpr double heldShare = 0.99;
 /// Compliance of a contact, as a share of the tree's own mobility: where a link points along the
 /// normal, both would otherwise be the same row.
 inline constexpr double softest = 1e-3;

@@ -55,9 +55,7 @@ void NetworkContacts::addTouch(const NetworkTouch& held) {
     rubs.value = static_cast<double>(t.slide);
     rubs.before = static_cast<double>(t.rubbing);
     rubs.brake = static_cast<double>(t.kineticFriction);
-    // Rows would let go of what their roundings take beyond static friction.
-    rubs.hold =
-        rubs.brake + tuned::heldShare * (static_cast<double>(t.staticFriction) - rubs.brake);
+    rubs.hold = static_cast<double>(t.staticFriction);
 }
 
 void NetworkContacts::addRow(const NetworkTouch& held, const TouchView& t,

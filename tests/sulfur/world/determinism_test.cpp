@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 18048308665405300625u);
+    EXPECT_EQ(world.hash(), 6076168520554660198u);
 #else
-    EXPECT_EQ(world.hash(), 6143628443571705490u);
+    EXPECT_EQ(world.hash(), 6819536854891005352u);
 #endif
 }
 
