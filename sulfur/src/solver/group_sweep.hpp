@@ -19,7 +19,8 @@ namespace sulfur::detail {
 /// them gives there.
 class RowLaw {
 public:
-    explicit RowLaw(MechanismRow& row) : row_(row), before_(row.sum()) {}
+    /// `now`: rad or m, its coordinate.
+    RowLaw(MechanismRow& row, double now) : row_(row), now_(now), before_(row.sum()) {}
 
     void run() {
         if (!(row_.mobility > 0)) return;
@@ -66,23 +67,22 @@ private:
         row_.spring = std::clamp(needed(place), -row_.bound, row_.bound);
     }
     /// Multiplier of all together that leads there.
-    double needed(double place) const { return before_ + (place - row_.now) / row_.mobility; }
+    double needed(double place) const { return before_ + (place - now_) / row_.mobility; }
     double springAt(double place) const {
         const double pull = row_.hk * (place - row_.rest) + row_.hb * (place - row_.start);
         return std::clamp(-pull, -row_.bound, row_.bound);
     }
     /// Where the spring and what the motor gives lead.
     double settled() const {
-        const double wanted =
-            -(row_.hk * (row_.now - row_.rest) + row_.hb * (row_.now - row_.start));
+        const double wanted = -(row_.hk * (now_ - row_.rest) + row_.hb * (now_ - row_.start));
         const double steep = 1 + (row_.hk + row_.hb) * row_.mobility;
         const double own = before_ - row_.motor;
         const double spring = std::clamp(own + (wanted - own) / steep, -row_.bound, row_.bound);
-        return row_.now + row_.mobility * (spring - own);
+        return now_ + row_.mobility * (spring - own);
     }
 
     MechanismRow& row_;
-    double before_;
+    double now_, before_;
 };
 
 /// Rows in the space of their multipliers. What is held is solved at once; then each row does what
@@ -97,7 +97,9 @@ public:
     GroupSweep(State& state, const MechanismGroup& group)
         : rows_(std::span(state.mechanisms.rows).subspan(group.first, group.last - group.first)),
           matrix_(state.mechanisms.numbers.data() + group.matrix),
-          factor_(state.mechanisms.numbers.data() + group.factor) {}
+          factor_(state.mechanisms.numbers.data() + group.factor) {
+        for (std::size_t k = 0; k < rows_.size(); ++k) now_[k] = rows_[k].now;
+    }
 
     /// Notes what holds each row, and eliminates those that are held: a row of the factor is how
     /// it moves the later ones when the earlier ones keep their goals.
@@ -129,16 +131,14 @@ public:
     /// cannot be.
     void run(double farthest) {
         std::array<std::array<double, 4>, mostRows> before;
-        std::array<double, mostRows> from{};
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             const MechanismRow& row = rows_[k];
             before[k] = {row.spring, row.motor, row.low, row.high};
-            from[k] = row.now;
         }
         settle();
         double way = 0;
         for (std::size_t k = 0; k < rows_.size(); ++k)
-            way = std::max(way, std::abs(rows_[k].now - from[k]));
+            way = std::max(way, std::abs(now_[k] - rows_[k].now));
         const double share = std::min(1.0, farthest / std::max(way, 1e-300));
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             MechanismRow& row = rows_[k];
@@ -161,7 +161,7 @@ public:
             changed = false;
             for (std::size_t k = 0; k < rows_.size(); ++k) {
                 if (!(rows_[k].mobility > 0)) continue;
-                const double more = rows_[k].now / rows_[k].mobility;
+                const double more = now_[k] / rows_[k].mobility;
                 rows_[k].change += more;
                 shift(k, -more);
                 changed |= std::abs(more) > tuned::settledRow * std::abs(rows_[k].change);
@@ -194,11 +194,12 @@ private:
 
     void solveHeld() {
         const std::size_t n = rows_.size();
-        std::array<double, mostRows> x{};
+        std::array<double, mostRows> x;
         for (std::size_t k = 0; k < n; ++k) {
             const MechanismRow& row = rows_[k];
-            if (row.hold.multiplier)
-                x[k] = row.hold.goal - row.now - row.hold.compliance * row.*row.hold.multiplier;
+            x[k] = row.hold.multiplier
+                       ? row.hold.goal - now_[k] - row.hold.compliance * row.*row.hold.multiplier
+                       : 0;
         }
         for (std::size_t k = 0; k < n; ++k) {
             if (!(factor(k, k) > 0)) continue;
@@ -214,7 +215,7 @@ private:
         }
         double share = 1;
         for (std::size_t k = 0; k < n; ++k)
-            if (x[k] != 0) share = std::min(share, RowLaw(rows_[k]).shareInside(x[k]));
+            if (x[k] != 0) share = std::min(share, RowLaw(rows_[k], now_[k]).shareInside(x[k]));
         for (std::size_t k = 0; k < n; ++k) {
             if (x[k] == 0) continue;
             rows_[k].*rows_[k].hold.multiplier += share * x[k];
@@ -228,7 +229,7 @@ private:
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             MechanismRow& row = rows_[k];
             const double before = row.sum();
-            RowLaw(row).run();
+            RowLaw(row, now_[k]).run();
             const double change = row.sum() - before;
             if (change != 0) shift(k, change);
             // Times the root of a mobility a force is comparable with a torque.
@@ -240,12 +241,14 @@ private:
 
     /// Moves all coordinates by a change of a row's multipliers.
     void shift(std::size_t k, double change) {
-        for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].now += matrix(k, j) * change;
+        const double* row = &matrix(k, 0);
+        for (std::size_t j = 0; j < rows_.size(); ++j) now_[j] += row[j] * change;
     }
 
     std::span<MechanismRow> rows_;
     double* matrix_;
     double* factor_;
+    std::array<double, mostRows> now_;  // rad or m, the coordinates
 };
 
 }  // namespace sulfur::detail
