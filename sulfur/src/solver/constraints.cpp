@@ -114,19 +114,18 @@ void sweepAll(State& state) {
         stirred = sweepContacts(state, number);
         sweepRigid(state, number);
     }
-    double before = 0;
+    double strain = strainOfTrees(state), before = 0;
     const int mostOfStrain = sweepsForStrain(state);
-    for (int i = 0; i < mostOfStrain; ++i) {
-        const double strain = strainOfTrees(state);
-        if (strain <= mostStrain) break;
+    for (int i = 0; i < mostOfStrain && strain > mostStrain; ++i) {
         if (i % trial == 0) {
             if (i > 0 && strain > (1 - mended) * before) break;
             before = strain;
         }
         sweepContacts(state, most);
         sweepRigid(state, 1);
+        strain = strainOfTrees(state);
     }
-    finishNetworks(state);
+    finishTrees(state, strain);
     releaseNetworkRows(state);
 }
 

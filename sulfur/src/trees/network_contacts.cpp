@@ -274,64 +274,11 @@ double NetworkContacts::error() const {
     return most;
 }
 
-/// Movers that touch the network and are no nodes, in order.
-std::pmr::vector<std::uint32_t> NetworkContacts::touching() const {
-    std::pmr::vector<std::uint32_t> movers(&state_.arena);
-    for (const PressedRow& row : work_.contacts) {
-        const auto all = moversOfTouch(state_, row.touch);
-        const bool presses = row.before > 0 || row.value < 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (presses && row.nodes[k] == none && state_.core.denseOfMover[all[k]] != none)
-                movers.push_back(all[k]);
-    }
-    std::sort(movers.begin(), movers.end());
-    movers.erase(std::unique(movers.begin(), movers.end()), movers.end());
-    return movers;
-}
-
 void NetworkContacts::brake() {
-    struct Part {
-        std::uint32_t cluster, particle;
-    };
-    std::pmr::vector<Part> parts(&state_.arena);
-    for (auto i = tree_.first; i < tree_.last; ++i)
-        parts.push_back({state_.trees.nodes[i].cluster, state_.trees.nodes[i].particle});
-    for (const auto m : touching()) {
-        const auto dense = state_.core.denseOfMover[m];
-        const bool isCluster = state_.core.moverIsCluster[m] != 0;
-        parts.push_back({isCluster ? dense : none, isCluster ? none : dense});
-    }
-    Point momentum(0, 0), standing(0, 0);
-    double mass = 0, fixed = 0;
-    for (const auto& [cluster, particle] : parts) {
-        const bool isCluster = cluster != none;
-        if (!isCluster && particle == none) {
-            ++fixed;  // what an attachment holds to stands fast here
-            continue;
-        }
-        const Point way = (isCluster ? state_.clusters.list[cluster].displacement
-                                     : state_.particles.displacement[particle])
-                              .cast<double>();
-        const auto w = static_cast<double>(isCluster ? state_.clusters.list[cluster].inverseMass
-                                                     : state_.particles.inverseMass[particle]);
-        (w > 0 ? momentum : standing) += w > 0 ? Point(way / w) : way;
-        (w > 0 ? mass : fixed) += w > 0 ? 1 / w : 1;
-    }
-    const Vec2 way = (fixed > 0 ? Point(standing / fixed) : Point(momentum / mass)).cast<Real>();
-    for (const auto& [cluster, particle] : parts) {
-        if (cluster != none) {
-            Cluster& c = state_.clusters.list[cluster];
-            if (c.inverseMass > 0) c.displacement = way;
-            if (c.inverseInertia > 0) turnBy(c, -c.angle);
-        } else if (particle != none && state_.particles.inverseMass[particle] > 0) {
-            state_.particles.displacement[particle] = way;
-        }
-    }
-    for (const PressedRow& row : work_.contacts) {
-        const Real before = static_cast<Real>(row.before);
-        pressFromOutside(state_, row.touch, row.normal == none ? -before : 0,
-                         row.normal == none ? 0 : -before, {true, true, true});
-    }
+    std::pmr::vector<std::uint32_t> touches(&state_.arena);
+    for (const PressedRow& row : work_.contacts)
+        if (row.normal == none) touches.push_back(row.touch);
+    detail::brake(state_, tree_, touches);
 }
 
 void NetworkContacts::push(std::vector<Freedoms>& nodes) {

@@ -55,8 +55,7 @@ public:
     /// What bodies that press are pushed apart by; call it after solvePushes().
     void placeBodies();
 
-    /// Nodes and what presses on them go on as one, with their momentum: no link is strained and
-    /// nothing comes nearer. What pressed is forgotten.
+    /// See detail::brake().
     void brake();
 
     std::size_t rows() const { return work_.contacts.size(); }
@@ -69,7 +68,6 @@ private:
     double valueOf(const PressedRow& row) const;
     double ownAnswer(std::size_t i, std::size_t j) const;
     void moveBodies(const PressedRow& row, double amount);
-    std::pmr::vector<std::uint32_t> touching() const;
     double allowed(const PressedRow& row, double total) const;
     template <class Total, class Law>
     void relax(std::span<double> values, Total&& totalOf, Law&& law);

@@ -169,9 +169,45 @@ void releaseNetworkRows(State& state) {
     state.trees.heldRows.clear();
 }
 
-void finishNetworks(State& state) {
-    for (const auto i : state.trees.touchedAlone)
-        if (state.trees.list[i].network != none) NetworkSweeper(state, i).finish();
+namespace {
+
+/// Touches of which a particle is moved by the tree.
+std::pmr::vector<std::uint32_t> touchesOf(State& state, std::uint32_t tree) {
+    std::pmr::vector<std::uint32_t> found(&state.arena);
+    const auto& touches = state.core.touches;
+    for (std::uint32_t i = 0; i < touches.size(); ++i) {
+        if (touches[i].pair == none || !touches[i].row) continue;
+        const auto particles = particlesOfTouch(state, i);
+        if (std::any_of(particles.begin(), particles.end(), [&](std::uint32_t p) {
+                const auto c = state.particles.cluster[p];
+                return (c == none ? state.trees.ofParticle[p] : state.trees.ofCluster[c]) == tree;
+            }))
+            found.push_back(i);
+    }
+    return found;
+}
+
+}  // namespace
+
+void finishTrees(State& state, double strain) {
+    Trees& trees = state.trees;
+    for (const auto i : trees.touchedAlone) {
+        const Tree& tree = trees.list[i];
+        if (tree.network != none) {
+            NetworkSweeper(state, i).finish();
+            continue;
+        }
+        if (strain <= tuned::brakingTolerable) continue;
+        double own = 0;
+        withTreeSweeper(state, i, [&](auto&& s) { own = s.strain(); });
+        if (own <= tuned::brakingTolerable) continue;
+        const auto touches = touchesOf(state, i);
+        if (!gains(state, tree, touches)) continue;
+        ++state.statistics.chainFallbacks;
+        brake(state, tree, touches);
+        std::fill(trees.lambda.begin() + tree.first, trees.lambda.begin() + tree.last,
+                  std::array<double, 2>{0, 0});
+    }
 }
 
 double strainOfTrees(State& state) {

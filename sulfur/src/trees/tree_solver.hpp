@@ -38,8 +38,15 @@ void sweepTrees(State& state, int number);
 /// In between, rows that networks solve as their own are left alone by the sweeps over rows.
 void holdNetworkRows(State& state);
 void releaseNetworkRows(State& state);
-/// Networks for whose sweeps there was no work left get the last one.
-void finishNetworks(State& state);
+/// Networks for whose sweeps there was no work left get the last one. What the sweeps have not
+/// solved, a network that is crumpled or pressed beyond what it can bear, and a tree that is
+/// strained and has gained energy by it, is braked. `strain`: the largest of trees.
+void finishTrees(State& state, double strain);
+/// The nodes of a tree or network and what presses on them go on as one, with their momentum: no
+/// link is strained and nothing comes nearer. What pressed is forgotten. `touches`: all of it.
+void brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches);
+/// Whether these move with more energy than before the sweeps.
+bool gains(State& state, const Tree& tree, std::span<const std::uint32_t> touches);
 /// By what share of its length a link is wrong, at most, in trees that contacts pull on.
 double strainOfTrees(State& state);
 /// Multipliers of the sweeps to the joints.

@@ -1,0 +1,132 @@
+// What sweeps cannot solve, brakes: a tree or network, and what presses on it, go on as one.
+#include <algorithm>
+#include <array>
+#include <memory_resource>
+#include <vector>
+
+#include "contacts/touch_rows.hpp"
+#include "rigid/grip.hpp"
+#include "trees/tree_solver.hpp"
+
+namespace sulfur::detail {
+
+namespace {
+
+struct Part {
+    std::uint32_t cluster, particle;
+    Vec2 predicted{0, 0};  // m, of a particle
+};
+using Parts = std::pmr::vector<Part>;
+
+/// Movers that press on a tree and are no nodes of it, in order.
+std::pmr::vector<std::uint32_t> pressing(State& state, const Tree& tree,
+                                         std::span<const std::uint32_t> touches) {
+    const auto isNode = [&](std::uint32_t particle) {
+        const auto c = state.particles.cluster[particle];
+        const auto of = c == none ? state.trees.ofParticle[particle] : state.trees.ofCluster[c];
+        return of != none && &state.trees.list[of] == &tree;
+    };
+    std::pmr::vector<std::uint32_t> movers(&state.arena);
+    for (const auto touch : touches) {
+        const TouchView t = viewOfTouch(state, touch);
+        if (!(t.pressing > 0 || t.gap < std::min(t.gapBefore, Real(0)))) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!isNode(t.particles[k]) && state.core.denseOfMover[t.movers[k]] != none)
+                movers.push_back(t.movers[k]);
+    }
+    std::sort(movers.begin(), movers.end());
+    movers.erase(std::unique(movers.begin(), movers.end()), movers.end());
+    return movers;
+}
+
+/// Nodes of a tree, and what presses on them.
+Parts partsOf(State& state, const Tree& tree, std::span<const std::uint32_t> touches) {
+    Parts parts(&state.arena);
+    for (auto i = tree.first; i < tree.last; ++i) {
+        const TreeNode& n = state.trees.nodes[i];
+        parts.push_back({n.cluster, n.particle, state.trees.predicted[i]});
+    }
+    const double h = static_cast<double>(state.h);
+    for (const auto m : pressing(state, tree, touches)) {
+        const auto dense = state.core.denseOfMover[m];
+        if (state.core.moverIsCluster[m] != 0)
+            parts.push_back({dense, none});
+        else
+            parts.push_back({none, dense, (h * state.particles.velocity[dense]).cast<Real>()});
+    }
+    return parts;
+}
+
+/// kg m^2, twice the energy of motions in a step, in units of its length: as the sweeps found the
+/// parts, and as they leave them.
+std::pair<double, double> motionsOf(const State& state, const Parts& parts) {
+    double before = 0, after = 0;
+    for (const Part& part : parts) {
+        if (part.cluster != none) {
+            const Cluster& c = state.clusters.list[part.cluster];
+            if (!(c.inverseMass > 0)) continue;
+            const double mass = 1 / static_cast<double>(c.inverseMass);
+            before += mass * static_cast<double>(c.predicted.squaredNorm());
+            after += mass * static_cast<double>(c.displacement.squaredNorm());
+            if (!(c.inverseInertia > 0)) continue;
+            const double inertia = 1 / static_cast<double>(c.inverseInertia);
+            before += inertia * c.predictedAngle * c.predictedAngle;
+            after += inertia * c.angle * c.angle;
+        } else if (part.particle != none && state.particles.inverseMass[part.particle] > 0) {
+            const double mass = 1 / static_cast<double>(state.particles.inverseMass[part.particle]);
+            before += mass * static_cast<double>(part.predicted.squaredNorm());
+            after += mass *
+                     static_cast<double>(state.particles.displacement[part.particle].squaredNorm());
+        }
+    }
+    return {before, after};
+}
+
+/// The motion (m, in this step) of all parts as one: that of what stands fast or is driven, else
+/// the one that keeps their momentum.
+Vec2 commonWay(const State& state, const Parts& parts) {
+    Point momentum(0, 0), standing(0, 0);
+    double mass = 0, fixed = 0;
+    for (const auto& [cluster, particle, predicted] : parts) {
+        const bool isCluster = cluster != none;
+        if (!isCluster && particle == none) {
+            ++fixed;  // what an attachment holds to stands fast here
+            continue;
+        }
+        const Point way = (isCluster ? state.clusters.list[cluster].displacement
+                                     : state.particles.displacement[particle])
+                              .cast<double>();
+        const auto w = static_cast<double>(isCluster ? state.clusters.list[cluster].inverseMass
+                                                     : state.particles.inverseMass[particle]);
+        (w > 0 ? momentum : standing) += w > 0 ? Point(way / w) : way;
+        (w > 0 ? mass : fixed) += w > 0 ? 1 / w : 1;
+    }
+    return (fixed > 0 ? Point(standing / fixed) : Point(momentum / mass)).cast<Real>();
+}
+
+}  // namespace
+
+void brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches) {
+    const Parts parts = partsOf(state, tree, touches);
+    const Vec2 way = commonWay(state, parts);
+    for (const auto& [cluster, particle, predicted] : parts) {
+        if (cluster != none) {
+            Cluster& c = state.clusters.list[cluster];
+            if (c.inverseMass > 0) c.displacement = way;
+            if (c.inverseInertia > 0) turnBy(c, -c.angle);
+        } else if (particle != none && state.particles.inverseMass[particle] > 0) {
+            state.particles.displacement[particle] = way;
+        }
+    }
+    for (const auto touch : touches) {
+        const TouchView t = viewOfTouch(state, touch);
+        pressFromOutside(state, touch, -t.pressing, -t.rubbing, {true, true, true});
+    }
+}
+
+bool gains(State& state, const Tree& tree, std::span<const std::uint32_t> touches) {
+    const auto [before, after] = motionsOf(state, partsOf(state, tree, touches));
+    return after > before;
+}
+
+}  // namespace sulfur::detail
