@@ -461,7 +461,7 @@ void MainFrame::chooseLanguage(const std::string& language) {
         preferences_->setLanguage(language);
         preferences_->save();
     }
-    tell("The language changes when SulfurChamber starts again");
+    notify("The language changes when SulfurChamber starts again");
 }
 
 void MainFrame::about() {
