@@ -59,7 +59,12 @@ void MainFrame::placeSkin() {
 
 void MainFrame::addSkinActions() {
     const auto m = MenuId::edit;
-    const auto any = [this] { return !bench_.selection().empty(); };
+    const auto able = [this] {
+        const auto& bodies = bench_.selection();
+        return std::any_of(bodies.begin(), bodies.end(), [this](sulfur::BodyId body) {
+            return canWear(bench_.document(), body);
+        });
+    };
     const auto dressed = [this] { return wearsAny(bench_); };
     const auto entry = [&](const char* name, const wxString& label, const char* help,
                            std::function<void()> run, std::function<bool()> enabled) {
@@ -73,7 +78,7 @@ void MainFrame::addSkinActions() {
                 {.title = tr("Choose a picture to wear"), .kinds = pictureKinds()});
             if (file) wearPicture(bench_.selection(), *file);
         },
-        any);
+        able);
     entry(
         "skin-place", "&Place it by handles",
         "Move, scale and turn the picture on the one body that is selected",

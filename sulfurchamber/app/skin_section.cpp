@@ -90,7 +90,7 @@ void SkinSection::read() {
         const std::string texture = skinOf(prefab);
         if (same && *same != texture) mixed = true;
         same = texture;
-        if (!able) able = canWear(prefab);
+        if (!able) able = canWear(document, body);
         if (bench_.selection().size() == 1) mapping_ = mappingOf(prefab);
     }
     const bool any = same && (mixed || !same->empty());

@@ -139,13 +139,16 @@ void undress(Prefab& prefab) {
     prefab.skinFitted = false;
 }
 
+bool canWear(const Document& document, BodyId body) {
+    const std::string id = document.idOf(body);
+    return !id.empty() && canWear(document.plan().prefab(document.plan().body(id).blueprint));
+}
+
 void wearAll(Document& document, std::span<const BodyId> bodies, const std::string& texture) {
     requireName(texture);
     std::vector<BodyId> able;
     for (const BodyId body : bodies)
-        if (const std::string id = document.idOf(body);
-            !id.empty() && canWear(document.plan().dressed(id)))
-            able.push_back(body);
+        if (canWear(document, body)) able.push_back(body);
     if (able.empty())
         throw std::runtime_error(
             "nothing that is selected has an inside on which a picture could "

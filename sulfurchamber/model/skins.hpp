@@ -36,6 +36,8 @@ std::string skinOf(const sulfur::scene::Prefab& prefab);
 std::optional<SkinMapping> mappingOf(const sulfur::scene::Prefab& prefab);
 /// Whether a picture can lie on it: discs and what has triangles.
 bool canWear(const sulfur::scene::Prefab& prefab);
+/// The same of a body of a document; what is of the moment alone cannot.
+bool canWear(const Document& document, sulfur::BodyId body);
 /// Dresses a body; the picture covers its bounding rectangle. Throws std::runtime_error for a name
 /// that files refuse, and for a body that has no inside.
 void wear(sulfur::scene::Prefab& prefab, const std::string& texture);

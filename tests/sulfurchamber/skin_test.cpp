@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <atlax/files.hpp>
 #include <atlax/image.hpp>
 #include <cmath>
@@ -59,6 +60,22 @@ TEST(Skins, ANewOneCoversTheBodyAndMappingsAreReadBack) {
         }
     EXPECT_THROW(setMapping(box, {{0, 0}, {0.001, 1}, 0}), std::runtime_error);
     EXPECT_NEAR(mappingOf(box)->size.x(), 1.5, 1e-4);
+}
+
+TEST(Skins, AreOfferedWhereTheyCanBeWorn) {
+    Document document;
+    BodyId rope, box;
+    document.edit("Build", [&] {
+        rope = document.add("rope", sulfur::shapes::RopeOptions{}, {.position = {0, 2}});
+        box = document.add("box", sulfur::shapes::BoxOptions{}, {.position = {3, 2}});
+    });
+    EXPECT_FALSE(canWear(document, rope));
+    EXPECT_TRUE(canWear(document, box));
+    EXPECT_THROW(wearAll(document, {&rope, 1}, "a.png"), std::runtime_error);
+    const std::array both{rope, box};
+    wearAll(document, both, "a.png");
+    EXPECT_EQ(skinOf(document.plan().dressed("box")), "a.png");
+    EXPECT_EQ(skinOf(document.plan().dressed("rope")), "");
 }
 
 TEST(Skins, AreOneUndoableStepAndStandInTheFile) {
