@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "../model/fitting_properties.hpp"
+#include "../model/geometry.hpp"
 #include "../model/properties.hpp"
 #include "../model/skins.hpp"
 #include "../model/transform.hpp"
@@ -18,16 +19,11 @@ double Script::quantity(const std::string& name) const {
     const Document& document = bench.document();
     const sulfur::World& world = document.world();
     const auto bodies = world.bodies();
-    if (name == "bodies") return static_cast<double>(bodies.size());
-    if (name == "particles") {
-        std::size_t count = 0;
-        for (const auto body : bodies) count += world.particles(body).size();
-        return static_cast<double>(count);
-    }
+    if (name == "bodies") return static_cast<double>(totals(world).bodies);
+    if (name == "particles") return static_cast<double>(totals(world).particles);
     if (name == "joints") {
-        std::size_t count = world.connections().size();
-        for (const auto body : bodies) count += world.joints(body).size();
-        return static_cast<double>(count);
+        const Totals sums = totals(world);
+        return static_cast<double>(sums.rigidJoints + sums.elasticJoints);
     }
     if (name == "contacts") return static_cast<double>(world.contacts().size());
     if (const auto found = levelQuantity(name)) return *found;

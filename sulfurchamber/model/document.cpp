@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "document_steps.hpp"
+#include "geometry.hpp"
 #include "keep_layout.hpp"
 #include "meter.hpp"
 
@@ -118,7 +119,7 @@ Document::Captured Document::captureMoment() const {
     std::vector<BodyId> pieces;
     Scene base = planScene();
     sulfur::scene::Instance instance;
-    const auto own = pins();
+    const auto own = pinsOf(*world_);
     std::size_t rained = 0;
     for (const auto& prefab : passing_) {
         base.blueprints.push_back(prefab);
@@ -155,14 +156,6 @@ Document::Captured Document::captureMoment() const {
                });
     });
     return captured;
-}
-
-std::set<BodyId> Document::pins() const {
-    std::set<BodyId> own;
-    for (const sulfur::MechanismId mechanism : world_->mechanisms())
-        for (const BodyId body : world_->info(mechanism).own)
-            if (body) own.insert(body);
-    return own;
 }
 
 Document::Captured Document::captureForClipboard() const {

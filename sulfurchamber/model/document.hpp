@@ -101,8 +101,6 @@ public:
     std::string originOf(sulfur::BodyId body) const;
     /// The body of an id, null when it has broken or the plan has none.
     sulfur::BodyId bodyOf(std::string_view id) const;
-    /// Bodies of this moment that mechanisms have made for themselves: their pins.
-    std::set<sulfur::BodyId> pins() const;
     /// What is fitted in the plan: mechanisms, then zones, then thrusters.
     std::vector<FittingRef> fittings() const;
     /// Precondition: the plan has it.

@@ -314,10 +314,20 @@ bool inside(const std::vector<Point>& polygon, const Point& point) {
     return in;
 }
 
+std::set<BodyId> pinsOf(const World& world) {
+    std::set<BodyId> pins;
+    for (const sulfur::MechanismId mechanism : world.mechanisms())
+        for (const BodyId body : world.info(mechanism).own)
+            if (body) pins.insert(body);
+    return pins;
+}
+
 Totals totals(const World& world) {
     Totals sums;
-    sums.bodies = world.bodies().size();
+    const std::set<BodyId> pins = pinsOf(world);
     for (const BodyId body : world.bodies()) {
+        if (pins.contains(body)) continue;
+        ++sums.bodies;
         const std::size_t count = world.particles(body).size();
         sums.particles += count;
         if (world.kind(body) != sulfur::BodyKind::fixed && !world.asleep(body))

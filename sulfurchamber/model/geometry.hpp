@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <sulfur/world.hpp>
 #include <vector>
 
@@ -68,7 +69,10 @@ std::vector<std::vector<std::uint32_t>> outlines(const sulfur::Blueprint& bluepr
 /// Whether a point lies inside a closed polygon.
 bool inside(const std::vector<sulfur::Point>& polygon, const sulfur::Point& point);
 
-/// How much there is, also before the first tick.
+/// Bodies that mechanisms have made for themselves: their pins.
+std::set<sulfur::BodyId> pinsOf(const sulfur::World& world);
+
+/// How much there is, also before the first tick. Pins are parts of their mechanisms.
 struct Totals {
     std::size_t bodies = 0;
     std::size_t particles = 0;

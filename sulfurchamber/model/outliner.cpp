@@ -1,4 +1,5 @@
 #include "outliner.hpp"
+#include "geometry.hpp"
 #include "words.hpp"
 
 #include <algorithm>
@@ -170,7 +171,7 @@ const std::vector<OutlineRow>& Outliner::rows(const Workbench& bench) {
     rows_.clear();
 
     const auto& world = document.world();
-    const auto pins = document.pins();
+    const auto pins = pinsOf(document.world());
     std::unordered_map<std::string, BodyId> here;
     std::vector<OutlineRow> pieces;
     for (const BodyId body : world.bodies()) {

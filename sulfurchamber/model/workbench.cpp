@@ -175,7 +175,7 @@ void Workbench::select(std::vector<BodyId> bodies) {
 void Workbench::setSelection(std::vector<BodyId> bodies) {
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-    const auto pins = document_.pins();  // these go with what they hold
+    const auto pins = pinsOf(document_.world());  // these go with what they hold
     std::erase_if(bodies, [&](BodyId body) { return pins.contains(body); });
     selection_ = std::move(bodies);
     chosen_.reset();

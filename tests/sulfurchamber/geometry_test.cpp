@@ -72,5 +72,17 @@ TEST(Geometry, BoundsShowWhatMovesAndTheGroundBelow) {
     EXPECT_GE(bounds->high.y(), 4.4);
 }
 
+TEST(Geometry, PinsOfMechanismsAreNoBodiesOfTheirOwn) {
+    sulfur::World world;
+    const auto a = world.add(sulfur::shapes::box(), {.position = {0, 0}});
+    const auto b = world.add(sulfur::shapes::box(), {.position = {1, 0}});
+    const Totals before = totals(world);
+    world.weld(a, b, {0.4, 0.1});
+    ASSERT_EQ(world.bodies().size(), 3u) << "a pin holds both where neither has a particle";
+    EXPECT_EQ(pinsOf(world).size(), 1u);
+    EXPECT_EQ(totals(world).bodies, before.bodies);
+    EXPECT_EQ(totals(world).particles, before.particles);
+}
+
 }  // namespace
 }  // namespace sulfurchamber

@@ -89,6 +89,7 @@ save ${WORK}/snow.json
 library snowman
 do template-edit
 expect instances = 0
+expect bodies = 5
 expect modified = 0
 select belly
 expect property.mass = 20
