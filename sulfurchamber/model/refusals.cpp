@@ -56,10 +56,6 @@ constexpr std::string_view patternsOfRefusals[] = {
     "cannot be read to its end; check the disk",
     "is not JSON",
     "is not JSON: {}",
-    "unexpected {}; expected {}",
-    "invalid literal",
-    "invalid literal; expected {}",
-    "invalid number; expected {}",
     "the text ends in the middle; it is cut off, so take a complete copy of the file",
     "a number is beyond 1.8e308; allowed are finite numbers",
     "{}; nothing was changed, choose another place or make room",
@@ -303,6 +299,11 @@ std::optional<std::vector<FilledGap>> gapsOf(std::string_view pattern, std::stri
     return place ? std::nullopt : std::optional(gaps);
 }
 
+// What a translation quotes are the own words of a library that refuses, such as a parser's.
+bool quotes(std::string_view before) {
+    return before.ends_with("\xE2\x80\x9E") || before.ends_with("\xC2\xAB");
+}
+
 std::optional<std::string> bySentence(std::string_view text) {
     for (const std::string_view pattern : patternsByLength()) {
         const auto gaps = gapsOf(pattern, text);
@@ -311,9 +312,10 @@ std::optional<std::string> bySentence(std::string_view text) {
         std::size_t from = 0;
         for (const FilledGap& one : *gaps) {
             const std::string value(one.text);
-            const std::string shown = one.quoted ? value : trRefusal(value);
             from = said.find(gapMark, from);
             if (from == said.npos) break;
+            const bool own = one.quoted || quotes(std::string_view(said).substr(0, from));
+            const std::string shown = own ? value : trRefusal(value);
             said.replace(from, gapMark.size(), shown);
             from += shown.size();
         }

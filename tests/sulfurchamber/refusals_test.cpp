@@ -44,9 +44,9 @@ std::string trimmedAtEnds(const std::string& text) {
 
 // Mistakes of a program, which no file can be the reason of, and words by which the reader knows
 // what its parser says.
-const std::set<std::string> notShown{"sulfur::scene reads the key", "which its list of keys lacks",
-                                     "; last read:", "unexpected end of input",
-                                     "missing closing quote"};
+const std::set<std::string> notShown{
+    "sulfur::scene reads the key", "which its list of keys lacks", "; last read:", "; expected",
+    "unexpected end of input",     "missing closing quote"};
 
 bool isOfAPattern(const std::string& words) {
     for (const std::string_view pattern : refusalPatterns())
@@ -132,6 +132,26 @@ TEST_F(Refusals, whatIsQuotedIsNotTranslated) {
     EXPECT_EQ(trRefusal("is not JSON.png: libpng said no"), "is not JSON.png: libpng said no");
     EXPECT_EQ(trRefusal(""), "");
     EXPECT_EQ(trRefusal(": "), ": ");
+}
+
+TEST_F(Refusals, whatAParserSaysIsQuotedInItsOwnWords) {
+    const std::string comma =
+        refusalOf([] { sulfur::scene::parse("{\"format\":\n \"sulfur-scene\" 1}", "a.json"); });
+    const std::string end = "; expected '}'";
+    ASSERT_TRUE(comma.starts_with("a.json:2: is not JSON: unexpected ") && comma.ends_with(end));
+    const std::string words = comma.substr(comma.find("unexpected"));
+    const auto drawing = [] { readDrawing("<svg>\n<g></svg>", "d.svg", {}); };
+    const std::string tag = refusalOf(drawing);
+    const std::string before = "d.svg: is not well-formed, line 2: ";
+    ASSERT_TRUE(tag.starts_with(before)) << tag;
+    setLanguage("de");
+    EXPECT_EQ(trRefusal(comma), "a.json:2: ist kein JSON (im Wortlaut: \u201E" + words + "\u201C)");
+    EXPECT_EQ(trRefusal(refusalOf(drawing)),
+              "d.svg: ist nicht wohlgeformt, Zeile 2 (im Wortlaut: \u201E" +
+                  tag.substr(before.size()) + "\u201C)");
+    setLanguage("it");
+    EXPECT_EQ(trRefusal(comma),
+              "a.json:2: non \u00E8 JSON (testualmente: \u00AB" + words + "\u00BB)");
 }
 
 TEST_F(Refusals, drawingsAndSharedTextsToo) {
