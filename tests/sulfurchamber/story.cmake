@@ -1,6 +1,7 @@
 # The story of a newcomer, by mouse and keyboard: a soft creature on a rope, a wall that falls on
-# it, back in time, stiffer, its energy over time; then a car with driven wheels and a catapult, a
-# template whose instances follow, and a level that is played.
+# it, back in time, stiffer, its energy over time; then a car with driven wheels and a catapult, both
+# saved as templates, a template whose instances follow, and a level with car and catapult that is
+# played.
 # Pictures of each step lie in the working folder.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 
@@ -64,9 +65,21 @@ expect fittings = 3
 tool ball
 drag 1.2 1.15 1.3 1.15
 tool ball
-drag 3.4 3 3.75 3
+drag 3.4 1.6 3.7 1.6
+tool select
+drag -3.4 1.2 -0.4 -0.4
+expect selected = 3
+save-template Car of mine
+drag 0.7 2.4 4 -0.4
+expect selected = 4
+save-template Catapult of mine
+expect instances = 2
 screenshot ${WORK}/5-catapult.png
-run 1.2
+hold-key Right 1
+select box
+expect property.x > -1.4
+select ball
+expect property.y > 1.3
 screenshot ${WORK}/6-running.png
 expect problem = 0
 save ${WORK}/machines.json
@@ -114,10 +127,13 @@ do page-level
 expect page = 7
 await level.checked = 1 60
 expect level.problems = 0
+place 3.4 0.1 Car of mine
+place 8.4 0.1 Catapult of mine
+expect instances = 2
 do place-checkpoint
-click 8 0.4
+click 7 1.4
 do place-hint
-click 9 1.2
+click 9 2
 field text Well done
 thing exit 0
 field radius 0.8
