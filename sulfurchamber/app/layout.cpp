@@ -184,7 +184,7 @@ void MainFrame::followTool() {
     const ToolGroup group = groupOf(bench_.tool());
     if (bench_.tool() != ToolKind::place) lastTools_[group] = bench_.tool();
     for (const auto& [which, id] : groupIds_) {
-        const bool on = which == group;
+        const bool on = which == group && bench_.tool() != ToolKind::place;
         if (palette_->GetToolToggled(id) != on) palette_->ToggleTool(id, on);
     }
     if (group != ToolGroup::select) showGroup(group);

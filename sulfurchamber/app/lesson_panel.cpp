@@ -6,6 +6,7 @@
 #include <atlax/backend.hpp>
 #include <utility>
 
+#include "small_button.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -23,20 +24,15 @@ LessonPanel::LessonPanel(wxWindow* parent, Workbench& bench, SceneView& view,
     title_->SetFont(title_->GetFont().Bold());
     text_ =
         new wxStaticText(this, wxID_ANY, "", wxDefaultPosition, wxDefaultSize, wxST_NO_AUTORESIZE);
-    show_ = new wxButton(this, wxID_ANY, wxTr("Show me"), wxDefaultPosition, wxDefaultSize,
-                         wxBU_EXACTFIT);
-    skip_ =
-        new wxButton(this, wxID_ANY, wxTr("Skip"), wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
-    auto* end =
-        new wxButton(this, wxID_ANY, wxTr("End"), wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
+    show_ = smallButton(this, wxTr("Show me"));
+    skip_ = smallButton(this, wxTr("Skip"));
+    auto* end = smallButton(this, wxTr("End"));
     show_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { showStep(); });
     skip_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { skipStep(); });
     end->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { stop(); });
     auto* buttons = new wxBoxSizer(wxHORIZONTAL);
-    for (wxButton* button : {show_, skip_, end}) {
-        button->SetMinSize(button->GetBestSize() + FromDIP(wxSize(12, 0)));
+    for (wxButton* button : {show_, skip_, end})
         buttons->Add(button, wxSizerFlags(0).Border(wxLEFT, FromDIP(4)));
-    }
     top_ = new wxBoxSizer(wxHORIZONTAL);
     top_->Add(title_, wxSizerFlags(1).CentreVertical());
     top_->Add(buttons, wxSizerFlags(0));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "icons.hpp"
+#include "small_button.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -80,8 +81,7 @@ wxStaticText* LevelPanel::heading(const wxString& text) {
 }
 
 wxButton* LevelPanel::button(const wxString& label, const wxString& help, const char* action) {
-    auto* made =
-        new wxButton(this, wxID_ANY, wxTr(label), wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
+    auto* made = smallButton(this, wxTr(label));
     made->SetToolTip(wxTr(help));
     made->Bind(wxEVT_BUTTON,
                [this, name = std::string(action)](wxCommandEvent&) { perform_(name); });
@@ -117,8 +117,7 @@ void LevelPanel::makePalette(wxSizer* sizer) {
 void LevelPanel::makeProof(wxSizer* sizer) {
     auto* row = new wxWrapSizer(wxHORIZONTAL);
     row->Add(button("Play", "Play the level here (F5)", "level-play"));
-    solve_ = new wxButton(this, wxID_ANY, wxTr("Can it be finished?"), wxDefaultPosition,
-                          wxDefaultSize, wxBU_EXACTFIT);
+    solve_ = smallButton(this, wxTr("Can it be finished?"));
     solve_->SetToolTip(wxTr("Search for a way through the level (F6), or stop it"));
     solve_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) {
         const SearchJob* job = stage_.desk().job();

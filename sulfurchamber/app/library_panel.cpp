@@ -1,4 +1,5 @@
 #include "library_panel.hpp"
+#include "small_button.hpp"
 #include "wx_words.hpp"
 
 #include <wx/sizer.h>
@@ -21,8 +22,7 @@ LibraryPanel::LibraryPanel(wxWindow* parent, Workbench& bench, TemplateDesk& des
     search_->ShowCancelButton(true);
     grid_ = new PictureGrid(this, thumbnails);
     grid_->setEmptyText(wxTr("No template has these words"));
-    auto* save = new wxButton(this, wxID_ANY, wxTr("Save the selection\xE2\x80\xA6"),
-                              wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
+    auto* save = smallButton(this, wxTr("Save the selection\xE2\x80\xA6"));
     save->SetToolTip(wxTr("Make a template of what is selected"));
     save->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { run_("template-save"); });
     auto* all = new wxBoxSizer(wxVERTICAL);

@@ -24,6 +24,7 @@
 #include "level_panel.hpp"
 #include "picture_grid.hpp"
 #include "program_files.hpp"
+#include "value_row.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -210,6 +211,11 @@ void addCutTexts(const wxWindow& window, std::vector<std::string>& cut) {
             if (text->GetTextExtent(line).GetWidth() > text->GetSize().GetWidth())
                 cut.push_back(line.utf8_string());
     }
+    if (const auto* field = dynamic_cast<const wxTextCtrl*>(&window); field && field->IsEmpty())
+        if (const wxString hint = field->GetHint();
+            field->GetTextExtent(hint).GetWidth() + window.FromDIP(fieldEdges) >
+            field->GetSize().GetWidth())
+            cut.push_back(hint.utf8_string());
     for (const wxWindow* child : window.GetChildren()) addCutTexts(*child, cut);
 }
 

@@ -9,6 +9,7 @@
 #include "../model/refusals.hpp"
 #include "../model/stage_times.hpp"
 #include "../view/meter_painter.hpp"
+#include "small_button.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -126,8 +127,7 @@ void MeasurePanel::makeStages(wxSizer* sizer) {
     for (std::size_t i = 0; i < stages_.size(); ++i)
         stages_[i] = line(table, stageWords(static_cast<sulfur::Stage>(i)));
     sizer->Add(table, wxSizerFlags(0).Expand().Border(wxBOTTOM, FromDIP(6)));
-    search_ = new wxButton(this, wxID_ANY, wxTr("What costs most?"), wxDefaultPosition,
-                           wxDefaultSize, wxBU_EXACTFIT);
+    search_ = smallButton(this, wxTr("What costs most?"));
     search_->SetToolTip(
         wxTr("Lets copies of the scene go on without one object after the other, and compares"));
     search_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { findDearest(); });

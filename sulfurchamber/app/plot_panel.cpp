@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "small_button.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -339,9 +340,7 @@ PlotPanel::PlotPanel(wxWindow* parent, Workbench& bench,
     : wxPanel(parent), bench_(bench) {
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     for (const char* name : {"Quantities", "Fit", "Export"}) {
-        auto* button =
-            new wxButton(this, wxID_ANY, wxTr(name) + wxString::FromUTF8(" \xE2\x96\xBE"),
-                         wxDefaultPosition, wxDefaultSize, wxBU_EXACTFIT);
+        auto* button = smallButton(this, wxTr(name) + wxString::FromUTF8(" \xE2\x96\xBE"));
         button->Bind(wxEVT_BUTTON,
                      [choose, name, button](wxCommandEvent&) { choose(wxString(name), *button); });
         row->Add(button, wxSizerFlags(0).Border(wxRIGHT, FromDIP(4)));

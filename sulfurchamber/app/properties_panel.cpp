@@ -7,6 +7,7 @@
 
 #include "../model/instances.hpp"
 #include "property_spec.hpp"
+#include "small_button.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -81,8 +82,7 @@ void PropertiesPanel::makeLook(wxSizer* table) {
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     colour_ = new wxColourPickerCtrl(this, wxID_ANY, *wxWHITE, wxDefaultPosition,
                                      FromDIP(wxSize(52, -1)));
-    ownColour_ = new wxButton(this, wxID_ANY, wxTr("Usual"), wxDefaultPosition, wxDefaultSize,
-                              wxBU_EXACTFIT);
+    ownColour_ = smallButton(this, wxTr("Usual"));
     ownColour_->SetToolTip(wxTr("Back to the colour that the scene gives it"));
     row->Add(colour_, wxSizerFlags(1).Expand());
     row->Add(ownColour_, wxSizerFlags(0).Expand().Border(wxLEFT, FromDIP(4)));

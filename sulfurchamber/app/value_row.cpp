@@ -43,8 +43,10 @@ void ValueRow::makeTop(wxWindow* parent) {
     top_ = new wxBoxSizer(wxHORIZONTAL);
     name_ = new wxStaticText(parent, wxID_ANY, spec_.name, wxDefaultPosition, wxDefaultSize,
                              wxST_ELLIPSIZE_END);
-    number_ = new wxTextCtrl(parent, wxID_ANY, "", wxDefaultPosition,
-                             parent->FromDIP(wxSize(58, -1)), wxTE_RIGHT | wxTE_PROCESS_ENTER);
+    number_ = new wxTextCtrl(parent, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
+                             wxTE_RIGHT | wxTE_PROCESS_ENTER);
+    const int words = number_->GetTextExtent(wxTr("mixed")).x + parent->FromDIP(fieldEdges);
+    number_->SetMinSize({std::max(parent->FromDIP(58), words), -1});
     auto* unit = new wxStaticText(parent, wxID_ANY, spec_.unit);
     // One below the other, but for long ones such as "N m s/rad".
     unit->SetMinSize({std::max(parent->FromDIP(42), unit->GetTextExtent(spec_.unit).x + 1), -1});

@@ -16,6 +16,8 @@
 
 namespace sulfurchamber {
 
+constexpr int fieldEdges = 20;  ///< of a field beside its text, in pixels of a usual screen
+
 /// What a row shows and does.
 struct ValueSpec {
     wxString name;

@@ -221,7 +221,7 @@ std::string titleOf(const Document& document, const LevelThing& thing) {
         while ((static_cast<unsigned char>(words[end]) & 0xC0u) == 0x80u) --end;
         words = words.substr(0, end) + "\xE2\x80\xA6";
     }
-    return words.empty() ? title : title + " \xE2\x80\x9C" + words + "\xE2\x80\x9D";
+    return words.empty() ? title : tr("{} \xE2\x80\x9C{}\xE2\x80\x9D", {title, words});
 }
 
 std::optional<std::string> fieldText(const Document& document, const LevelThing& thing,

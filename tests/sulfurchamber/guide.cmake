@@ -120,6 +120,7 @@ whole
 tool hinge
 click 0 1.2
 expect fittings = 1
+do select-all                # where values differ, fields say so
 do page-object
 whole
 do page-measure
@@ -143,5 +144,22 @@ do page-measure
 ${laws}do language-system
 ")
   run_window(0 --language ${language} --script ${WORK}/${language}.txt)
+  # In the smallest window too.
+  file(WRITE ${WORK}/${language}-small.txt "
+open ${SCENES}/car.json
+do select-all
+do page-object
+whole
+do page-library
+whole
+do plot
+run 0.1
+whole
+do plot
+open ${SCENES}/../../levels/09-frost-slug.json
+do page-level
+whole
+")
+  run_window(0 --language ${language} --width 640 --height 480 --script ${WORK}/${language}-small.txt)
 endforeach()
 run(105 ${PROGRAM} --language xx)
