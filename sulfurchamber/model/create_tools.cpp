@@ -173,19 +173,20 @@ private:
     }
 
     // What bears loads between two ends gives, damps, is rough, and has few links: a load across
-    // many rigid ones costs a tenth of a core. What resists bending calms it, the less the more
-    // links there are: the links' own damping does nothing against swinging.
+    // many rigid ones costs a tenth of a core. What resists bending calms it, the more the longer
+    // links are: the links' own damping does nothing against swinging. From end to end all of them
+    // are one spring, so that a longer rope is a thicker one and does not swing more slowly.
     static void makeSpan(sulfur::shapes::RopeOptions& options) {
-        constexpr double link = 0.25;  // metres
+        constexpr double link = 0.375;  // metres
         constexpr int mostLinks = 24;
-        constexpr double stretch = 3750;   // N, for twice its length
+        constexpr double endToEnd = 940;   // N/m
         constexpr double dampedFor = 0.2;  // s, damping over stiffness
         const auto span = static_cast<double>(options.to.norm());
         options.links = std::clamp(static_cast<int>(std::lround(span / link)), 2, mostLinks);
         options.slack = sulfur::Real(0.02);
-        options.stiffness = real(stretch * options.links / span);
+        options.stiffness = real(endToEnd * options.links);
         options.damping = real(dampedFor * static_cast<double>(options.stiffness));
-        options.bending = 2;
+        options.bending = 10;
         options.material.staticFriction = Real(1.5);
         options.material.kineticFriction = Real(1.3);
     }
