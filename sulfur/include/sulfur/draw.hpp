@@ -106,8 +106,9 @@ public:
         MechanismId id = {};      ///< its handle
         MechanismInfo info = {};  ///< what it is and does
         /// Metres, only during the call. Hinge and weld: the pin, or without one a place of each
-        /// body. Slider: where its value is 0, then where it is. Distance: both points. Pulley: the
-        /// rope from a over the frame to b. Gear: the first place of each of its two mechanisms.
+        /// body. Slider: where its value is 0, then where it is; on a rail its line, with chords of
+        /// arcs, then where it is. Distance: both points. Pulley: the rope from a over the frame to
+        /// b. Gear: the first place of each of its two mechanisms.
         std::span<const Point> places;
     };
     /// An angular joint.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sulfur/ids.hpp>
 #include <sulfur/math.hpp>
+#include <vector>
 
 namespace sulfur {
 
@@ -43,10 +44,12 @@ struct HingeOptions {
 
 /// How World::slider leads a point of a body along a line of another one.
 struct SliderOptions {
-    Drive drive = {};      ///< metres along the axis
+    Drive drive = {};      ///< metres along the axis or the rail
     bool collide = false;  ///< whether the two bodies touch each other
     bool turns = true;     ///< whether b turns freely; else it keeps its angle against a
-    double value = 0;      ///< m, -1e6 to 1e6: what the place counts as when the slider is made
+    /// m, -1e6 to 1e6: what the place counts as when the slider is made; on a rail what its begin
+    /// counts as.
+    double value = 0;
 };
 
 /// How World::wheel hangs a wheel on a body.
@@ -112,6 +115,8 @@ struct MechanismInfo {
     Real strength = infinite;            ///< N, of the pin
     bool turns = true;                   ///< of a slider: whether b turns freely
     Vec2 axis{0, 0};                     ///< of a slider: where its line points now, 1 long
+    std::vector<JointId> rail = {};      ///< of a slider: what is left of its rail, in order
+    double railBegin = 0;                ///< m: what the begin of that counts as
     Point overA{0, 0};                   ///< metres, of a pulley: where the rope of a turns
     Point overB{0, 0};                   ///< metres, of a pulley: where that of b does
     BodyId frame = {};                   ///< of a pulley

@@ -128,6 +128,16 @@ public:
     /// Leads the point `at` of b along the line through it, in the direction `axis`, that moves
     /// with a.
     MechanismId slider(BodyId a, BodyId b, Point at, Vec2 axis, const SliderOptions& options = {});
+    /// Leads the point `at` of b along joints of a, straight ones and arcs: `rail` has them in the
+    /// order of a line, each beginning where the one before ends. The value is the length along
+    /// them, at rest, from where the first one begins, which counts as `options.value`; it goes on
+    /// from round to round where the last one ends there. At free ends the point stops, as at
+    /// limits. Where links meet at an angle it is deflected without losing speed. It may be beside
+    /// the rail, by up to half of its length, and then comes nearer at up to 5 m/s. Where another
+    /// joint of the rail breaks or is removed, the rail ends there; with the one that it is on the
+    /// slider goes. Complexity: linear in the joints, of a step in those that it passes.
+    MechanismId slider(BodyId a, BodyId b, Point at, std::span<const JointId> rail,
+                       const SliderOptions& options = {});
     /// Hangs a wheel on a body: a slider with a spring, and a motor that turns it.
     WheelIds wheel(BodyId body, BodyId wheel, Point at, Vec2 axis,
                    const WheelOptions& options = {});

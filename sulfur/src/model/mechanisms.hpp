@@ -58,6 +58,25 @@ struct RowForces {
     }
 };
 
+/// The links of a body along which a slider's point goes, in order. The points of its line are the
+/// ends of the link that it is on.
+struct Rail {
+    std::vector<JointId> links;
+    std::uint32_t link = 0;   // on which it is
+    std::uint8_t closed = 0;  // the last one ends where the first one begins
+    double begin = 0;         // m, from the rail's begin to where its link begins
+
+    bool isNothing() const { return links.empty(); }
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(links);
+        a(link);
+        a(closed);
+        a(begin);
+    }
+};
+
 struct Mechanism {
     MechanismId id;
     MechanismKind kind = MechanismKind::hinge;
@@ -75,6 +94,7 @@ struct Mechanism {
     std::array<AttachmentId, 2> pins;  // of a hinge or weld
     std::array<BodyId, 2> own;         // bodies of a particle: a pin, or places of fixed bodies
     BodyId frame;                      // of a pulley
+    Rail rail;                         // of a slider, or nothing
     Real pinStrength = infinite;       // N
     std::uint8_t turns = 1;            // a slider's b
     std::uint8_t apart = 0;            // its bodies are not to collide
@@ -116,6 +136,7 @@ struct Mechanism {
         archive(vain);
         for (auto& row : forces) archive(row);
         if (a == b) archive(angle);
+        archive(rail);
     }
 };
 

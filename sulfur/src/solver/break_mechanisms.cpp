@@ -1,6 +1,7 @@
 // Mechanisms and angular joints that go: overloaded, removed, or with what they held.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bodies/sleep.hpp"
 #include "shape/make_shapes.hpp"
@@ -64,7 +65,7 @@ void tellBroken(State& state, std::uint32_t angle, Real torque) {
 
 void dropMechanism(State& state, std::uint32_t index) {
     Mechanisms& all = state.mechanisms;
-    const Mechanism m = all.list[index];
+    const Mechanism m = std::move(all.list[index]);
     all.slots.erase(m.id);
     all.list.erase(all.list.begin() + index);
     for (auto i = index; i < all.list.size(); ++i) all.slots.move(all.list[i].id, i);

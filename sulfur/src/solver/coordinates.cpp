@@ -5,6 +5,7 @@
 
 #include "core/trigonometry.hpp"
 #include "rigid/grip.hpp"
+#include "solver/rails.hpp"
 
 namespace sulfur::detail {
 
@@ -128,6 +129,27 @@ void addOnLine(const State& state, const Mechanism& m, bool isAcross, double fac
     add(state, m.points[2], turning, to);
 }
 
+/// The ends of a link hold its shape: in their frame, as complex numbers, the point is at z. What
+/// pushes it by f is borne by them as -(1 - z') f and -z' f, without a momentum or a torque of all
+/// three.
+void addFromLink(const State& state, const Mechanism& m, const Point& share, const Point& push,
+                 CoordinateSlopes& to) {
+    const Point held = turnedBack(share, push);
+    add(state, m.points[0], push, to);
+    add(state, m.points[1], held - push, to);
+    add(state, m.points[2], -held, to);
+}
+
+void addOnRail(const State& state, const Mechanism& m, bool isAcross, double factor,
+               CoordinateSlopes& to) {
+    const OnRail on = onRail(state, m, false);
+    addFromLink(state, m, on.share, factor * (isAcross ? on.across : on.along), to);
+    if (!isAcross) return;
+    const Point stretch = factor * on.off * on.perLength;
+    add(state, m.points[1], -stretch, to);
+    add(state, m.points[2], stretch, to);
+}
+
 void addDistance(const State& state, const Mechanism& m, std::size_t first, double factor,
                  CoordinateSlopes& to) {
     const Point apart =
@@ -150,12 +172,12 @@ const Mechanism& partOf(const State& state, const Mechanism& gear, std::size_t k
 
 void addSlopes(const State& state, const Mechanism& m, RowOf row, double factor,
                CoordinateSlopes& to) {
-    if (row == RowOf::across) return addOnLine(state, m, true, factor, to);
+    if (row == RowOf::across || (row == RowOf::drive && m.kind == MechanismKind::slider))
+        return m.rail.isNothing() ? addOnLine(state, m, row == RowOf::across, factor, to)
+                                  : addOnRail(state, m, row == RowOf::across, factor, to);
     if (row == RowOf::angle || isAngular(m.kind)) {
         addAngle(state, m.arms[1], factor, to);
         addAngle(state, m.arms[0], -factor, to);
-    } else if (m.kind == MechanismKind::slider) {
-        addOnLine(state, m, false, factor, to);
     } else if (m.kind == MechanismKind::distance || m.kind == MechanismKind::pulley) {
         addDistance(state, m, 0, factor, to);
         if (m.kind == MechanismKind::pulley)
@@ -200,13 +222,16 @@ double angleApart(const State& state, const Mechanism& m, bool moved) {
 }
 
 double valueOf(const State& state, const Mechanism& m, RowOf row, bool moved) {
-    if (row == RowOf::across) return onLine(state, m, moved).off;
+    const bool isOnRail = !m.rail.isNothing();
+    if (row == RowOf::across)
+        return isOnRail ? onRail(state, m, moved).off : onLine(state, m, moved).off;
     if (row == RowOf::angle) return angleApart(state, m, moved) - m.zeroAngle;
     switch (m.kind) {
         case MechanismKind::hinge:
         case MechanismKind::weld:
             return angleApart(state, m, moved) - m.zero;
         case MechanismKind::slider:
+            if (isOnRail) return m.rail.begin + onRail(state, m, moved).place - m.zero;
             return onLine(state, m, moved).place - m.zero;
         case MechanismKind::distance:
             return distanceOf(state, m, 0, moved);
@@ -232,9 +257,38 @@ CoordinateSlopes slopesOf(const State& state, const Mechanism& m, RowOf row) {
     return slopes;
 }
 
-double speedOf(const State& state, const Mechanism& m) {
+CoordinateSlopes slopesFromLink(const State& state, const Mechanism& m, const Point& direction) {
+    CoordinateSlopes slopes;
+    addFromLink(state, m, onRail(state, m, false).share, direction, slopes);
+    return slopes;
+}
+
+double freeMobility(const CoordinateSlopes& slopes) {
     double sum = 0;
-    for (const TurnedMover& mover : slopesOf(state, m, RowOf::drive)) {
+    for (const TurnedMover& m : slopes)
+        sum += m.inverseMass * m.force.squaredNorm() + m.inverseInertia * m.turning * m.turning;
+    return sum;
+}
+
+void strike(State& state, const CoordinateSlopes& slopes, double impulse) {
+    for (const TurnedMover& m : slopes) {
+        if (m.cluster == none) {
+            state.particles.velocity[m.particle] += m.inverseMass * impulse * m.force;
+            continue;
+        }
+        Cluster& c = state.clusters.list[m.cluster];
+        c.velocity += m.inverseMass * impulse * m.force;
+        c.spin += m.inverseInertia * impulse * m.turning;
+    }
+}
+
+double speedOf(const State& state, const Mechanism& m) {
+    return speedOf(state, slopesOf(state, m, RowOf::drive));
+}
+
+double speedOf(const State& state, const CoordinateSlopes& slopes) {
+    double sum = 0;
+    for (const TurnedMover& mover : slopes) {
         if (mover.cluster == none) {
             sum += mover.force.dot(state.particles.velocity[mover.particle]);
             continue;
@@ -253,6 +307,7 @@ bool holds(const State& state, const Mechanism& m) {
         });
     }
     if (m.angle && !state.angleSlots.contains(m.angle)) return false;
+    if (!m.rail.isNothing() && !state.jointSlots.contains(m.rail.links[m.rail.link])) return false;
     const auto isThere = [&](ParticleId id) { return !id || state.particleSlots.contains(id); };
     for (const MechanismPoint& point : m.points)
         for (std::uint32_t k = 0; k < point.count; ++k)

@@ -18,8 +18,18 @@ double valueOf(const State& state, const Mechanism& mechanism, RowOf row, bool m
 /// Of the present places. Empty where a coordinate has none, as two points at one place have no
 /// direction.
 CoordinateSlopes slopesOf(const State& state, const Mechanism& mechanism, RowOf row);
+/// How the way of a slider's point along a direction (unit) changes against its link, which has a
+/// rail.
+CoordinateSlopes slopesFromLink(const State& state, const Mechanism& slider,
+                                const Point& direction);
 /// rad/s or m/s, of the drive's, with the velocities that there are.
 double speedOf(const State& state, const Mechanism& mechanism);
+double speedOf(const State& state, const CoordinateSlopes& slopes);
+/// 1/kg or 1/(kg m^2): how fast a coordinate changes after a unit of impulse, if nothing else holds
+/// what moves.
+double freeMobility(const CoordinateSlopes& slopes);
+/// Changes velocities by an impulse (N s or N m s) along a coordinate.
+void strike(State& state, const CoordinateSlopes& slopes, double impulse);
 /// rad, of a body as its arm shows it, with whole turns. `moved` after startMechanisms() only.
 double angleOf(const State& state, const MechanismArm& arm, bool moved);
 /// rad, by how much the second arm is turned more than the first. Within a body, which a call may

@@ -14,6 +14,7 @@
 #include "solver/coordinates.hpp"
 #include "solver/group_sweep.hpp"
 #include "solver/mechanisms.hpp"
+#include "solver/rails.hpp"
 #include "trees/tree_solver.hpp"
 
 namespace sulfur::detail {
@@ -92,7 +93,7 @@ void shiftNode(State& state, std::uint32_t cluster, std::uint32_t particle,
         state.clusters.list[cluster].shift += by.head<2>().cast<Real>();
         state.clusters.list[cluster].twist += by[2];
     } else if (particle != none) {
-        state.particles.shift[particle] += by.head<2>().cast<Real>();
+        state.particles.position[particle] += by.head<2>();
     }
 }
 
@@ -100,9 +101,10 @@ void shiftNode(State& state, std::uint32_t cluster, std::uint32_t particle,
 double wayToMend(const State& state, const MechanismRow& row) {
     double goal = 0;
     if (row.number == 0) {
-        const Drive& drive = state.mechanisms.list[row.mechanism].drive;
-        goal = std::clamp(row.rigid ? static_cast<double>(drive.rest) : row.now,
-                          static_cast<double>(drive.lower), static_cast<double>(drive.upper));
+        const Mechanism& m = state.mechanisms.list[row.mechanism];
+        const DriveLimits limits = limitsOf(state, m, row.now, 0);
+        goal = std::clamp(row.rigid ? static_cast<double>(m.drive.rest) : row.now, limits.lower,
+                          limits.upper);
     }
     const double most = closingSpeed * static_cast<double>(state.h);
     return std::clamp(tuned::recoveryShare * (goal - row.now), -most, most);
@@ -192,14 +194,6 @@ void answerGroup(State& state, MechanismGroup& group) {
     }
 }
 
-/// How far a unit of a row would move its coordinate if no tree held anything.
-double freeMobility(const MechanismRow& row) {
-    double sum = 0;
-    for (const TurnedMover& m : row.slopes)
-        sum += m.inverseMass * m.force.squaredNorm() + m.inverseInertia * m.turning * m.turning;
-    return sum;
-}
-
 /// How far a unit of one row moves the coordinate of another one. It is the same both ways.
 double response(const State& state, const MechanismRow& to, const MechanismRow& by) {
     double sum = 0;
@@ -233,7 +227,7 @@ void prepareGroup(State& state, const MechanismGroup& group) {
         for (std::size_t j = 0; j <= k; ++j)
             matrix[k * size + j] = matrix[j * size + k] = response(state, rows[k], rows[j]);
         const double own = matrix[k * size + k];
-        rows[k].mobility = own > GroupSweep::blocked * freeMobility(rows[k]) ? own : 0;
+        rows[k].mobility = own > GroupSweep::blocked * freeMobility(rows[k].slopes) ? own : 0;
     }
     GroupSweep(state, group).factorise();
 }

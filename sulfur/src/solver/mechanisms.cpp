@@ -16,23 +16,11 @@
 #include "core/settings.hpp"
 #include "particles/motion.hpp"
 #include "solver/coordinates.hpp"
+#include "solver/rails.hpp"
 
 namespace sulfur::detail {
 
 namespace {
-
-/// Changes velocities by an impulse (N s or N m s) along the coordinate.
-void strike(State& state, const CoordinateSlopes& slopes, double impulse) {
-    for (const TurnedMover& m : slopes) {
-        if (m.cluster == none) {
-            state.particles.velocity[m.particle] += m.inverseMass * impulse * m.force;
-            continue;
-        }
-        Cluster& c = state.clusters.list[m.cluster];
-        c.velocity += m.inverseMass * impulse * m.force;
-        c.spin += m.inverseInertia * impulse * m.turning;
-    }
-}
 
 /// Multiplier (kg m or kg m^2) for 1 N or 1 N m in a step.
 double multiplierPerForce(const State& state) {
@@ -46,11 +34,10 @@ bool hasSpring(const Drive& drive) {
 /// What a drive asks for in this step. `start`: the coordinate when it began. What is wrong then
 /// stays so: leadMechanisms() mends it by moving places. A velocity that did would be kept by
 /// whoever stands in the way, and both would push ever harder.
-void settle(const State& state, const Drive& drive, MechanismRow& row) {
+void settle(const State& state, const Drive& drive, const DriveLimits& limits, MechanismRow& row) {
     const double h = static_cast<double>(state.h), perForce = multiplierPerForce(state);
-    const double lower = static_cast<double>(drive.lower), upper = static_cast<double>(drive.upper);
-    row.lower = std::min(lower, row.start);
-    row.upper = std::max(upper, row.start);
+    row.lower = std::min(limits.lower, row.start);
+    row.upper = std::max(limits.upper, row.start);
     row.rigid = drive.stiffness == infinite;
     const double rest = static_cast<double>(drive.rest);
     row.rest = row.rigid ? row.start : rest;
@@ -134,7 +121,7 @@ bool acts(const MechanismRow& row, const Drive& drive, double now, Pushed& pushe
     if (row.start + std::min(ahead, 0.0) < row.lower ||
         row.start + std::max(ahead, 0.0) > row.upper)
         return true;
-    return (drive.lower > -infinite || drive.upper < infinite) && pushed.any(row);
+    return (std::isfinite(row.lower) || std::isfinite(row.upper)) && pushed.any(row);
 }
 
 bool isAwake(const State& state, const Mechanism& m) {
@@ -178,6 +165,7 @@ void startMechanisms(State& state) {
     for (std::uint32_t i = 0; i < all.list.size(); ++i) {
         Mechanism& m = all.list[i];
         if (!isAwake(state, m) || isCut(state, m)) continue;
+        if (!m.rail.isNothing()) followRail(state, m);
         noteAngles(state, m);
         for (const auto number : {RowOf::drive, RowOf::across, RowOf::angle}) {
             if (!hasRow(m, number)) continue;
@@ -205,8 +193,11 @@ void settleMechanisms(State& state) {
     std::erase_if(all.rows, [&](MechanismRow& row) {
         const Mechanism& m = all.list[row.mechanism];
         const Drive& drive = driveOf(m, row.number);
-        settle(state, drive, row);
-        return !acts(row, drive, valueOf(state, m, RowOf(row.number), true), pushed);
+        const double now = valueOf(state, m, RowOf(row.number), true);
+        const double reach = 2 * std::abs(now - row.start);
+        settle(state, drive, row.number == 0 ? limitsOf(state, m, row.start, reach) : DriveLimits{},
+               row);
+        return !acts(row, drive, now, pushed);
     });
 }
 

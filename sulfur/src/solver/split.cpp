@@ -161,6 +161,14 @@ void regroupAngles(State& state) {
     }
 }
 
+/// A slider on a rail stays on its link, whoever has that now.
+void regroupRails(State& state) {
+    for (Mechanism& m : state.mechanisms.list)
+        if (!m.rail.isNothing() && state.jointSlots.contains(m.rail.links[m.rail.link]))
+            m.a = state.bodies[state.joints.body[state.jointSlots.dense(m.rail.links[m.rail.link])]]
+                      .id;
+}
+
 /// Puts the particles of every body beside each other again, bodies in their order.
 void reorderParticles(State& state) {
     std::vector<std::uint32_t> order;
@@ -256,6 +264,7 @@ void splitBodies(State& state, const std::vector<ParticleId>& brokenEnds) {
         if (removal.particles[i]) lost.push_back(state.particles.id[i]);
     if (anySplit) {
         regroupAngles(state);
+        regroupRails(state);
         reorderParticles(state);
     }
     if (anySplit) countTies(state);

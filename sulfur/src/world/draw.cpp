@@ -5,6 +5,7 @@
 
 #include "core/error_checks.hpp"
 #include "shape/bends.hpp"
+#include "solver/rails.hpp"
 #include "solver/zones.hpp"
 #include "world/impl.hpp"
 
@@ -149,6 +150,25 @@ private:
             to_.attachment({held.id, place(held.particle), point, {supports.data(), held.count}});
     }
 
+    /// The line of what is left of a rail, then what slides.
+    std::vector<Point> placesOnRail(const detail::Mechanism& m) const {
+        std::vector<Point> line;
+        for (const JointId id : runOf(state_, m).links) {
+            const auto j = state_.jointSlots.dense(id);
+            std::vector<Point> link{place(state_.joints.a[j])};
+            detail::forEachPieceOf(
+                state_, j, link[0], place(state_.joints.b[j]),
+                [&](const Point&, const Point& to, double, double) { link.push_back(to); });
+            const auto meets = [&](const Point& end) {
+                return !line.empty() && end == line.back();
+            };
+            if (!meets(link.front()) && !meets(link.back())) std::reverse(line.begin(), line.end());
+            if (meets(link.back())) std::reverse(link.begin(), link.end());
+            line.insert(line.end(), link.begin() + (line.empty() ? 0 : 1), link.end());
+        }
+        line.push_back(place(m.points[0]));
+        return line;
+    }
     /// DebugDraw::Mechanism says which.
     std::vector<Point> placesOf(const detail::Mechanism& m) const {
         const auto& p = m.points;
@@ -159,7 +179,7 @@ private:
                 return {
                     place(state_.attachments[state_.attachmentSlots.dense(m.pins[0])].particle)};
             case MechanismKind::slider:
-                return {place(p[1]), place(p[0])};
+                return m.rail.isNothing() ? std::vector{place(p[1]), place(p[0])} : placesOnRail(m);
             case MechanismKind::distance:
                 return {place(p[0]), place(p[1])};
             case MechanismKind::pulley:

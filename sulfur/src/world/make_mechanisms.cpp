@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "bodies/sleep.hpp"
@@ -12,6 +13,8 @@
 #include "solver/compact.hpp"
 #include "solver/coordinates.hpp"
 #include "solver/mechanisms.hpp"
+#include "solver/rails.hpp"
+#include "world/given_rail.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -25,6 +28,7 @@ using detail::State;
 namespace {
 
 constexpr double farthestValue = 1e6;  // rad or m, either way
+constexpr double tied = 1e-6;  // of a link: what is as near to two of a rail is on the first one
 
 /// Whom a mechanism is about to join.
 struct Couple {
@@ -219,6 +223,10 @@ public:
         addPoint(k, couple_.b, at, "the second body");
     }
 
+    /// Puts it on the link of its rail that is nearest to a point, where its own point is. Throws
+    /// unless the rail is one.
+    void takeRail(const Point& at);
+
     void setCollision(bool collide) {
         m_.apart = collide ? 0 : 1;
         if (collide || !world_.collision(m_.a, m_.b)) return;
@@ -230,11 +238,11 @@ public:
     MechanismId finish() {
         auto& all = state_.mechanisms;
         m_.id = all.slots.insert(static_cast<std::uint32_t>(all.list.size()));
-        all.list.push_back(m_);
+        all.list.push_back(std::move(m_));
         done_ = true;
-        detail::wakeBoth(state_, m_);
+        detail::wakeBoth(state_, all.list.back());
         detail::bodyChanged(state_);
-        return m_.id;
+        return all.list.back().id;
     }
 
     Mechanism& mechanism() { return m_; }
@@ -270,6 +278,35 @@ private:
     Mechanism m_;
     bool done_ = false;
 };
+
+void MechanismMaker::takeRail(const Point& at) {
+    const std::vector<std::uint32_t> rail = detail::railOf(state_, couple_.a, m_.rail.links);
+    const std::vector<std::uint32_t> nodes = detail::nodesOfRail(state_, rail);
+    const auto& particles = state_.particles;
+    m_.rail.closed = rail.size() > 1 && nodes.front() == nodes.back() ? 1 : 0;
+    std::uint32_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity(), length = 0, begin = 0;
+    for (std::uint32_t k = 0; k < rail.size(); ++k) {
+        putOnLink(state_, m_, k, particles.id[nodes[k]]);
+        const detail::OnRail on = onRail(state_, m_, false);
+        double apart = std::abs(on.off);
+        if (on.place < 0) apart = (particles.position[nodes[k]] - at).norm();
+        if (on.place > on.length) apart = (particles.position[nodes[k + 1]] - at).norm();
+        if (apart + tied * on.length < least) {
+            least = apart;
+            nearest = k;
+            begin = length;
+        }
+        length += on.length;
+    }
+    if (!(least <= length / 2))
+        throw Error(ErrorCode::degenerate,
+                    "slider: the point is " + std::to_string(least) +
+                        " m beside the rail; allowed is half of the rail's length, " +
+                        std::to_string(length / 2) + " m");
+    m_.rail.begin = begin;
+    putOnLink(state_, m_, nearest, particles.id[nodes[nearest]]);
+}
 
 }  // namespace
 
@@ -332,6 +369,27 @@ MechanismId World::slider(BodyId a, BodyId b, Point at, Vec2 axis, const SliderO
         m.zeroAngle = valueOf(maker.state(), m, RowOf::angle, false);
     }
     m.zero = valueOf(maker.state(), m, RowOf::drive, false) - options.value;
+    maker.setCollision(options.collide);
+    return maker.finish();
+}
+
+MechanismId World::slider(BodyId a, BodyId b, Point at, std::span<const JointId> rail,
+                          const SliderOptions& options) {
+    detail::validate(options.drive);
+    detail::requireRange(options.value, -farthestValue, farthestValue, "slider: value");
+    MechanismMaker maker(*this, impl_->changing(), a, b);
+    Mechanism& m = maker.mechanism();
+    m.kind = MechanismKind::slider;
+    m.drive = options.drive;
+    m.turns = options.turns ? 1 : 0;
+    m.zero = -options.value;
+    m.rail.links.assign(rail.begin(), rail.end());  // before bodies are added, which may have it
+    maker.addPointOfB(0, at);
+    maker.takeRail(at);
+    if (!options.turns) {
+        maker.addArms(at);
+        m.zeroAngle = valueOf(maker.state(), m, RowOf::angle, false);
+    }
     maker.setCollision(options.collide);
     return maker.finish();
 }

@@ -1,11 +1,13 @@
 // World: mechanisms that there are.
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "bodies/sleep.hpp"
 #include "core/error_checks.hpp"
 #include "solver/coordinates.hpp"
 #include "solver/mechanisms.hpp"
+#include "solver/rails.hpp"
 #include "world/impl.hpp"
 
 namespace sulfur {
@@ -116,6 +118,16 @@ void tellMaking(const State& state, const Mechanism& m, MechanismInfo& info) {
     info.overB = placeOf(state, m.points[2], false);
 }
 
+/// `line`: where that goes there.
+void tellRail(const State& state, const Mechanism& m, MechanismInfo& info, Point& line) {
+    const detail::OnRail on = onRail(state, m, false);
+    detail::RailRun run = runOf(state, m);
+    info.pointA = info.pointB - on.off * on.across;
+    info.rail = std::move(run.links);
+    info.railBegin = run.begin;
+    line = on.tangent();
+}
+
 }  // namespace
 
 MechanismInfo World::info(MechanismId id) const {
@@ -152,7 +164,8 @@ MechanismInfo World::info(MechanismId id) const {
         case MechanismKind::slider: {
             info.pointA = placeOf(state, p[1], false);
             info.pointB = placeOf(state, p[0], false);
-            const Point line = placeOf(state, p[2], false) - info.pointA;
+            Point line = placeOf(state, p[2], false) - info.pointA;
+            if (!m.rail.isNothing()) tellRail(state, m, info, line);
             const double length = line.norm();
             if (length > 0) {
                 info.axis = Point(line / length).cast<Real>();

@@ -168,6 +168,7 @@ MemoryUse ofBodies(const State& state) {
     Sum sum;
     sum.add(state.bodies, state.bodyIds, state.attachments, state.mechanisms.list);
     for (const auto& body : state.bodies) sum.add(body.particles, body.joints, body.name);
+    for (const auto& mechanism : state.mechanisms.list) sum.add(mechanism.rail.links);
     sum.addBytes(state.particleSlots.bytes() + state.jointSlots.bytes() + state.bodySlots.bytes() +
                  state.attachmentSlots.bytes() + state.angleSlots.bytes() +
                  state.mechanisms.slots.bytes());

@@ -13,7 +13,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x45735f7266756c53u;  // "Slfr_sE", little-endian
+constexpr std::uint64_t snapshotMark = 0x46735f7266756c53u;  // "Slfr_sF", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>

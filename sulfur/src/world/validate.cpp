@@ -375,6 +375,22 @@ std::string validateStructure(const State& state) {
     return s.colours.size() == state.joints.size() ? "" : "colours of other joints";
 }
 
+/// Whether the line of a slider is the link of its rail that it is on.
+bool isOnItsRail(const State& state, const Mechanism& m) {
+    const Rail& rail = m.rail;
+    if (m.kind != MechanismKind::slider || rail.closed > 1 || rail.link >= rail.links.size() ||
+        !std::isfinite(rail.begin) || !state.jointSlots.contains(rail.links[rail.link]))
+        return false;
+    const auto j = state.jointSlots.dense(rail.links[rail.link]);
+    if (j >= state.joints.size()) return false;
+    const auto isEnd = [&](const MechanismPoint& point, std::uint32_t particle) {
+        return point.count == 1 && point.support[0] == state.particles.id[particle];
+    };
+    const auto a = state.joints.a[j], b = state.joints.b[j];
+    return (isEnd(m.points[1], a) && isEnd(m.points[2], b)) ||
+           (isEnd(m.points[1], b) && isEnd(m.points[2], a));
+}
+
 bool isWhole(const State& state, const Mechanism& m) {
     const auto among = [](auto value, auto most) { return !(value > most); };
     if (!among(m.kind, MechanismKind::weld) || !std::isfinite(m.zero) ||
@@ -402,6 +418,7 @@ bool isWhole(const State& state, const Mechanism& m) {
         for (std::uint32_t i = 0; i < point.count; ++i)
             if (!point.support[i] || !std::isfinite(point.weight[i])) return false;
     }
+    if (!m.rail.isNothing() && !isOnItsRail(state, m)) return false;
     const bool turns = m.kind == MechanismKind::hinge || m.kind == MechanismKind::weld ||
                        (m.kind == MechanismKind::slider && m.turns == 0);
     for (const MechanismArm& arm : m.arms)

@@ -193,6 +193,33 @@ TEST_F(DrawnMechanisms, AreLeftOutWithTheirOptionAndOutOfView) {
     EXPECT_EQ(seen.mechanisms[0].id, pulley);
 }
 
+TEST(DrawnRails, ShowTheirLineAndWhatSlides) {
+    World world({.gravity = {0, 0}});
+    Blueprint plan{.kind = BodyKind::fixed,
+                   .particles = {{.position = {0, 0}}, {.position = {2, 0}}, {.position = {2, 3}}},
+                   .joints = {{.a = 1, .b = 0, .radius = Real(0.1), .bend = 3}, {.a = 2, .b = 1}}};
+    const Body rail = world.add(plan);
+    const Body bead = world.add({.particles = {{}}}, {.position = {2, 1}});
+    const MechanismId slider = world.slider(rail, bead, {2, 1}, rail.joints());
+    Recorder seen;
+    world.draw(seen);
+    ASSERT_EQ(seen.mechanisms.size(), 1u);
+    EXPECT_EQ(seen.mechanisms[0].id, slider);
+    const auto& places = seen.places[0];
+    ASSERT_GT(places.size(), 5u);
+    EXPECT_EQ(places[0], Point(0, 0));
+    const std::size_t end = places.size() - 1;
+    EXPECT_EQ(places[end - 2], Point(2, 0));
+    EXPECT_EQ(places[end - 1], Point(2, 3));
+    EXPECT_EQ(places[end], Point(2, 1));
+    double highest = 0;
+    for (std::size_t i = 1; i < end - 1; ++i) {
+        EXPECT_LT((places[i] - places[i - 1]).norm(), 1) << i;
+        highest = std::max(highest, std::abs(places[i].y()));
+    }
+    EXPECT_NEAR(highest, std::tan(0.75), 0.01) << "nearly half a circle";
+}
+
 TEST_F(Drawn, DrawingChangesNothing) {
     const auto before = world.hash();
     DebugDraw nothing;

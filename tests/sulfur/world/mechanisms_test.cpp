@@ -166,6 +166,21 @@ TEST(Mechanisms, RefuseWhatCannotBe) {
             world.pulley(box, {0.5, 0}, {0, 3}, rod, {5, 5}, {1, 3}, BodyId{});
         },
         ErrorCode::staleHandle, "frame");
+    const auto onRail = [&](const std::vector<JointId>& rail, Point at) {
+        return [&world, rod, box, rail, at] { world.slider(rod, box, at, rail); };
+    };
+    const JointId link = rod.joints()[0], foreign = box.joints()[0];
+    refused(onRail({}, {0.5, 0}), ErrorCode::degenerate, "the rail has no joint");
+    refused(onRail({link, JointId{}}, {0.5, 0}), ErrorCode::staleHandle, "joint 1 of the rail");
+    refused(onRail({link, foreign}, {0.5, 0}), ErrorCode::degenerate,
+            "joint 1 of the rail is not of the first body");
+    refused(onRail({link, link}, {0.5, 0}), ErrorCode::degenerate, "twice");
+    refused(onRail({link}, {0.5, 0}), ErrorCode::degenerate, "m beside the rail");
+    refused(
+        [&] {
+            world.slider(box, rod, {4, 5}, std::vector{foreign, box.joints()[2]});
+        },
+        ErrorCode::degenerate, "joint 1 of the rail does not begin where the one before ends");
     EXPECT_TRUE(world.collision(frame, box));
     EXPECT_EQ(world.hash(), hash);
     EXPECT_EQ(world.bodies().size(), bodies);
