@@ -116,6 +116,7 @@ SulfurMechanismInfo toC(const MechanismInfo& info) {
             toC(info.strength),
             info.turns,
             toC(info.axis),
+            info.railBegin,
             toC(info.overA),
             toC(info.overB),
             toC(info.frame),

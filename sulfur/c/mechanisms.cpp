@@ -1,4 +1,6 @@
 // Mechanisms between bodies.
+#include <vector>
+
 #include "call.hpp"
 #include "objects.hpp"
 
@@ -57,6 +59,19 @@ SulfurResult sulfur_world_slider(SulfurWorld* world, SulfurBodyId a, SulfurBodyI
     });
 }
 
+SulfurResult sulfur_world_slider_on_rail(SulfurWorld* world, SulfurBodyId a, SulfurBodyId b,
+                                         SulfurVec at, const SulfurJointId* rail, size_t count,
+                                         const SulfurSliderOptions* options,
+                                         SulfurMechanismId* mechanism) {
+    return give(mechanism, [&] {
+        if (count > 0) required(rail, "the rail");
+        std::vector<JointId> links;
+        for (std::size_t k = 0; k < count; ++k) links.push_back(fromC(rail[k]));
+        return of(world).slider(fromC(a), fromC(b), point(at), links,
+                                orDefault<SliderOptions>(options));
+    });
+}
+
 SulfurResult sulfur_world_wheel(SulfurWorld* world, SulfurBodyId body, SulfurBodyId wheel,
                                 SulfurVec at, SulfurVec axis,
                                 const SulfurWheelMechanismOptions* options,
@@ -97,6 +112,11 @@ SulfurResult sulfur_world_gear(SulfurWorld* world, SulfurMechanismId first,
 SulfurResult sulfur_mechanism_info(const SulfurWorld* world, SulfurMechanismId mechanism,
                                    SulfurMechanismInfo* info) {
     return give(info, [&] { return of(world).info(fromC(mechanism)); });
+}
+
+SulfurResult sulfur_mechanism_rail(const SulfurWorld* world, SulfurMechanismId mechanism,
+                                   SulfurJointId* out, size_t capacity, size_t* count) {
+    return giveList(out, capacity, count, [&] { return of(world).info(fromC(mechanism)).rail; });
 }
 
 SulfurResult sulfur_mechanism_set_drive(SulfurWorld* world, SulfurMechanismId mechanism,

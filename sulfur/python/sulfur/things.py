@@ -330,6 +330,11 @@ class Mechanism(_Driven):
     speed = property(lambda self: self.info.speed, doc="rad/s or m/s.")
     force = property(lambda self: self.info.force, doc="N m or N of its drive in the last tick.")
 
+    @property
+    def rail(self):
+        """The joints that are left of the rail of a slider, in order."""
+        return [Joint(self.world, id) for id in self._ask_list(c.JointId, "rail")]
+
     def remove(self):
         """Lets both bodies go."""
         self._tell("remove")

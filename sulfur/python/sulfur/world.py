@@ -84,7 +84,7 @@ class World:
         return Grab(self, handle)
 
     def _join(self, kind, options, *ends):
-        struct = options_of(f"{kind}_options", options)
+        struct = options_of(f"{kind.removesuffix('_on_rail')}_options", options)
         return Mechanism(self, self._ask(c.MechanismId, kind, *ends, ctypes.byref(struct)))
 
     def hinge(self, a, b, at, **options):
@@ -96,8 +96,12 @@ class World:
         """Holds the angle too: stiffness, damping, collide, strength, torque_strength, value."""
         return self._join("weld", options, a.id, b.id, vec(at))
 
-    def slider(self, a, b, at, axis, **options):
-        """Leads a point of b along a line that moves with a: drive, collide, turns, value."""
+    def slider(self, a, b, at, axis=None, rail=None, **options):
+        """Leads a point of b along a line that moves with a, or along a rail, joints of a in the
+        order of a line: drive, collide, turns, value."""
+        if rail is not None:
+            links = (c.JointId * len(rail))(*(joint.id for joint in rail))
+            return self._join("slider_on_rail", options, a.id, b.id, vec(at), links, len(rail))
         return self._join("slider", options, a.id, b.id, vec(at), vec(axis))
 
     def wheel(self, body, wheel, at, axis, **options):

@@ -540,6 +540,30 @@ TEST_F(Mechanisms, Sliders) {
     expectSame(sulfur_world_slider(other, ids[0], ids[1], {1, 0}, {1, 2}, &options, &made));
 }
 
+TEST_F(Mechanisms, SlidersOnRails) {
+    const SulfurSliderOptions options{driveInC, true, true, 0.75};
+    const JointId link = world.joints(bodies[0])[0];
+    const Point at = world.position(world.info(link).a);
+    const MechanismId slider = world.slider(bodies[0], bodies[1], at, std::vector{link},
+                                            {.drive = drive, .collide = true, .value = 0.75});
+    const SulfurJointId rail{link.index, link.generation};
+    ASSERT_EQ(sulfur_world_slider_on_rail(other, ids[0], ids[1], {at.x(), at.y()}, nullptr, 1,
+                                          &options, &made),
+              SULFUR_NULL_POINTER);
+    const SulfurResult result = sulfur_world_slider_on_rail(other, ids[0], ids[1], {at.x(), at.y()},
+                                                            &rail, 1, &options, &made);
+    SulfurJointId links[2] = {};
+    std::size_t count = 0;
+    ASSERT_EQ(sulfur_mechanism_rail(other, made, links, 2, &count), SULFUR_OK);
+    EXPECT_EQ(count, 1u);
+    EXPECT_EQ(links[0].index, link.index);
+    SulfurMechanismInfo info{};
+    ASSERT_EQ(sulfur_mechanism_info(other, made, &info), SULFUR_OK);
+    EXPECT_EQ(info.rail_begin, world.info(slider).railBegin);
+    EXPECT_EQ(info.rail_begin, 0.75);
+    expectSame(result);
+}
+
 TEST_F(Mechanisms, Wheels) {
     SulfurWheelMechanismOptions options = sulfur_wheel_mechanism_options_default();
     options.spring = driveInC;

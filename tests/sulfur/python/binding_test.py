@@ -299,6 +299,15 @@ class Parts(unittest.TestCase):
         hinge.remove()
         self.assertFalse(hinge.exists)
 
+    def test_a_slider_on_a_rail(self):
+        ground = self.world.add(sulfur.floor((-9, -1), (9, -1)))
+        slider = self.world.slider(ground, self.balls[1], (2, 0), rail=ground.joints, value=3)
+        self.assertAlmostEqual(slider.value, 3 + 11, 5)
+        self.assertEqual(slider.rail, ground.joints)
+        self.assertEqual(slider.info.rail_begin, 3)
+        with self.assertRaisesRegex(sulfur.Error, "the rail has no joint"):
+            self.world.slider(ground, self.balls[0], (0, 0), rail=[])
+
     def test_other_mechanisms(self):
         world, (a, b) = self.world, self.balls
         frame = world.add(sulfur.floor((-1, 5), (3, 5)))

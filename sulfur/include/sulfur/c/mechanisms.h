@@ -54,10 +54,10 @@ SULFUR_API SulfurWeldOptions sulfur_weld_options_default(void);
 
 /// sulfur::SliderOptions.
 typedef struct SulfurSliderOptions {
-    SulfurDrive drive;  ///< metres along the axis
+    SulfurDrive drive;  ///< metres along the axis or the rail
     bool collide;       ///< whether the two bodies touch each other
     bool turns;         ///< whether b turns freely; else it keeps its angle against a
-    double value;       ///< m: what the place counts as when it is made
+    double value;       ///< m: what the place counts as when it is made, or the begin of a rail
 } SulfurSliderOptions;
 /// A line along which a body slides freely and turns.
 SULFUR_API SulfurSliderOptions sulfur_slider_options_default(void);
@@ -104,6 +104,12 @@ SULFUR_API SulfurResult sulfur_world_slider(SulfurWorld* world, SulfurBodyId a, 
                                             SulfurVec at, SulfurVec axis,
                                             const SulfurSliderOptions* options,
                                             SulfurMechanismId* mechanism);
+/// Leads the point `at` of b along `count` joints of a, in the order of a line; World::slider.
+SULFUR_API SulfurResult sulfur_world_slider_on_rail(SulfurWorld* world, SulfurBodyId a,
+                                                    SulfurBodyId b, SulfurVec at,
+                                                    const SulfurJointId* rail, size_t count,
+                                                    const SulfurSliderOptions* options,
+                                                    SulfurMechanismId* mechanism);
 
 /// The two mechanisms of a wheel; sulfur::WheelIds.
 typedef struct SulfurWheelIds {
@@ -166,6 +172,7 @@ typedef struct SulfurMechanismInfo {
     double strength;           ///< N, of the pin
     bool turns;                ///< of a slider: whether b turns freely
     SulfurVec axis;            ///< of a slider: where its line points now, 1 long
+    double rail_begin;         ///< m: what the begin of sulfur_mechanism_rail() counts as
     SulfurVec over_a;          ///< metres, of a pulley: where the rope of a turns
     SulfurVec over_b;          ///< metres, of a pulley: where that of b does
     SulfurBodyId frame;        ///< of a pulley
@@ -179,6 +186,9 @@ typedef struct SulfurMechanismInfo {
 /// What it is.
 SULFUR_API SulfurResult sulfur_mechanism_info(const SulfurWorld* world, SulfurMechanismId mechanism,
                                               SulfurMechanismInfo* info);
+/// What is left of the rail of a slider, in order; of other mechanisms nothing.
+SULFUR_API SulfurResult sulfur_mechanism_rail(const SulfurWorld* world, SulfurMechanismId mechanism,
+                                              SulfurJointId* out, size_t capacity, size_t* count);
 /// Changes what acts along its coordinate; World::setDrive.
 SULFUR_API SulfurResult sulfur_mechanism_set_drive(SulfurWorld* world, SulfurMechanismId mechanism,
                                                    const SulfurDrive* drive);
