@@ -216,8 +216,16 @@ private:
              "", m.drive);
     }
     void mechanism(const std::string& id, const sulfur::scene::Slider& m) {
-        made(id, "world.slider(" + pair(m.a, m.b) + ", " + cpp::text(m.at) + ", " +
-                     cpp::text(m.axis) + ", " + cpp::text(m.options) + ")");
+        std::string line = cpp::text(m.axis);
+        if (!m.rail.empty()) {
+            line.clear();
+            for (const auto place : m.rail)
+                line += (line.empty() ? "" : ", ") + ("world.joints(" + bodies_.at(m.a) + ")[") +
+                        std::to_string(place) + "]";
+            line = "std::vector<JointId>{" + line + "}";
+        }
+        made(id, "world.slider(" + pair(m.a, m.b) + ", " + cpp::text(m.at) + ", " + line + ", " +
+                     cpp::text(m.options) + ")");
     }
     void mechanism(const std::string& id, const sulfur::scene::Wheel& m) {
         made(id,

@@ -93,7 +93,7 @@ struct Scaling {
         const auto f = static_cast<Real>(factor());
         using namespace sulfur::scene;
         if constexpr (std::is_same_v<Spec, Slider>) {
-            const double own = factor(spec.axis);
+            const double own = spec.rail.empty() ? factor(spec.axis) : factor();
             spec.options.value *= own;
             spec.options.drive = scaledDrive(spec.options.drive, static_cast<Real>(own));
         }
@@ -140,6 +140,10 @@ using sulfur::scene::SceneMechanism;
 template <class Map>
 void mapEnd(sulfur::scene::Slider& slider, const std::string& id, const Map& map) {
     if (slider.a != id && slider.b != id) return;
+    if (!slider.rail.empty()) {  // which goes with a
+        if (slider.b == id) slider.at = map.point(slider.at);
+        return;
+    }
     const Point axis = slider.axis.template cast<double>().normalized();
     Point zero = slider.at - slider.options.value * axis;
     if (slider.a == id) {

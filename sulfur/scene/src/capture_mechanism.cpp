@@ -75,14 +75,20 @@ Pulley pulleyOf(const MechanismInfo& info) {
     return pulley;
 }
 
-Slider sliderOf(const MechanismInfo& info) {
+Slider sliderOf(const World& world, const MechanismInfo& info) {
     Slider slider;
     slider.at = info.pointB;
-    if (!info.axis.isZero(0)) slider.axis = info.axis;
+    if (info.rail.empty() && !info.axis.isZero(0)) slider.axis = info.axis;
     slider.options.drive = withinFile(info.drive);
     slider.options.collide = info.collide;
     slider.options.turns = info.turns;
     slider.options.value = valueOf(info);
+    if (info.rail.empty()) return slider;
+    slider.options.value = std::clamp(info.railBegin, -Limits::driven, Limits::driven);
+    const auto joints = world.joints(info.a);
+    for (const JointId link : info.rail)
+        slider.rail.push_back(static_cast<std::uint32_t>(
+            std::find(joints.begin(), joints.end(), link) - joints.begin()));
     return slider;
 }
 
@@ -165,7 +171,7 @@ SceneMechanism MechanismCapture::describe(const MechanismInfo& info) {
             result.spec = weldOf(info);
             break;
         case MechanismKind::slider:
-            result.spec = sliderOf(info);
+            result.spec = sliderOf(world_, info);
             break;
         case MechanismKind::distance:
             result.spec = distanceOf(info);

@@ -371,6 +371,7 @@ void describe(Visitor& v, Object& o) {
     v.name("b", o.b);
     v.point("at", o.at);
     v.vec("axis", o.axis, Slider{}.axis, Limits::driven);
+    v.indices("rail", o.rail, Limits::joints);
     v.flag("collide", o.options.collide, d.collide);
     v.flag("turns", o.options.turns, d.turns);
     v.precise("value", o.options.value, d.value, -Limits::driven, Limits::driven);

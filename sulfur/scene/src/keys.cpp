@@ -50,6 +50,10 @@ struct KeyVisitor {
         keys.push_back(key);
     }
     template <class... Rest>
+    void indices(const char* key, Rest&&...) {
+        keys.push_back(key);
+    }
+    template <class... Rest>
     void numbers(const char* key, Rest&&...) {
         keys.push_back(key);
     }

@@ -20,6 +20,10 @@ MadeMechanism MechanismMaker::add(const Weld& spec) {
 }
 
 MadeMechanism MechanismMaker::add(const Slider& spec) {
+    if (!spec.rail.empty()) {
+        const std::vector<JointId> rail = railOf(spec);
+        return {world_.slider(body(spec.a), body(spec.b), spec.at, rail, spec.options), {}};
+    }
     return {world_.slider(body(spec.a), body(spec.b), spec.at, spec.axis, spec.options), {}};
 }
 
@@ -52,6 +56,19 @@ MadeMechanism MechanismMaker::driven(MechanismId id, const std::optional<Drive>&
         throw;
     }
     return {id, {}};
+}
+
+std::vector<JointId> MechanismMaker::railOf(const Slider& spec) const {
+    const auto joints = world_.joints(body(spec.a));
+    std::vector<JointId> rail;
+    for (const auto place : spec.rail) {
+        if (place >= joints.size())
+            throw ReadError("", 0, spec.a,
+                            "has " + std::to_string(joints.size()) + " joints and no joint " +
+                                std::to_string(place) + ", which is in a rail");
+        rail.push_back(joints[place]);
+    }
+    return rail;
 }
 
 BodyId MechanismMaker::body(const std::string& id) const {

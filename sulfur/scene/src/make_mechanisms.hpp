@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <sulfur/scene/instance.hpp>
+#include <vector>
 
 namespace sulfur::scene {
 
@@ -25,6 +26,7 @@ private:
     MadeMechanism add(const Pulley& spec);
     MadeMechanism add(const Gear& spec);
     MadeMechanism driven(MechanismId id, const std::optional<Drive>& drive);
+    std::vector<JointId> railOf(const Slider& spec) const;
     BodyId body(const std::string& id) const;
     MechanismId part(const std::string& id) const;
 

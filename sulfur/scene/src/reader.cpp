@@ -70,6 +70,14 @@ void Reader::points(const char* key, std::vector<Vec2>& value, std::size_t least
     for (const auto& point : at(key).array(least, most)) value.push_back(point.vec2(limit));
 }
 
+void Reader::indices(const char* key, std::vector<std::uint32_t>& value, std::size_t most) {
+    const auto member = find(key);
+    if (!member) return;
+    for (const auto& item : member->array(1, most))
+        value.push_back(
+            static_cast<std::uint32_t>(item.integer(0, static_cast<std::int64_t>(most) - 1)));
+}
+
 void Reader::numbers(const char* key, std::vector<Real>& value, std::size_t most, double low,
                      double high) {
     const auto member = find(key);

@@ -42,6 +42,7 @@ public:
     void points(const char* key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 double limit);
     /// May be missing.
+    void indices(const char* key, std::vector<std::uint32_t>& value, std::size_t most);
     void numbers(const char* key, std::vector<Real>& value, std::size_t most, double low,
                  double high);
     void material(const char* key, Material& value);

@@ -129,6 +129,14 @@ void ObjectText::points(const char* key, const std::vector<Vec2>& value, std::si
     add(key, wrapped(items, 6));
 }
 
+void ObjectText::indices(const char* key, const std::vector<std::uint32_t>& value, std::size_t) {
+    if (value.empty()) return;
+    std::string text = "[";
+    for (const auto index : value)
+        text += (text.size() > 1 ? ", " : "") + json(static_cast<long long>(index));
+    add(key, text + "]");
+}
+
 void ObjectText::numbers(const char* key, const std::vector<Real>& value, std::size_t, double,
                          double) {
     if (value.empty()) return;

@@ -77,6 +77,7 @@ public:
     }
     void points(const char* key, const std::vector<Vec2>& value, std::size_t, std::size_t, double);
     /// Nothing where there are none.
+    void indices(const char* key, const std::vector<std::uint32_t>& value, std::size_t);
     void numbers(const char* key, const std::vector<Real>& value, std::size_t, double, double);
     void point(const char* key, const Point& value) { add(key, pointJson(value)); }
     void zone(const char* key, const Zone& value);

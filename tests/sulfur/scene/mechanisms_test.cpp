@@ -130,6 +130,12 @@ const Wrong wrongMechanisms[] = {
     {R"({"type": "weld", "a": "post", "b": "beam", "at": [900, 0]})", "cannot hold that point"},
     {R"({"type": "slider", "a": "post", "b": "beam", "at": [0, 0], "axis": [0, 0]})",
      "any other vector"},
+    {R"({"type": "slider", "a": "bar", "b": "beam", "at": [0.5, 0], "rail": []})", "1 to 72000"},
+    {R"({"type": "slider", "a": "bar", "b": "beam", "at": [0.5, 0], "rail": [-1]})", "0 to 71999"},
+    {R"({"type": "slider", "a": "bar", "b": "beam", "at": [0.5, 0], "rail": [1]})",
+     "has 1 joints and no joint 1"},
+    {R"({"type": "slider", "a": "bar", "b": "beam", "at": [0.5, 0], "rail": [0]})",
+     "beside the rail"},
     {R"({"type": "wheel", "a": "post", "b": "beam", "at": [0, 0], "axis": [0, 0]})",
      "any other vector"},
     {R"({"type": "wheel", "a": "post", "b": "beam", "at": [0, 0], "motor": {"rest": 1e9}})",
@@ -242,6 +248,39 @@ TEST(MechanismsInFiles, GoOnFromWhereTheyWere) {
         }
         EXPECT_EQ(again.validate(), "");
     }
+}
+
+TEST(MechanismsInFiles, KeepTheRailOfASliderAndWhereItIs) {
+    const Scene scene = parse(R"({"format": "sulfur-scene", "version": 1, "blueprints": {
+        "bowl": {"kind": "fixed",
+                 "particles": [{"position": [-1, 0]}, {"position": [0, -1]}, {"position": [1, 0]},
+                               {"position": [1, 1]}],
+                 "joints": [{"a": 2, "b": 3, "radius": 0.1},
+                            {"a": 0, "b": 1, "radius": 0.1, "bend": 1.5707963},
+                            {"a": 1, "b": 2, "radius": 0.1, "bend": 1.5707963}]},
+        "bead": {"particles": [{"position": [0, 0]}]}},
+      "bodies": [{"id": "bowl", "blueprint": "bowl"},
+                 {"id": "bead", "blueprint": "bead", "position": [-0.70710678, -0.70710678]}],
+      "mechanisms": [{"type": "slider", "a": "bowl", "b": "bead", "at": [-0.70710678, -0.70710678],
+                      "rail": [1, 2, 0], "value": 10, "drive": {"motorSpeed": 1, "motorMax": 50}}]})",
+                              "a");
+    EXPECT_EQ(std::get<Slider>(scene.mechanisms[0].spec).rail,
+              (std::vector<std::uint32_t>{1, 2, 0}));
+    World world(scene.settings);
+    const Instance instance = instantiate(scene, world);
+    const auto slider = instance.mechanisms[0].id;
+    const auto quarter = std::acos(-1.0) / 4;
+    EXPECT_NEAR(world.info(slider).value, 10 + quarter, 1e-6);
+    for (int i = 0; i < 600; ++i) world.step();
+    world.remove(world.joints(instance.body("bowl"))[0]);
+    const Scene captured = parse(format(capture(world, scene, instance)), "saved");
+    ASSERT_EQ(captured.mechanisms.size(), 1u);
+    EXPECT_EQ(std::get<Slider>(captured.mechanisms[0].spec).rail,
+              (std::vector<std::uint32_t>{0, 1}));
+    World again(captured.settings);
+    const Instance other = instantiate(captured, again);
+    EXPECT_NEAR(again.info(other.mechanisms[0].id).value, world.info(slider).value, 1e-6);
+    EXPECT_NEAR(again.info(other.mechanisms[0].id).value, 10 + quarter + 1.2, 0.02);
 }
 
 TEST(MechanismsInFiles, KeepIdsAndUnknownMembersAndAWheelThatIsAsItWasMade) {

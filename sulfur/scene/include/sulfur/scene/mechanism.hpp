@@ -2,6 +2,7 @@
 /// Mechanisms between bodies of a scene, as plain data.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -34,11 +35,12 @@ struct Weld {
 
 /// World::slider.
 struct Slider {
-    std::string a;          ///< the body with the line
-    std::string b;          ///< the one that is led along it
-    Point at{0, 0};         ///< metres: the point of b
-    Vec2 axis{1, 0};        ///< the direction of the line, not zero
-    SliderOptions options;  ///< the rest
+    std::string a;                    ///< the body with the line
+    std::string b;                    ///< the one that is led along it
+    Point at{0, 0};                   ///< metres: the point of b
+    Vec2 axis{1, 0};                  ///< the direction of the line, not zero; nothing on a rail
+    SliderOptions options;            ///< the rest
+    std::vector<std::uint32_t> rail;  ///< where given, the places of its links among a's joints
 };
 
 /// World::wheel.
