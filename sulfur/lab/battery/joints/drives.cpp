@@ -172,6 +172,38 @@ Rows rail(const JointSubject& subject) {
             subject.row("wagon that a motor lifts: error of the force (share)", force, 1e-3)};
 }
 
+/// A bead on a hoop of arcs that stands upright, for ten seconds.
+Rows hoop(const Setup& setup, int rate) {
+    World world(still({.tickRate = rate, .sweeps = setup.sweeps}, standardGravity));
+    constexpr int count = 8;
+    constexpr double step = 2 * std::numbers::pi / count, radius = 1, speed = 8;  // m, m/s
+    Blueprint ring = ghost("ring"), point = ghost("bead");
+    ring.kind = BodyKind::fixed;
+    for (int i = 0; i < count; ++i) {
+        const Point at(radius * std::sin(i * step), -radius * std::cos(i * step));
+        ring.particles.push_back({.position = at.cast<Real>()});
+        ring.joints.push_back({.a = static_cast<std::uint32_t>(i),
+                               .b = static_cast<std::uint32_t>((i + 1) % count),
+                               .radius = real(0.01),
+                               .bend = real(step)});
+    }
+    point.particles.push_back({});
+    const Body on = world.add(ring), bead = world.add(point, {.position = Point(0, -radius)});
+    world.slider(on, bead, Point(0, -radius), on.joints());
+    bead.setVelocity({real(speed), 0});
+    world.step();
+    const double before = world.energy();
+    double off = 0, gain = 0;
+    for (int i = 0; i < 10 * rate; ++i) {
+        world.step();
+        off = worst(off, std::abs(bead.centreOfMass().norm() - radius));
+        gain = worst(gain, std::abs(world.energy() - before) / (speed * speed / 2));
+    }
+    return {atMost(fmt::format("{} Hz: bead on a hoop of arcs: off it (m)", rate), off, 1e-3),
+            atMost(fmt::format("{} Hz: bead on a hoop of arcs: change of its energy (share)", rate),
+                   gain, 0.02)};
+}
+
 }  // namespace
 
 Rows motors(const Setup& setup) {
@@ -204,6 +236,8 @@ Rows sliders(const Setup& setup) {
     Rows rows;
     for (const JointSubject& subject : jointSubjects(setup))
         for (Row& row : rail(subject)) rows.push_back(std::move(row));
+    for (const int rate : jointRates())
+        for (Row& row : hoop(setup, rate)) rows.push_back(std::move(row));
     return rows;
 }
 
