@@ -165,7 +165,7 @@ Rows rail(const JointSubject& subject) {
         force = worst(force, std::abs(-lift->motorForce(0) / weight - 1));
     }
     return {subject.row("wagon on a rail: error of its way in 1 s (share)", error, 0.01),
-            subject.row("wagon on a rail: off its line (m)", off, 1e-3),
+            subject.row("wagon on a rail: off its line (m)", off, 1e-6),
             subject.row("wagon on a rail: turned (rad)", turned, 1e-3),
             subject.row("wagon on a rail: beyond its end, met at 5 m/s (m)", beyond, 1e-3),
             subject.row("wagon that a motor lifts: error of its speed (share)", slow, 1e-3),
@@ -199,9 +199,9 @@ Rows hoop(const Setup& setup, int rate) {
         off = worst(off, std::abs(bead.centreOfMass().norm() - radius));
         gain = worst(gain, std::abs(world.energy() - before) / (speed * speed / 2));
     }
-    return {atMost(fmt::format("{} Hz: bead on a hoop of arcs: off it (m)", rate), off, 1e-3),
+    return {atMost(fmt::format("{} Hz: bead on a hoop of arcs: off it (m)", rate), off, 1e-6),
             atMost(fmt::format("{} Hz: bead on a hoop of arcs: change of its energy (share)", rate),
-                   gain, 0.02)};
+                   gain, 1e-3)};
 }
 
 }  // namespace
