@@ -199,7 +199,7 @@ void MainFrame::addToolActions() {
         {ToolKind::tracer, "&Tracer\tCtrl+Shift+D", 0, "Lets a point of a body leave a trail"},
         {ToolKind::gauge, "&Force gauge\tCtrl+Shift+F", 0,
          "Force in a joint or mechanism, or of all contacts of a body"},
-        {ToolKind::gun, "Speed gu&n\tCtrl+Shift+U", 0, "Speed of what passes a beam"},
+        {ToolKind::gun, "Speed gu&n\tCtrl+Shift+M", 0, "Speed of what passes a beam"},
     };
     for (const Entry& entry : entries) {
         const std::string name(toolName(entry.kind));

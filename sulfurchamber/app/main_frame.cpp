@@ -256,6 +256,7 @@ std::vector<std::string> MainFrame::cutTexts() const {
 
 void MainFrame::runAction(const Action& action) {
     if (action.enabled && !action.enabled()) return;
+    lastAction_ = action.name;
     try {
         action.run();
     } catch (const std::exception& error) {

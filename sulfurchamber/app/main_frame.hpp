@@ -107,6 +107,8 @@ public:
     bool wearFile(const std::filesystem::path& file);
     /// What was last told to be wrong; empty at the start.
     const std::string& lastProblem() const { return lastProblem_; }
+    /// The action that was done last, by a menu, a button, a key or a script.
+    const std::string& lastAction() const { return lastAction_; }
     /// All that menus, keys and scripts can do.
     const std::vector<Action>& actions() const { return actions_; }
     /// What the menu says of an action, without its key; "" when there is none.
@@ -283,6 +285,7 @@ private:
     std::int64_t nextKeepNs_ = 0;
     std::function<void()> onFrame_;
     std::string lastProblem_;
+    std::string lastAction_;
     std::int64_t nextRefreshNs_ = 0;
     bool shownPlaying_ = false;
     std::uint64_t toldAt_ = 0;  ///< the document's revision when something was told

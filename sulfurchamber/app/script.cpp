@@ -105,6 +105,7 @@ std::string scriptHelp() {
            "  every-action FILE TICKS [BUT...]   opens a file for each action that asks nothing,\n"
            "                          lets time pass, does it with all selected, and fails\n"
            "                          if it refuses, or unless undo takes it back\n"
+           "  every-key FILE TICKS [BUT...]   the same with keys, which are pressed\n"
            "  whole                   fails if a text of the window is cut\n"
            "  quit                    also what follows the last line\n";
 }
@@ -195,7 +196,7 @@ void Script::start(const Words& words) {
             const auto cut = frame_.cutTexts();
             if (!cut.empty()) fail("this text is cut: \"" + cut.front() + "\"");
         });
-    } else if (words[0] == "every-action" && words.size() > 2) {
+    } else if ((words[0] == "every-action" || words[0] == "every-key") && words.size() > 2) {
         everyAction(words);
     } else if (words[0] == "do" && words.size() == 2) {
         if (!frame_.perform(words[1]))

@@ -54,9 +54,11 @@ private:
         std::filesystem::path file;      ///< what each action has before it
         int ticks = 0;                   ///< that have passed then
         std::vector<std::string> names;  ///< of actions
+        bool byKey = false;              ///< their keys are pressed
     };
     void everyAction(const Words& words);
     void tryAction(const std::shared_ptr<const Round>& round, std::size_t index);
+    void pressKeyOf(const std::string& name, std::function<void()> then);
     void takeBack(const std::string& name, const std::string& before);
     void clickScreen(const wxPoint& place, bool twice);
     void expect(const Words& words);
