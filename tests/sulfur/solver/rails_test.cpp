@@ -182,11 +182,14 @@ TEST(Rails, ABeadOnAHangingRopeSlidesToItsLowestPoint) {
     test::run(world, 12);
     const MechanismInfo info = world.info(slider);
     const Point at = info.pointB;
+    // Its link is chosen when a step begins: where it trembles in a kink it is off the rope by as
+    // much as it goes in one.
+    constexpr double slow = 0.02;  // m/s
     EXPECT_GT(info.value, 1);
-    EXPECT_LT((info.pointA - at).norm(), 1e-5) << "it is on the rope";
+    EXPECT_LT((info.pointA - at).norm(), slow / 500) << "it is on the rope";
     for (std::uint32_t i = 0; i < rope.particles().size(); ++i)
         EXPECT_GT(world.position(rope[i]).y(), at.y() - 0.02) << i;
-    EXPECT_LT(test::speedOf(bead), 0.02);
+    EXPECT_LT(test::speedOf(bead), slow);
     EXPECT_LT(test::largestStrain(world, rope), 1e-4);
     EXPECT_EQ(world.validate(), "");
 }
