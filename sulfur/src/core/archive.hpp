@@ -150,16 +150,12 @@ private:
 /// Mixes 64-bit words into a hash (multiply and shift, after the finaliser of MurmurHash3).
 class Hasher {
 public:
-    /// What says that it is nothing has no bits, so that worlds without it hash as they did.
     template <class T>
     void operator()(T& value) {
-        if constexpr (IsPlain<T>::value) {
+        if constexpr (IsPlain<T>::value)
             bytes(&value, sizeof(T));
-        } else {
-            if constexpr (requires { value.isNothing(); })
-                if (value.isNothing()) return;
+        else
             value.archive(*this);
-        }
     }
     template <class T>
     void operator()(std::vector<T>& list) {

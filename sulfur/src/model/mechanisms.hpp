@@ -136,7 +136,7 @@ struct Mechanism {
         archive(vain);
         for (auto& row : forces) archive(row);
         if (a == b) archive(angle);
-        archive(rail);
+        if (kind == MechanismKind::slider) archive(rail);
     }
 };
 
