@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "battery/random/momenta.hpp"
 #include "mechanism_ends.hpp"
 
 namespace sulfur {
@@ -42,22 +43,6 @@ Body beadAt(World& world, const Point& at, Real mass = 1) {
 }
 Point onCircle(double angle) {
     return {std::cos(angle), std::sin(angle)};
-}
-
-struct RailMomenta {
-    Point linear{0, 0};
-    double angular = 0;
-};
-RailMomenta railMomenta(const World& world) {
-    RailMomenta sum;
-    for (const BodyId body : world.bodies())
-        for (const ParticleId id : world.particles(body)) {
-            const ParticleInfo p = world.info(id);
-            const Point momentum = static_cast<double>(p.mass) * p.velocity.cast<double>();
-            sum.linear += momentum;
-            sum.angular += p.position.x() * momentum.y() - p.position.y() * momentum.x();
-        }
-    return sum;
 }
 
 // --- arcs ------------------------------------------------------------------------------------
@@ -213,10 +198,10 @@ TEST(Rails, KeepBothMomentaOfWhatNothingElseHolds) {
             rope.setVelocity({0, 1}, 1);
             bead.setVelocity({2, -1});
             world.step();
-            const RailMomenta before = railMomenta(world);
+            const lab::Momenta before = lab::momentaOf(world, {0, 0});
             test::run(world, 4);
-            const RailMomenta after = railMomenta(world);
-            EXPECT_NEAR((after.linear - before.linear).norm(), 0, 1e-4) << rate;
+            const lab::Momenta after = lab::momentaOf(world, {0, 0});
+            EXPECT_NEAR((after.linear.sum - before.linear.sum).norm(), 0, 1e-4) << rate;
             EXPECT_NEAR(after.angular, before.angular, 2e-3) << rate;
         }
 }
@@ -230,15 +215,15 @@ TEST(Rails, AFreeRigidArcTurnsUnderItsBead) {
     const MechanismId slider = world.slider(bowl, bead, onCircle(-0.8 * pi), bowl.joints());
     bead.setVelocity({0, -3});
     world.step();
-    const RailMomenta before = railMomenta(world);
+    const lab::Momenta before = lab::momentaOf(world, {0, 0});
     const double energy = world.energy();
     for (int i = 0; i < 200 && !world.info(slider).atUpper; ++i) {
         world.step();
         ASSERT_NEAR(world.energy(), energy, 0.005 * energy) << i;
         ASSERT_LT((world.info(slider).pointA - world.info(slider).pointB).norm(), 1e-5) << i;
     }
-    const RailMomenta after = railMomenta(world);
-    EXPECT_NEAR((after.linear - before.linear).norm(), 0, 1e-5);
+    const lab::Momenta after = lab::momentaOf(world, {0, 0});
+    EXPECT_NEAR((after.linear.sum - before.linear.sum).norm(), 0, 1e-5);
     EXPECT_NEAR(after.angular, before.angular, 1e-4);
 }
 
@@ -468,7 +453,7 @@ TEST(Rails, RandomOnesKeepMomentaAndMakeNoEnergy) {
             bead.setVelocity({Real(random.uniform(-2, 2)), Real(random.uniform(-2, 2))});
         }
         world.step();
-        const RailMomenta before = railMomenta(world);
+        const lab::Momenta before = lab::momentaOf(world, {0, 0});
         double energy = world.energy();
         for (int i = 0; i < 800; ++i) {
             world.step();
@@ -478,8 +463,8 @@ TEST(Rails, RandomOnesKeepMomentaAndMakeNoEnergy) {
                 ASSERT_LT((world.info(id).pointA - world.info(id).pointB).norm(), 0.02)
                     << seed << ' ' << i;
         }
-        const RailMomenta after = railMomenta(world);
-        EXPECT_LT((after.linear - before.linear).norm(), 1e-4) << seed;
+        const lab::Momenta after = lab::momentaOf(world, {0, 0});
+        EXPECT_LT((after.linear.sum - before.linear.sum).norm(), 1e-4) << seed;
         EXPECT_NEAR(after.angular, before.angular, 1e-2) << seed;
         EXPECT_EQ(world.validate(), "") << seed;
     }
