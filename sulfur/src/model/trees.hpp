@@ -100,6 +100,11 @@ struct Trees {
     NetworkSweep networkSweep;
     TreeScratch scratch;
 
+    /// The tree that moves a rigid component, or else a particle, or none.
+    std::uint32_t of(std::uint32_t cluster, std::uint32_t particle) const {
+        return cluster != none ? ofCluster[cluster] : ofParticle[particle];
+    }
+
     void clear() {
         list.clear();
         nodes.clear();

@@ -10,8 +10,7 @@ namespace {
 /// How many steps the tick has for a particle: more than one for trees under great tension.
 std::uint32_t stepsOf(const State& state, std::uint32_t particle) {
     const Trees& trees = state.trees;
-    const auto cluster = state.particles.cluster[particle];
-    const auto tree = cluster != none ? trees.ofCluster[cluster] : trees.ofParticle[particle];
+    const auto tree = trees.of(state.particles.cluster[particle], particle);
     return tree == none ? 1 : trees.list[tree].steps;
 }
 

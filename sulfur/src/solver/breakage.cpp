@@ -37,8 +37,7 @@ std::uint32_t treeOf(const State& state, std::uint32_t j) {
     const Joints& joints = state.joints;
     if (joints.inCluster[j] != 0 || joints.kind[j] == JointKind::explicitElastic) return none;
     const auto at = [&](std::uint32_t end) {
-        const auto cluster = state.particles.cluster[end];
-        return cluster == none ? state.trees.ofParticle[end] : state.trees.ofCluster[cluster];
+        return state.trees.of(state.particles.cluster[end], end);
     };
     const auto a = at(joints.a[j]), b = at(joints.b[j]);
     if (a == none || b == none) return a == none ? b : a;

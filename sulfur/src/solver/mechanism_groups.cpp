@@ -46,7 +46,7 @@ void moveNode(State& state, const TreeNode& node, const Eigen::Vector3d& by) {
 /// The tree, moving alone, that moves it and takes part in the sweeps; or none.
 std::uint32_t treeOf(const State& state, const TurnedMover& m) {
     const Trees& trees = state.trees;
-    const auto tree = m.cluster != none ? trees.ofCluster[m.cluster] : trees.ofParticle[m.particle];
+    const auto tree = trees.of(m.cluster, m.particle);
     const bool takesPart = tree != none && trees.list[tree].alone != 0 &&
                            trees.list[tree].network == none && trees.touched[tree] != 0;
     return takesPart ? tree : none;

@@ -82,8 +82,7 @@ public:
 
     bool any(const MechanismRow& row) {
         return std::any_of(row.slopes.begin(), row.slopes.end(), [&](const TurnedMover& m) {
-            const auto tree =
-                m.cluster != none ? state_.trees.ofCluster[m.cluster] : ofParticle(m.particle);
+            const auto tree = state_.trees.of(m.cluster, m.particle);
             return tree == none ? isPushed(m.cluster, m.particle) : isPushed(tree);
         });
     }
@@ -91,9 +90,6 @@ public:
 private:
     static constexpr std::uint8_t unknown = 2;
 
-    std::uint32_t ofParticle(std::uint32_t particle) const {
-        return state_.trees.ofParticle[particle];
-    }
     bool isPushed(std::uint32_t cluster, std::uint32_t particle) const {
         const auto mover =
             cluster != none ? moverOfCluster(state_, cluster) : moverOfParticle(state_, particle);

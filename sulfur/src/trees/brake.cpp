@@ -22,8 +22,7 @@ using Parts = std::pmr::vector<Part>;
 std::pmr::vector<std::uint32_t> pressing(State& state, const Tree& tree,
                                          std::span<const std::uint32_t> touches) {
     const auto isNode = [&](std::uint32_t particle) {
-        const auto c = state.particles.cluster[particle];
-        const auto of = c == none ? state.trees.ofParticle[particle] : state.trees.ofCluster[c];
+        const auto of = state.trees.of(state.particles.cluster[particle], particle);
         return of != none && &state.trees.list[of] == &tree;
     };
     std::pmr::vector<std::uint32_t> movers(&state.arena);
@@ -57,29 +56,24 @@ Parts partsOf(State& state, const Tree& tree, std::span<const std::uint32_t> tou
     return parts;
 }
 
-/// kg m^2, twice the energy of motions in a step, in units of its length: as the sweeps found the
-/// parts, and as they leave them.
-std::pair<double, double> motionsOf(const State& state, const Parts& parts) {
-    double before = 0, after = 0;
-    for (const Part& part : parts) {
-        if (part.cluster != none) {
-            const Cluster& c = state.clusters.list[part.cluster];
-            if (!(c.inverseMass > 0)) continue;
-            const double mass = 1 / static_cast<double>(c.inverseMass);
-            before += mass * static_cast<double>(c.predicted.squaredNorm());
-            after += mass * static_cast<double>(c.displacement.squaredNorm());
-            if (!(c.inverseInertia > 0)) continue;
-            const double inertia = 1 / static_cast<double>(c.inverseInertia);
-            before += inertia * c.predictedAngle * c.predictedAngle;
-            after += inertia * c.angle * c.angle;
-        } else if (part.particle != none && state.particles.inverseMass[part.particle] > 0) {
-            const double mass = 1 / static_cast<double>(state.particles.inverseMass[part.particle]);
-            before += mass * static_cast<double>(part.predicted.squaredNorm());
-            after += mass *
-                     static_cast<double>(state.particles.displacement[part.particle].squaredNorm());
+/// Whether they move with more energy than when the sweeps began.
+bool gain(const State& state, const Parts& parts) {
+    double gained = 0;  // kg m^2, in units of the step's length
+    const auto add = [&](Real inverseMass, double before, double now) {
+        if (inverseMass > 0) gained += (now - before) / static_cast<double>(inverseMass);
+    };
+    const auto square = [](const Vec2& way) { return static_cast<double>(way.squaredNorm()); };
+    for (const auto& [cluster, particle, predicted] : parts) {
+        if (cluster != none) {
+            const Cluster& c = state.clusters.list[cluster];
+            add(c.inverseMass, square(c.predicted), square(c.displacement));
+            add(c.inverseInertia, c.predictedAngle * c.predictedAngle, c.angle * c.angle);
+        } else if (particle != none) {
+            add(state.particles.inverseMass[particle], square(predicted),
+                square(state.particles.displacement[particle]));
         }
     }
-    return {before, after};
+    return gained > 0;
 }
 
 /// The motion (m, in this step) of all parts as one: that of what stands fast or is driven, else
@@ -106,8 +100,9 @@ Vec2 commonWay(const State& state, const Parts& parts) {
 
 }  // namespace
 
-void brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches) {
+bool brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches, Brake when) {
     const Parts parts = partsOf(state, tree, touches);
+    if (when == Brake::ifItGains && !gain(state, parts)) return false;
     const Vec2 way = commonWay(state, parts);
     for (const auto& [cluster, particle, predicted] : parts) {
         if (cluster != none) {
@@ -122,11 +117,7 @@ void brake(State& state, const Tree& tree, std::span<const std::uint32_t> touche
         const TouchView t = viewOfTouch(state, touch);
         pressFromOutside(state, touch, -t.pressing, -t.rubbing, {true, true, true});
     }
-}
-
-bool gains(State& state, const Tree& tree, std::span<const std::uint32_t> touches) {
-    const auto [before, after] = motionsOf(state, partsOf(state, tree, touches));
-    return after > before;
+    return true;
 }
 
 }  // namespace sulfur::detail

@@ -302,8 +302,7 @@ private:
 
     /// A swept attachment or angular joint pulls on the tree of this particle, if it has one.
     void tie(std::uint32_t particle) {
-        const auto cluster = state_.particles.cluster[particle];
-        const auto tree = cluster != none ? trees_.ofCluster[cluster] : trees_.ofParticle[particle];
+        const auto tree = trees_.of(state_.particles.cluster[particle], particle);
         if (tree != none) trees_.list[tree].tied = 1;
     }
 
@@ -322,9 +321,7 @@ double lastStepOf(const State& state, std::uint32_t particle) {
     // What was added since the last tick is in no tree yet.
     if (state.trees.list.empty() || particle >= state.trees.ofParticle.size())
         return state.lastStep;
-    const auto cluster = state.particles.cluster[particle];
-    const auto tree =
-        cluster != none ? state.trees.ofCluster[cluster] : state.trees.ofParticle[particle];
+    const auto tree = state.trees.of(state.particles.cluster[particle], particle);
     return tree == none ? state.lastStep : state.trees.list[tree].lastStep;
 }
 

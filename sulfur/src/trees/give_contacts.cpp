@@ -17,10 +17,7 @@ namespace {
 /// none when both sides are of one tree, or neither is.
 std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& particles) {
     const Trees& trees = state.trees;
-    const auto treeOf = [&](std::uint32_t i) {
-        const auto c = state.particles.cluster[i];
-        return c == none ? trees.ofParticle[i] : trees.ofCluster[c];
-    };
+    const auto treeOf = [&](std::uint32_t i) { return trees.of(state.particles.cluster[i], i); };
     const auto p = treeOf(particles[0]), a = treeOf(particles[1]), b = treeOf(particles[2]);
     if (p == none ? a == none : (p == a || p == b)) return none;
     const auto nodeOf = [&](std::uint32_t i) {

@@ -278,7 +278,7 @@ void NetworkContacts::brake() {
     std::pmr::vector<std::uint32_t> touches(&state_.arena);
     for (const PressedRow& row : work_.contacts)
         if (row.normal == none) touches.push_back(row.touch);
-    detail::brake(state_, tree_, touches);
+    detail::brake(state_, tree_, touches, Brake::always);
 }
 
 void NetworkContacts::push(std::vector<Freedoms>& nodes) {

@@ -32,8 +32,7 @@ void withSweeper(State& state, std::uint32_t tree, Function&& f) {
 
 void pull(State& state, const Grip& grip) {
     Trees& trees = state.trees;
-    const auto tree =
-        grip.cluster != none ? trees.ofCluster[grip.cluster] : trees.ofParticle[grip.particle];
+    const auto tree = trees.of(grip.cluster, grip.particle);
     if (tree != none) trees.touched[tree] = Trees::pulled;
 }
 
@@ -175,14 +174,13 @@ namespace {
 std::pmr::vector<std::uint32_t> touchesOf(State& state, std::uint32_t tree) {
     std::pmr::vector<std::uint32_t> found(&state.arena);
     const auto& touches = state.core.touches;
+    const auto isOfTree = [&](std::uint32_t p) {
+        return state.trees.of(state.particles.cluster[p], p) == tree;
+    };
     for (std::uint32_t i = 0; i < touches.size(); ++i) {
         if (touches[i].pair == none || !touches[i].row) continue;
         const auto particles = particlesOfTouch(state, i);
-        if (std::any_of(particles.begin(), particles.end(), [&](std::uint32_t p) {
-                const auto c = state.particles.cluster[p];
-                return (c == none ? state.trees.ofParticle[p] : state.trees.ofCluster[c]) == tree;
-            }))
-            found.push_back(i);
+        if (std::any_of(particles.begin(), particles.end(), isOfTree)) found.push_back(i);
     }
     return found;
 }
@@ -201,10 +199,8 @@ void finishTrees(State& state, double strain) {
         double own = 0;
         withTreeSweeper(state, i, [&](auto&& s) { own = s.strain(); });
         if (own <= tuned::brakingTolerable) continue;
-        const auto touches = touchesOf(state, i);
-        if (!gains(state, tree, touches)) continue;
+        if (!brake(state, tree, touchesOf(state, i), Brake::ifItGains)) continue;
         ++state.statistics.chainFallbacks;
-        brake(state, tree, touches);
         std::fill(trees.lambda.begin() + tree.first, trees.lambda.begin() + tree.last,
                   std::array<double, 2>{0, 0});
     }

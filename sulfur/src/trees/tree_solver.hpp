@@ -42,11 +42,12 @@ void releaseNetworkRows(State& state);
 /// solved, a network that is crumpled or pressed beyond what it can bear, and a tree that is
 /// strained and has gained energy by it, is braked. `strain`: the largest of trees.
 void finishTrees(State& state, double strain);
-/// The nodes of a tree or network and what presses on them go on as one, with their momentum: no
-/// link is strained and nothing comes nearer. What pressed is forgotten. `touches`: all of it.
-void brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches);
-/// Whether these move with more energy than before the sweeps.
-bool gains(State& state, const Tree& tree, std::span<const std::uint32_t> touches);
+/// When a tree or network is braked: always, or if it and what presses on it move with more energy
+/// than before the sweeps.
+enum class Brake : std::uint8_t { always, ifItGains };
+/// Its nodes and what presses on them go on as one, with their momentum: no link is strained and
+/// nothing comes nearer. What pressed is forgotten. `touches`: all of it. Returns whether they do.
+bool brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches, Brake when);
 /// By what share of its length a link is wrong, at most, in trees that contacts pull on.
 double strainOfTrees(State& state);
 /// Multipliers of the sweeps to the joints.
