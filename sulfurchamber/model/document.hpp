@@ -271,6 +271,8 @@ private:
     void makeInMoment(const sulfur::scene::SceneMechanism& mechanism);
     void remakeInMoment(std::size_t mechanism);
     void matchMechanisms() const;
+    void followRails(const std::string& body,
+                     const std::vector<sulfur::scene::MadeMechanism>& there);
     std::vector<sulfur::BodyId> bodiesOfMechanism(std::size_t mechanism) const;
     void setZone(std::size_t zone, const std::optional<sulfur::Field>& field);
     void merge(const std::string& into, const std::string& single, std::uint32_t other,

@@ -142,6 +142,7 @@ void Document::remove(JointId joint) {
     const auto info = world_->info(joint);
     const auto a = refOf(info.a);
     const auto b = refOf(info.b);
+    const auto there = made();
     world_->remove(joint);
     touched();
     if (!a || !b) return;
@@ -162,6 +163,7 @@ void Document::remove(JointId joint) {
                        joins(angle.b, angle.c, a->particle, b->particle);
             });
         });
+        followRails(a->body, there);
         return;
     }
     const auto same = [](const ParticleRef& x, const ParticleRef& y) {
@@ -174,6 +176,34 @@ void Document::remove(JointId joint) {
             plan_.remove(i);
             return;
         }
+}
+
+// Rails name joints by their places. When one has gone, a slider keeps what is left of its rail in
+// the world, or goes with its own link. `there`: mechanisms of the plan before that.
+void Document::followRails(const std::string& body,
+                           const std::vector<sulfur::scene::MadeMechanism>& there) {
+    for (std::size_t i = there.size(); i-- > 0;) {
+        const auto* old = std::get_if<sulfur::scene::Slider>(&scene().mechanisms.at(i).spec);
+        if (old == nullptr || old->a != body || old->rail.empty()) continue;
+        if (!there[i].id || !world_->contains(there[i].id)) {
+            unfit({FittingRef::Kind::mechanism, i});
+            continue;
+        }
+        const sulfur::MechanismInfo left = world_->info(there[i].id);
+        auto& slider = std::get<sulfur::scene::Slider>(plan_.scene().mechanisms[i].spec);
+        slider.options.value = left.railBegin;
+        slider.rail.clear();
+        const auto& joints = plan_.blueprint(body).joints;
+        for (const JointId link : left.rail) {
+            const auto info = world_->info(link);
+            const auto a = refOf(info.a), b = refOf(info.b);
+            const auto found = std::find_if(joints.begin(), joints.end(), [&](const auto& joint) {
+                return a && b && joint.a == a->particle && joint.b == b->particle;
+            });
+            if (found != joints.end())
+                slider.rail.push_back(static_cast<std::uint32_t>(found - joints.begin()));
+        }
+    }
 }
 
 }  // namespace sulfurchamber

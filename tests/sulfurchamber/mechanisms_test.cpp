@@ -293,5 +293,46 @@ TEST(DiscsOfDocuments, AreTurnedWithTheirState) {
     EXPECT_NEAR(document.world().angle(document.bodyOf("disc")), 1.1, 1e-6);
 }
 
+// A bead on the third of five links of 1 m, which begin 2 m to the left of it.
+const std::string wire = R"({"format": "sulfur-scene", "version": 1, "blueprints": {
+  "wire": {"kind": "fixed",
+           "particles": [{"position": [0, 0]}, {"position": [1, 0]}, {"position": [2, 0]},
+                         {"position": [3, 0]}, {"position": [4, 0]}, {"position": [5, 0]}],
+           "joints": [{"a": 0, "b": 1}, {"a": 1, "b": 2}, {"a": 2, "b": 3}, {"a": 3, "b": 4},
+                      {"a": 4, "b": 5}]},
+  "bead": {"shape": "ball", "radius": 0.1}},
+  "bodies": [{"id": "wire", "blueprint": "wire"},
+             {"id": "bead", "blueprint": "bead", "position": [2.5, 0]}],
+  "mechanisms": [{"type": "slider", "id": "led", "a": "wire", "b": "bead", "at": [2.5, 0],
+                  "rail": [0, 1, 2, 3, 4]}]})";
+
+TEST(MechanismsOfDocuments, KeepWhatIsLeftOfARail) {
+    Workbench bench;
+    Document& document = bench.document();
+    document.open(fileOf(wire, "wire.json"));
+    const std::string before = document.text();
+    const auto remove = [&](std::size_t joint) {
+        document.edit("Cut", [&] {
+            document.remove(document.world().joints(document.bodyOf("wire"))[joint]);
+        });
+    };
+    const auto slider = [&] { return std::get<Slider>(document.scene().mechanisms.at(0).spec); };
+    remove(0);
+    EXPECT_EQ(slider().rail, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+    EXPECT_NEAR(slider().options.value, 1, 1e-6) << "its value is what it was";
+    const auto file = fileOf("", "wire-saved.json");
+    document.save(file);
+    Document again;
+    again.open(file);
+    const auto& world = again.world();
+    EXPECT_NEAR(world.info(world.mechanisms().at(0)).value, 2.5, 1e-5);
+    remove(3);
+    EXPECT_EQ(slider().rail, (std::vector<std::uint32_t>{0, 1, 2}));
+    remove(1);
+    EXPECT_TRUE(document.scene().mechanisms.empty()) << "its own link has gone";
+    for (int i = 0; i < 3; ++i) document.undo();
+    EXPECT_EQ(document.text(), before);
+}
+
 }  // namespace
 }  // namespace sulfurchamber
