@@ -164,6 +164,10 @@ void Script::slide(double from, double to) {
         return track.GetLeft() + static_cast<int>(std::lround(share * track.GetWidth()));
     };
     simulator_.MouseMove(x(from), y);
+    if (from == to) {
+        waitForFrames(20, {});
+        return;
+    }
     simulator_.MouseDown();
     const double cpuBefore = processorSeconds();
     const std::uint64_t framesBefore = frame_.sceneView().frames();

@@ -80,6 +80,8 @@ double Script::quantity(const std::string& name) const {
         const Timeline& timeline = document.timeline();
         return timeline.empty() ? 0 : static_cast<double>(timeline.others().size() + 1);
     }
+    if (name == "past.pictures") return frame_.timeBar().pictures();
+    if (name == "past.card") return frame_.sceneView().showsPast() ? 1 : 0;
     if (name == "speed") return frame_.sceneView().speedPermille() / 1000.0;
     if (name == "fps") return frame_.sceneView().framesPerSecond();
     if (name == "slide-cost") return slideCost_;

@@ -7,18 +7,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "../view/palette.hpp"
+#include "picture_grid.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
 namespace {
 
-constexpr int trackHeight = 34;  // logical pixels, as what follows
+constexpr int lineHeight = 34;  // logical pixels, as what follows
 constexpr int margin = 9;
+constexpr int besidePictures = 3;
 constexpr int lineBelow = 11;  // from the lower edge to the line
 constexpr int laneStep = 6;
 constexpr double reach = 4;
@@ -59,7 +62,7 @@ class TimeBar::Track final : public wxWindow {
 public:
     Track(wxWindow* parent, Workbench& bench, SceneView& view)
         : wxWindow(parent, wxID_ANY), bench_(bench), view_(view) {
-        SetMinSize(wxSize(FromDIP(120), FromDIP(trackHeight)));
+        setPictureHeight(FromDIP(36));
         SetBackgroundStyle(wxBG_STYLE_PAINT);
         Bind(wxEVT_PAINT, [this](wxPaintEvent&) { paint(); });
         Bind(wxEVT_SIZE, [this](wxSizeEvent& event) {
@@ -69,14 +72,23 @@ public:
         Bind(wxEVT_LEFT_DOWN, &Track::press, this);
         Bind(wxEVT_MOTION, &Track::move, this);
         Bind(wxEVT_LEAVE_WINDOW, [this](wxMouseEvent&) {
-            pointer_.reset();
-            Refresh(false);
+            if (!dragging_) point({});
         });
         Bind(wxEVT_LEFT_UP, [this](wxMouseEvent&) { release(); });
         Bind(wxEVT_MOUSE_CAPTURE_LOST, [this](wxMouseCaptureLostEvent&) { dragging_ = false; });
     }
     // Keys stay those of the scene.
     bool AcceptsFocus() const override { return false; }
+
+    /// Whether that is new.
+    bool setPictureHeight(int height) {
+        if (height == pictureHeight_) return false;
+        pictureHeight_ = height;
+        bitmaps_.clear();
+        SetMinSize(wxSize(FromDIP(120), height + FromDIP(besidePictures + lineHeight)));
+        return true;
+    }
+    int pictures() const { return pictures_; }
 
 private:
     TimeBarLayout layout() const {
@@ -97,21 +109,32 @@ private:
                                       FromDIP(static_cast<int>(reach)));
         view_.seek(other ? *other : now.momentAt(inTrack(event)));
         dragging_ = true;
-        pointer_ = inTrack(event);
+        point(inTrack(event));
         if (!HasCapture()) CaptureMouse();
+    }
+
+    // Without a place the pointer is elsewhere.
+    void point(std::optional<double> place) {
+        pointer_ = place;
+        const TimeBarLayout now = layout();
+        if (place && !now.empty())
+            view_.showPast(now.momentAt(*place), *place + FromDIP(margin));
+        else
+            view_.showPast({});
+        Refresh(false);
     }
 
     void move(wxMouseEvent& event) {
         const TimeBarLayout now = layout();
         if (now.empty()) return;
-        pointer_ = inTrack(event);
+        point(inTrack(event));
         if (dragging_) view_.seek(now.momentAt(*pointer_));
-        Refresh(false);
     }
 
     void release() {
         dragging_ = false;
         if (HasCapture()) ReleaseMouse();
+        if (!GetScreenRect().Contains(wxGetMousePosition())) point({});
     }
 
     void paint() {
@@ -125,6 +148,7 @@ private:
         const int y = lineY();
         const wxColour faint = isDark() ? wxColour(255, 255, 255, 40) : wxColour(0, 0, 0, 40);
         const double width = GetClientSize().GetWidth() - 2 * FromDIP(margin);
+        paintPictures(*g, now, width);
         stroke(*g, faint, 4, 0, y, width, y);
         if (now.empty()) {
             paintHint(*g, width);
@@ -137,12 +161,43 @@ private:
         if (now.now()) stroke(*g, sky, 4, now.from(), y, *now.now(), y);
         paintMarks(*g, now, y);
         if (now.now()) {
+            stroke(*g, sky, 1, *now.now(), 0, *now.now(), y);
             g->SetPen(*wxTRANSPARENT_PEN);
             g->SetBrush(wxBrush(isDark() ? wxOf(palette::ice) : wxOf(palette::steel)));
             const double r = FromDIP(6);
             g->DrawEllipse(*now.now() - r, y - r, 2 * r, 2 * r);
         }
         if (pointer_) paintPointed(*g, now.textAt(*pointer_, reach), width);
+    }
+
+    // What was seen, each where it was on the line; what comes after the present moment is pale.
+    void paintPictures(wxGraphicsContext& g, const TimeBarLayout& now, double width) {
+        const int gap = FromDIP(2);
+        const int wide =
+            pictureHeight_ * PastPictures::size.width / std::max(1, PastPictures::size.height);
+        const int places = std::max(1, (static_cast<int>(width) + gap) / (wide + gap));
+        const double step = (width + gap) / places;
+        const auto strip = view_.past().strip(bench_.document(), now, width, places);
+        const wxSize pixels = wxSize(wide, pictureHeight_) * GetContentScaleFactor();
+        std::map<std::uint64_t, wxBitmap> used;
+        pictures_ = 0;
+        for (std::size_t i = 0; i < strip.size(); ++i) {
+            if (strip[i] == nullptr) continue;
+            const auto known = bitmaps_.find(strip[i]->serial);
+            const wxBitmap bitmap =
+                known != bitmaps_.end() ? known->second : toBitmap(strip[i]->image, pixels);
+            used[strip[i]->serial] = bitmap;
+            const double x = static_cast<double>(i) * step + (step - gap - wide) / 2;
+            g.DrawBitmap(bitmap, x, 0, wide, pictureHeight_);
+            ++pictures_;
+        }
+        bitmaps_ = std::move(used);
+        if (!now.now() || pictures_ == 0) return;
+        wxColour pale = GetParent()->GetBackgroundColour();
+        pale.Set(pale.Red(), pale.Green(), pale.Blue(), 150);
+        g.SetPen(*wxTRANSPARENT_PEN);
+        g.SetBrush(wxBrush(pale));
+        g.DrawRectangle(*now.now(), 0, width - *now.now(), pictureHeight_);
     }
 
     // What is under the pointer, above the line.
@@ -155,8 +210,9 @@ private:
         const double x = std::clamp(*pointer_ - w / 2, 0.0, std::max(0.0, width - w));
         g.SetPen(*wxTRANSPARENT_PEN);
         g.SetBrush(wxBrush(GetParent()->GetBackgroundColour()));
-        g.DrawRectangle(x - FromDIP(3), 0, w + FromDIP(6), h);
-        g.DrawText(text, x, 0);
+        const double y = pictureHeight_ + FromDIP(besidePictures);
+        g.DrawRectangle(x - FromDIP(3), y, w + FromDIP(6), h);
+        g.DrawText(text, x, y);
     }
 
     void stroke(wxGraphicsContext& g, const wxColour& colour, int width, double x, double y,
@@ -192,13 +248,16 @@ private:
         double w = 0;
         double h = 0;
         g.GetTextExtent(hint, &w, &h);
-        if (w < width) g.DrawText(hint, 0, 0);
+        if (w < width) g.DrawText(hint, 0, (lineY() - h) / 2);
     }
 
     Workbench& bench_;
     SceneView& view_;
     bool dragging_ = false;
     std::optional<double> pointer_;  // pixels of the track
+    int pictureHeight_ = 0;
+    int pictures_ = 0;                           // that the last painting has shown
+    std::map<std::uint64_t, wxBitmap> bitmaps_;  // of these, by their serials
 };
 
 TimeBar::TimeBar(wxWindow* parent, Workbench& bench, SceneView& view,
@@ -222,6 +281,14 @@ void TimeBar::refresh() {
     const wxString text = speedText(view_.speedPermille());
     if (speed_->GetLabel() != text) speed_->SetLabel(text);
     track_->Refresh(false);
+}
+
+bool TimeBar::setPictureHeight(int height) {
+    return track_->setPictureHeight(height);
+}
+
+int TimeBar::pictures() const {
+    return track_->pictures();
 }
 
 wxRect TimeBar::trackOnScreen() const {

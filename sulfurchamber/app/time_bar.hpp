@@ -1,4 +1,4 @@
-// The slider of time below the scene, with marks and other futures.
+// The slider of time below the scene, with pictures of the past, marks and other futures.
 #pragma once
 
 #include <wx/button.h>
@@ -19,6 +19,10 @@ public:
 
     /// Shows what the document says now. Cheap; may be called often.
     void refresh();
+    /// How high its pictures of the past are, pixels; the caller lays it out again if that is new.
+    bool setPictureHeight(int height);
+    /// How many of them it has shown last.
+    int pictures() const;
     /// The part of it that shows time, in pixels of the screen; for scripts.
     wxRect trackOnScreen() const;
 

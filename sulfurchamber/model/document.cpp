@@ -312,6 +312,11 @@ void Document::drive(sulfur::MechanismId mechanism, const sulfur::Drive& drive) 
     world_->setDrive(mechanism, drive);
 }
 
+std::optional<Moment> Document::recordedMoment() const {
+    const Timeline::Place place = timeline_.place();
+    return touched_ || !place.exact ? std::nullopt : place.moment;
+}
+
 bool Document::goTo(const Moment& moment, double milliseconds) {
     commit();
     playing_ = false;

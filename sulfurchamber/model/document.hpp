@@ -145,6 +145,9 @@ public:
 
     /// The recorded past. Each tick is recorded, and each edit of a moment.
     const Timeline& timeline() const { return timeline_; }
+    /// The present moment where the world is just what is recorded of it; none behind an edit that
+    /// no tick has followed yet.
+    std::optional<Moment> recordedMoment() const;
     /// Stops playing and brings the world to a recorded moment, as Timeline::go() does. The plan
     /// and the history stay: what a later edit has added is in the plan, but not in this moment.
     /// Going on from there, by time or by edits, starts a branch. Returns whether the moment is

@@ -361,6 +361,12 @@ std::uint64_t Timeline::last(std::uint32_t line) const {
     return line == 0 ? 0 : at(line).last;
 }
 
+bool Timeline::owns(const Moment& moment) const {
+    const auto branch = branches_.find(moment.branch);
+    return branch != branches_.end() && moment.tick >= branch->second.begin &&
+           moment.tick <= branch->second.last;
+}
+
 std::vector<Mark> Timeline::marks(std::uint32_t line) const {
     std::vector<Mark> marks;
     const auto path = pathTo(line);

@@ -55,7 +55,8 @@ struct Moment {
 };
 
 struct TimelineLimits {
-    std::size_t bytes = std::size_t{64} << 20;  ///< of memory, all branches together
+    /// Of memory, all branches together. With the pictures of the time bar it is 64 MiB.
+    std::size_t bytes = std::size_t{60} << 20;
     double assured = 60;    ///< seconds that fit into it, as far as one can choose
     double longest = 120;   ///< seconds of the line that is shown
     double interval = 0.1;  ///< seconds between two keys at least
@@ -65,7 +66,7 @@ struct TimelineLimits {
 /// can go back to any tick, to the bit: from a key it is simulated again.
 ///
 /// Keys are kept as what differs from the first of eight, compressed. For 2,000 particles that all
-/// move a snapshot has 1.8 MB and a key 0.4 MB; a key each 0.4 s then fills the 64 MiB in 60 s.
+/// move a snapshot has 1.8 MB and a key 0.4 MB; a key each 0.4 s then fills the 60 MiB in 60 s.
 /// How often there is one follows from how large they are. When there is no room, the oldest of
 /// other branches goes first, then the oldest of the line that is shown.
 ///
@@ -132,6 +133,10 @@ public:
     bool empty() const { return branches_.empty(); }
     /// The branch with which the shown line ends; 0 when there is none.
     std::uint32_t line() const { return line_; }
+    /// The same moment, told by the branch whose own tick it is. Precondition: there is the branch.
+    Moment own(const Moment& moment) const { return {owner(moment), moment.tick}; }
+    /// Whether a branch, with ticks of its own, still has this moment.
+    bool owns(const Moment& moment) const;
     /// First and last recorded tick of a line.
     std::uint64_t first(std::uint32_t line) const;
     std::uint64_t last(std::uint32_t line) const;

@@ -84,12 +84,14 @@ void SceneView::dismiss() {
 
 bool SceneView::restoreGraphics() {
     if (textures_) textures_->forget();
+    forgetPast();
     dismiss();
     if (onGraphicsLost) onGraphicsLost();
     return true;
 }
 
 void SceneView::stop() {
+    forgetPast();
     dismiss();
     if (onGraphicsLost) onGraphicsLost();
     platform_ = nullptr;
@@ -317,6 +319,7 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     fitPending_ = false;
     wantedBounds_.reset();
     stepFilm(canvas);
+    takePast(canvas);
     options_.bodies = !(scenery && scenery(canvas, camera_));
     // Paused, the state itself is shown: a single tick is seen at once.
     paintWorld(canvas, camera_, painter_, options_, bench_.document().playing() ? alpha : 1.0);
@@ -329,6 +332,7 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     paintLabels(canvas);
     paintClock(canvas);
     paintGuide(canvas);
+    pastCard_.paint(canvas, past_, bench_.document());
     if (whileDrawing) whileDrawing(canvas);
 }
 
@@ -348,6 +352,35 @@ void SceneView::paintWorld(atlax::Canvas& canvas, const atlax::Camera& camera,
     if (!options.skeleton) return;
     canvas.setCamera(camera);
     paintDebug(canvas, bench_.document().world(), alpha);
+}
+
+// --- the past --------------------------------------------------------------------------------
+
+// What is seen now, so small that it costs little. Without texts: nobody could read them.
+void SceneView::takePast(atlax::Canvas& canvas) {
+    const std::int64_t before = atlax::monotonicNs();
+    if (!past_.due(bench_.document(), before)) return;
+    if (!pastTarget_.valid()) pastTarget_ = canvas.createTarget(PastPictures::size);
+    const atlax::Vec2 whole = canvas.size().toVec();
+    const atlax::Vec2 small = PastPictures::size.toVec();
+    atlax::Camera camera = camera_;
+    camera.pixelsPerMetre *= std::min(small.x / whole.x, small.y / whole.y);
+    ViewOptions options = options_;
+    options.tools = options.grid = false;
+    options.bodies = true;
+    painter_.setFont(nullptr);
+    canvas.pushTarget(pastTarget_);
+    paintWorld(canvas, camera, painter_, options, 1);
+    canvas.popTarget();
+    painter_.setFont(&*font_);
+    atlax::Image image = canvas.read(pastTarget_);
+    const std::int64_t after = atlax::monotonicNs();
+    past_.add(bench_.document(), std::move(image), after, after - before);
+}
+
+void SceneView::forgetPast() {
+    pastTarget_ = {};
+    pastCard_.forgetTexture();
 }
 
 // --- the film --------------------------------------------------------------------------------

@@ -13,6 +13,8 @@
 #include "../model/load_watch.hpp"
 #include "../model/workbench.hpp"
 #include "guide_overlay.hpp"
+#include "past_card.hpp"
+#include "past_pictures.hpp"
 #include "scene_film.hpp"
 #include "scene_painter.hpp"
 
@@ -87,6 +89,12 @@ public:
     /// which shows a moment on the way.
     void seek(const Moment& moment);
     bool seeking() const { return wanted_.has_value(); }
+    /// What was seen of the recorded past, small.
+    const PastPictures& past() const { return past_; }
+    /// Shows what was at a moment of the shown line, above a place of the lower edge, logical
+    /// pixels from the left; where nothing was seen near it, or without a moment, nothing.
+    void showPast(const std::optional<Moment>& moment, double x = 0) { pastCard_.ask(moment, x); }
+    bool showsPast() const { return pastCard_.shown(); }
     /// Share of real time that the simulation reaches while it plays: 1 keeps up.
     double realTimeShare() const;
     /// What costs most of that while it does not keep up: "2400 contacts".
@@ -147,6 +155,8 @@ private:
     void guarded(const std::function<void()>& body);
     void followSlider();
     void stepFilm(atlax::Canvas& canvas);
+    void takePast(atlax::Canvas& canvas);
+    void forgetPast();
     void paintRulerText(atlax::Canvas& canvas);
     void paintLabels(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
@@ -174,6 +184,9 @@ private:
     int singles_ = 0;  // ticks asked for while paused
     std::optional<double> pauseAt_;
     std::optional<Moment> wanted_;  // on the way there
+    PastPictures past_;
+    PastCard pastCard_;
+    atlax::RenderTarget pastTarget_;
     std::uint64_t buttonEvents_ = 0;
     std::uint64_t frames_ = 0;
     LoadWatch load_;

@@ -7,8 +7,10 @@ drag -2 3 -1 4
 tool jelly
 drag 0.5 1.5 2 3
 expect branches = 0
+expect past.pictures = 0
 run 2
 expect branches = 1
+await past.pictures > 4 20  # one strip of them above the line
 screenshot ${WORK}/end.png
 key Comma                   # one tick back
 expect time < 1.9985
@@ -17,6 +19,10 @@ slide 0.9 0.4
 expect time > 0.75
 expect time < 0.85
 expect playing = 0
+expect past.card = 0        # the scene shows what is under the pointer
+slide 0.8 0.8
+expect past.card = 1        # a picture of what was there
+slide 0.4 0.4
 screenshot ${WORK}/back.png
 key PageUp
 expect time = 0
@@ -85,6 +91,8 @@ expect strays > 0
 seek 0
 expect strays = 0
 whole
+do new
+await past.pictures = 0 20  # they went with what was recorded
 expect problem = 0
 ")
 run_window(0 --script ${WORK}/rewind.txt)
