@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "rail.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -35,7 +37,12 @@ Shape shapeOf(const SceneMechanism& mechanism) {
     return drive->stiffness > 0 ? Shape::spring : Shape::cable;
 }
 
-std::vector<Point> railOf(const sulfur::MechanismInfo& info) {
+std::vector<Point> railOf(const sulfur::World& world, const sulfur::MechanismInfo& info) {
+    if (!info.rail.empty()) {
+        std::vector<Point> line = lineOf(world, info.rail);
+        line.push_back(info.pointB);
+        return line;
+    }
     const Point axis = info.axis.cast<double>();
     const auto end = [&](sulfur::Real limit, double otherwise) -> Point {
         const double to = std::isfinite(limit) ? static_cast<double>(limit) : otherwise;
@@ -45,10 +52,10 @@ std::vector<Point> railOf(const sulfur::MechanismInfo& info) {
 }
 
 // Points of a mechanism that is there; gears know theirs from their parts.
-void placeMark(FittingMark& mark, const sulfur::MechanismInfo& info) {
+void placeMark(FittingMark& mark, const sulfur::World& world, const sulfur::MechanismInfo& info) {
     switch (mark.shape) {
         case Shape::slider:
-            mark.points = railOf(info);
+            mark.points = railOf(world, info);
             mark.at = info.pointB;
             return;
         case Shape::spring:
@@ -110,7 +117,7 @@ double hitDistance(const FittingMark& mark, const Point& point) {
                 std::min(nearest, distanceToSegment(point, corners.at(i), corners.at((i + 1) % 4)));
         return nearest;
     }
-    const std::size_t ends = mark.shape == Shape::slider ? 2 : mark.points.size();
+    const std::size_t ends = mark.points.size() - (mark.shape == Shape::slider ? 1 : 0);
     for (std::size_t i = 1; i < ends; ++i)
         nearest = std::min(nearest, distanceToSegment(point, mark.points[i - 1], mark.points[i]));
     return nearest;
@@ -146,7 +153,7 @@ std::vector<FittingMark> fittingMarks(const Document& document) {
         } else {
             const auto id = made[i].spring ? made[i].spring : made[i].id;
             if (!id || !world.contains(id)) continue;
-            placeMark(mark, world.info(id));
+            placeMark(mark, world, world.info(id));
             if (!mechanisms[i].id.empty()) places[mechanisms[i].id] = mark.at;
         }
         marks.push_back(std::move(mark));

@@ -28,7 +28,7 @@ struct FittingMark {
     };
     FittingRef ref;
     Shape shape = Shape::hinge;
-    /// Metres. Of a spring and its like both ends, of a slider both ends of the rail and then what
+    /// Metres. Of a spring and its like both ends, of a slider the line of the rail and then what
     /// slides, of a pulley the rope, of a gear both parts, of a zone two corners.
     std::vector<sulfur::Point> points;
     /// Of a thruster, newtons; of a zone, m/s or m/s^2; of a motor (speed, 0).

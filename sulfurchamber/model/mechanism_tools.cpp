@@ -8,6 +8,7 @@
 #include "drag_tool.hpp"
 #include "fitting_marks.hpp"
 #include "geometry.hpp"
+#include "rail.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -207,27 +208,68 @@ public:
         if (dragging() && !clicked())
             return tr("A rail of {}, {}",
                       {metresText(length()), degreesText(directionOf(to() - from()))});
-        return "Drag from a body along its rail; on two bodies the lower one bears the rail";
+        return "Drag from a body along its rail, or click it where it is on a rope, hoop or line";
     }
 
 private:
     void make(const Pointer& pointer) override {
         const auto bodies = bodiesUnder(from(), pointer.reach);
+        if (bodies.empty()) return;
+        if (clicked()) {
+            putOnRail(bodies, pointer.reach);
+            return;
+        }
         const BodyId upper = planned(bodies, 0);
         const BodyId lower = planned(bodies, 1);
-        if (clicked() || !upper) return;
+        sulfur::scene::Slider made;
+        made.b = document().idOf(upper);
+        made.at = from();
+        made.axis = (to() - from()).normalized().cast<Real>();
+        made.options.drive = {.lower = 0, .upper = static_cast<Real>(length())};
+        made.options.turns = false;
         fit("Add slider", [&] {
-            sulfur::scene::Slider made;
-            made.b = document().idOf(upper);
             made.a = lower ? document().idOf(lower) : addRail(from(), to());
-            made.at = from();
-            made.axis = (to() - from()).normalized().cast<Real>();
-            made.options.drive = {.lower = 0, .upper = static_cast<Real>(length())};
-            made.options.turns = false;
-            SceneMechanism mechanism;
-            mechanism.spec = std::move(made);
-            return mechanism;
+            return mechanismOf(made);
         });
+    }
+
+    // Of two lines the longer one bears: a bead may be a ring itself.
+    void putOnRail(const std::vector<BodyId>& bodies, double reach) {
+        for (const RailLine& rail : railsAt(world(), from(), reach)) {
+            const auto rider = std::find_if(bodies.begin(), bodies.end(),
+                                            [&](BodyId body) { return body != rail.body; });
+            if (rider == bodies.end()) continue;
+            sulfur::scene::Slider made;
+            made.a = document().idOf(whole(rail.body));
+            made.b = document().idOf(whole(*rider));
+            // A disc is held at its middle.
+            const bool disc = world().particles(*rider).size() == 1;
+            made.at = disc ? world().centreOfMass(*rider) : rail.at;
+            const auto joints = world().joints(rail.body);
+            for (const sulfur::JointId link : rail.links)
+                made.rail.push_back(static_cast<std::uint32_t>(
+                    std::find(joints.begin(), joints.end(), link) - joints.begin()));
+            fit("Add slider", [&] { return mechanismOf(made); });
+            return;
+        }
+        throw std::runtime_error(
+            "there is no rail here; drag along one, or click where the body is on a rope, hoop or "
+            "line of another one");
+    }
+
+    // The plan names links by their places: none of them may have broken.
+    BodyId whole(BodyId body) const {
+        const BodyId found = planned({body}, 0);
+        const auto& plan = document().plan().blueprint(document().idOf(found));
+        if (plan.joints.size() != world().joints(found).size())
+            throw std::runtime_error("nothing can be fitted to a piece; reset the scene first");
+        return found;
+    }
+
+    static SceneMechanism mechanismOf(const sulfur::scene::Slider& slider) {
+        SceneMechanism mechanism;
+        mechanism.spec = slider;
+        return mechanism;
     }
 };
 

@@ -193,14 +193,22 @@ void FittingPainter::paintRope(const FittingMark& mark, Color color) {
 }
 
 void FittingPainter::paintRail(const FittingMark& mark, Color color) {
-    const Vec2 from(mark.points[0]), to(mark.points[1]), at(mark.points[2]);
-    const float length = atlax::length(to - from);
-    if (length > 0) {
-        const Vec2 across = atlax::perpendicular((to - from) / length) * (5 * pixel_);
-        canvas_.line(from, to, 3 * pixel_, palette::steel);
-        canvas_.line(from, to, pixel_, color.withAlpha(0.8f));
-        for (const Vec2& end : {from, to})
-            canvas_.line(end - across, end + across, 2 * pixel_, color);
+    std::vector<Vec2> line;
+    for (const auto& point : mark.points) line.emplace_back(point);
+    const Vec2 at = line.back();
+    line.pop_back();
+    canvas_.polyline(line, 3 * pixel_, palette::steel);
+    canvas_.polyline(line, pixel_, color.withAlpha(0.8f));
+    const auto paintEnd = [&](const Vec2& end, const Vec2& next) {
+        const float length = atlax::length(next - end);
+        if (!(length > 0)) return;
+        const Vec2 across = atlax::perpendicular((next - end) / length) * (5 * pixel_);
+        canvas_.line(end - across, end + across, 2 * pixel_, color);
+    };
+    // A closed one has no ends.
+    if (atlax::length(line.back() - line.front()) > 0) {
+        paintEnd(line.front(), line[1]);
+        paintEnd(line.back(), line[line.size() - 2]);
     }
     const Vec2 half{5 * pixel_, 5 * pixel_};
     canvas_.rect({at - half, half * 2.0f}, palette::deep);

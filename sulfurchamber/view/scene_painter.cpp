@@ -10,6 +10,7 @@
 
 #include "../model/geometry.hpp"
 #include "../model/properties.hpp"
+#include "../model/rail.hpp"
 #include "../model/transform.hpp"
 #include "fitting_painter.hpp"
 #include "palette.hpp"
@@ -30,6 +31,10 @@ constexpr float smallBodyPixels = 14;  // up to which a body has no rim of its o
 
 float toFloat(sulfur::Real value) {
     return static_cast<float>(value);
+}
+
+sulfur::Point pointOf(const Vec2& at) {
+    return {static_cast<double>(at.x), static_cast<double>(at.y)};
 }
 
 // Neighbours of one kind differ a little, so that a heap of boxes is not one blot.
@@ -244,7 +249,14 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
             const bool thin = !(info.radius > 0);
             if (thin && !body.look->fills.empty()) continue;
             const float radius = std::max(toFloat(info.radius), (thin ? 0.8f : 1.1f) * pixel_);
-            canvas_->capsule(place(info.a), place(info.b), radius + grow, color);
+            if (info.bend == 0) {
+                canvas_->capsule(place(info.a), place(info.b), radius + grow, color);
+                continue;
+            }
+            const auto line = chordsOf(pointOf(place(info.a)), pointOf(place(info.b)),
+                                       static_cast<double>(info.bend));
+            for (std::size_t i = 1; i < line.size(); ++i)
+                canvas_->capsule(Vec2(line[i - 1]), Vec2(line[i]), radius + grow, color);
         }
         for (std::size_t i = 0; i < particles.size(); ++i)
             if (const float radius = toFloat(world_->info(particles[i]).radius); radius > 0)
