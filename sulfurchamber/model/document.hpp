@@ -274,6 +274,7 @@ private:
     void makeInMoment(const sulfur::scene::SceneMechanism& mechanism);
     void remakeInMoment(std::size_t mechanism);
     void matchMechanisms() const;
+    void renewRails(const std::string& body, std::size_t jointsBefore);
     void followRails(const std::string& body,
                      const std::vector<sulfur::scene::MadeMechanism>& there);
     std::vector<sulfur::BodyId> bodiesOfMechanism(std::size_t mechanism) const;

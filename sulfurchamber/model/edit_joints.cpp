@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "document_steps.hpp"
 #include "follow.hpp"
@@ -176,6 +177,25 @@ void Document::remove(JointId joint) {
             plan_.remove(i);
             return;
         }
+}
+
+// A recipe has made another number of joints. A rail that was all of them is so again; of another
+// one nobody knows where it was.
+void Document::renewRails(const std::string& body, std::size_t jointsBefore) {
+    const Prefab& prefab = plan_.prefab(plan_.body(body).blueprint);
+    const std::size_t count = prefab.blueprint.joints.size();
+    // Without a recipe the old joints come first, as they were.
+    if (count == jointsBefore || prefab.generator.index() == 0) return;
+    for (std::size_t i = scene().mechanisms.size(); i-- > 0;) {
+        auto* slider = std::get_if<sulfur::scene::Slider>(&plan_.scene().mechanisms[i].spec);
+        if (slider == nullptr || slider->a != body || slider->rail.empty()) continue;
+        if (slider->rail.size() == jointsBefore) {
+            slider->rail.resize(count);
+            std::iota(slider->rail.begin(), slider->rail.end(), 0u);
+        } else {
+            unfit({FittingRef::Kind::mechanism, i});
+        }
+    }
 }
 
 // Rails name joints by their places. When one has gone, a slider keeps what is left of its rail in

@@ -364,6 +364,7 @@ void Document::change(std::span<const BodyId> bodies, const std::function<void(P
             follow(*world_, one.body, one.before, scaled(plan_.blueprint(one.id), constants_));
         for (const BodyId piece : pieces) changePiece(piece, change);
     });
+    for (const Changed& one : changed) renewRails(one.id, one.before.joints.size());
 }
 
 void Document::changePiece(BodyId body, const std::function<void(Prefab&)>& change) {

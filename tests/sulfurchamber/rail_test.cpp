@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/fitting_marks.hpp"
+#include "model/properties.hpp"
 #include "model/rail.hpp"
 #include "model/workbench.hpp"
 
@@ -134,6 +135,43 @@ TEST(Rails, ARemovedJointEndsTheRailOrTheSlider) {
     EXPECT_TRUE(slide.mechanisms().empty());
     slide.document().undo();
     EXPECT_EQ(slide.made().rail.size(), 2u);
+}
+
+TEST(Rails, ARopeOfAnotherNumberOfLinksIsARailStill) {
+    Slide slide;
+    slide.bench.setTool(ToolKind::rope);
+    slide.drag({-6, 4}, {-3, 4});
+    slide.bench.setTool(ToolKind::ball);
+    slide.drag({-5, 4}, {-4.8, 4});
+    slide.slider({-5, 4});
+    EXPECT_EQ(slide.made().a, "rope");
+    const auto links = [&](double count) {
+        const BodyId rope = slide.document().bodyOf("rope");
+        slide.document().edit("Links", [&] {
+            slide.document().change({&rope, 1}, [&](sulfur::scene::Prefab& prefab) {
+                numberProperty("links")->set(prefab, count);
+            });
+        });
+        return slide.world().joints(slide.document().bodyOf("rope")).size();
+    };
+    for (const double count : {12.0, 50.0}) {
+        EXPECT_EQ(links(count), static_cast<std::size_t>(count));
+        ASSERT_EQ(slide.made().rail.size(), static_cast<std::size_t>(count));
+        EXPECT_EQ(slide.made().rail.back(), static_cast<std::uint32_t>(count) - 1);
+        const auto& made = slide.document().made().at(0);
+        EXPECT_EQ(slide.world().info(made.id).rail.size(), static_cast<std::size_t>(count));
+    }
+    // A part of a rope is not known again.
+    slide.document().edit("Shorter", [&] {
+        slide.document().refit(
+            *slide.bench.fitting(),
+            [](Fitting& one) {
+                std::get<Slider>(std::get<sulfur::scene::SceneMechanism>(one).spec).rail.resize(30);
+            },
+            false);
+    });
+    links(20);
+    EXPECT_TRUE(slide.mechanisms().empty());
 }
 
 TEST(Rails, WhereNoLineIsThatIsToldAndNothingChanges) {
