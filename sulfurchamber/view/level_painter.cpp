@@ -4,6 +4,7 @@
 #include <array>
 
 #include "../model/level_hand.hpp"
+#include "label_layout.hpp"
 #include "palette.hpp"
 #include "scene_painter.hpp"
 
@@ -15,6 +16,16 @@ using atlax::Vec2;
 
 constexpr Color fresh = Color::hex(0x7CE0A3);
 constexpr Color danger = Color::hex(0xE0457B);
+
+constexpr float widestText = 0.4f;  // of the view
+constexpr float leastTextWidth = 140;
+constexpr float mostTextWidth = 320;  // logical pixels, as what follows
+constexpr float shortTextWidth = 90;
+constexpr Vec2 textMargin{4, 2};
+constexpr Vec2 markSize{18, 18};
+constexpr Vec2 clockSize{180, 58};  // at the upper right
+constexpr float leftOfTexts = 40;   // rulers
+constexpr float belowTexts = 20;
 
 // Of glyphs, in units of the mark's radius.
 constexpr std::array<Vec2, 4> flag{{{-0.3f, -0.55f}, {-0.3f, 0.55f}, {0.45f, 0.25f}, {-0.3f, 0}}};
@@ -85,9 +96,12 @@ void LevelPainter::paint(atlax::Canvas& canvas, const atlax::Camera& camera,
     for (const LevelShape& shape : shapes_)
         if (isSelected(shape)) paintHandles(shape);
     canvas.setScreenSpace(canvas.scaleFactor());
-    for (const LevelShape& shape : shapes_)
-        if (isSelected(shape) || isShown(document, shape.thing))
-            paintText(shape, camera, font, isSelected(shape));
+    const auto isNamed = [&](const LevelShape& shape) {
+        const LevelKind kind = shape.thing.kind;
+        return isShown(document, shape.thing) && shape.form != LevelShape::Form::none &&
+               (kind == LevelKind::hint || kind == LevelKind::zone || kind == LevelKind::trigger);
+    };
+    paintTexts(camera, font, isSelected, isNamed);
 }
 
 // What the player never sees steps back.
@@ -212,24 +226,59 @@ void LevelPainter::paintHandles(const LevelShape& shape) {
     }
 }
 
-// Hints are read as the player sees them; names are for zones, switches, and what is selected.
-void LevelPainter::paintText(const LevelShape& shape, const atlax::Camera& camera,
-                             const atlax::Font& font, bool selected) {
-    const LevelKind kind = shape.thing.kind;
-    const bool named = selected || kind == LevelKind::hint || kind == LevelKind::zone ||
-                       kind == LevelKind::trigger;
-    if (!named || shape.form == LevelShape::Form::none) return;
+// Hints are read as the player sees them; names are for zones, switches, and what is selected. What
+// is selected is placed first: where many stand together, others are shortened or have no room.
+void LevelPainter::paintTexts(const atlax::Camera& camera, const atlax::Font& font,
+                              const ShapeTest& isSelected, const ShapeTest& isNamed) {
     const float scale = canvas_->scaleFactor();
-    const sulfur::Point place = markOf(shape, static_cast<double>(reachPixels * pixel_));
-    const Vec2 at = camera.toScreen(Vec2(place), canvas_->size()) / scale;
-    const float size = kind == LevelKind::hint ? 14 : 12;
-    const auto extent = font.measure(shape.label, size);
-    const Vec2 from{at.x + 14, at.y - extent.height / 2};
-    canvas_->roundedRect({from - Vec2{4, 2}, Vec2{extent.width + 8, extent.height + 4}}, 4,
-                         palette::deep.withAlpha(0.7f));
-    canvas_->text(
-        font, shape.label, from,
-        {size, selected ? palette::ice : colourOf(kind), atlax::AlignX::Left, atlax::AlignY::Top});
+    const Vec2 view = canvas_->size().toVec() / scale;
+    std::vector<Text> texts;
+    std::vector<LabelWish> wishes;
+    std::vector<atlax::Rect> taken{{{view.x - clockSize.x, 0}, clockSize}};
+    const auto markAt = [&](const LevelShape& shape) {
+        const sulfur::Point place = markOf(shape, static_cast<double>(reachPixels * pixel_));
+        return camera.toScreen(Vec2(place), canvas_->size()) / scale;
+    };
+    const auto add = [&](const LevelShape& shape, bool selected) {
+        texts.push_back(textOf(shape, font, selected, view.x));
+        wishes.push_back({markAt(shape), texts.back().extent(font, texts.back().words),
+                          texts.back().extent(font, texts.back().shorter), selected});
+    };
+    for (const LevelShape& shape : shapes_)
+        if (isSelected(shape) && shape.form != LevelShape::Form::none) add(shape, true);
+    for (const LevelShape& shape : shapes_) {
+        if (!isSelected(shape) && isNamed(shape)) add(shape, false);
+        if (shape.form != LevelShape::Form::none && shape.form != LevelShape::Form::level &&
+            shape.thing.kind != LevelKind::bounds)
+            taken.push_back(atlax::Rect::around(markAt(shape), markSize));
+    }
+    const atlax::Rect area{{leftOfTexts, 0}, {view.x - leftOfTexts, view.y - belowTexts}};
+    const auto places = placeLabels(wishes, area, taken);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (!places[i]) continue;
+        canvas_->roundedRect(places[i]->plate, 4, palette::deep.withAlpha(0.7f));
+        canvas_->text(font, places[i]->isShort ? texts[i].shorter : texts[i].words,
+                      places[i]->plate.min + textMargin,
+                      {texts[i].size, texts[i].color, atlax::AlignX::Left, atlax::AlignY::Top});
+    }
+}
+
+LevelPainter::Text LevelPainter::textOf(const LevelShape& shape, const atlax::Font& font,
+                                        bool selected, float viewWidth) {
+    Text text;
+    text.size = shape.thing.kind == LevelKind::hint ? 14 : 12;
+    text.color = selected ? palette::ice : colourOf(shape.thing.kind);
+    text.words = font.wrap(shape.label, text.size,
+                           std::clamp(viewWidth * widestText, leastTextWidth, mostTextWidth));
+    const std::string parts = font.wrap(shape.label, text.size, shortTextWidth);
+    const std::size_t end = parts.find('\n');
+    text.shorter = end == std::string::npos ? parts : parts.substr(0, end) + "…";
+    return text;
+}
+
+Vec2 LevelPainter::Text::extent(const atlax::Font& font, const std::string& what) const {
+    const auto extent = font.measure(what, size);
+    return Vec2{extent.width, extent.height} + textMargin * 2.0f;
 }
 
 }  // namespace sulfurchamber

@@ -3,6 +3,7 @@
 
 #include <atlax/canvas.hpp>
 #include <atlax/font.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,18 @@ private:
     void paintMark(const LevelShape& shape, atlax::Color color, bool selected);
     void paintGlyph(LevelKind kind, atlax::Vec2 at, atlax::Color color);
     void paintHandles(const LevelShape& shape);
-    void paintText(const LevelShape& shape, const atlax::Camera& camera, const atlax::Font& font,
-                   bool selected);
+    struct Text {
+        std::string words;    ///< with line breaks
+        std::string shorter;  ///< where there is little room
+        float size = 0;       ///< logical pixels
+        atlax::Color color;
+        atlax::Vec2 extent(const atlax::Font& font, const std::string& what) const;
+    };
+    using ShapeTest = std::function<bool(const LevelShape&)>;
+    void paintTexts(const atlax::Camera& camera, const atlax::Font& font,
+                    const ShapeTest& isSelected, const ShapeTest& isNamed);
+    static Text textOf(const LevelShape& shape, const atlax::Font& font, bool selected,
+                       float viewWidth);
 
     std::vector<LevelShape> shapes_;
     std::uint64_t revision_ = 0;
