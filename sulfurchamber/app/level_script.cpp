@@ -53,10 +53,32 @@ bool Script::startLevel(const Words& words) {
                 return atlax::monotonicNs() > endNs;
             },
             [this, code] { simulator_.KeyUp(code); });
+    } else if (words[0] == "swing" && words.size() == 5 && words[3].size() == 1) {
+        swing({number(words[1]), number(words[2])},
+              std::toupper(static_cast<unsigned char>(words[3][0])), number(words[4]));
     } else {
         return false;
     }
     return true;
+}
+
+// The rope is shot at a place, and held with a key for so long of the game's own time.
+void Script::swing(const sulfur::Point& at, int key, double seconds) {
+    const PlayTest* test = frame_.stage().test();
+    if (test == nullptr) fail("no level is played");
+    frame_.canvas().SetFocus();
+    const auto hold = [this, key, seconds] {
+        simulator_.MouseDown();
+        simulator_.KeyDown(key);
+        const double from = levelQuantity("playtest.time").value_or(0);
+        waitFor([this, from,
+                 seconds] { return levelQuantity("playtest.time").value_or(0) > from + seconds; },
+                [this, key] {
+                    simulator_.KeyUp(key);
+                    simulator_.MouseUp();
+                });
+    };
+    if (!moveMouseTo(test->pixelsOf(at), hold)) fail("this place is not in view of the game");
 }
 
 std::optional<double> Script::levelQuantity(const std::string& name) const {

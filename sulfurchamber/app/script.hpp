@@ -46,6 +46,7 @@ private:
     bool startFile(const Words& words);
     // level_script.cpp
     bool startLevel(const Words& words);
+    void swing(const sulfur::Point& at, int key, double seconds);
     std::optional<double> levelQuantity(const std::string& name) const;
     bool holds(const Words& words) const;
     bool startOutline(const Words& words);
@@ -69,6 +70,8 @@ private:
     void dragPlot(double from, double to);
     void press(const sulfur::Point& at, std::function<void()> then);
     void moveMouse(const sulfur::Point& at, std::function<void()> then);
+    /// Of the drawing area; false where that has no such place.
+    bool moveMouseTo(const atlax::Vec2& pixels, std::function<void()> then);
     void strokeThrough(const std::vector<sulfur::Point>& places, std::size_t next,
                        const std::function<void()>& then);
     void waitForFrames(int frames, std::function<void()> then);

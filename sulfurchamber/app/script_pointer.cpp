@@ -45,14 +45,17 @@ void Script::waitForFrames(int frames, std::function<void()> then) {
 }
 
 void Script::moveMouse(const sulfur::Point& at, std::function<void()> then) {
-    const auto& view = frame_.sceneView();
-    const atlax::Vec2 pixels = view.toPixels(at);
+    const atlax::Vec2 pixels = frame_.sceneView().toPixels(at);
+    if (!moveMouseTo(pixels, std::move(then)))
+        fail("the place " + std::to_string(at.x()) + " " + std::to_string(at.y()) +
+             " is not in view");
+}
+
+bool Script::moveMouseTo(const atlax::Vec2& pixels, std::function<void()> then) {
     const double scale = frame_.canvas().GetContentScaleFactor();
     const wxPoint target(static_cast<int>(std::lround(static_cast<double>(pixels.x) / scale)),
                          static_cast<int>(std::lround(static_cast<double>(pixels.y) / scale)));
-    if (!frame_.canvas().GetClientRect().Contains(target))
-        fail("the place " + std::to_string(at.x()) + " " + std::to_string(at.y()) +
-             " is not in view");
+    if (!frame_.canvas().GetClientRect().Contains(target)) return false;
     const wxPoint screen = frame_.canvas().ClientToScreen(target);
     // The pointer may be there already, then no event comes: it goes beside first.
     simulator_.MouseMove(screen.x + 1, screen.y);
@@ -68,6 +71,7 @@ void Script::moveMouse(const sulfur::Point& at, std::function<void()> then) {
                std::lround(static_cast<double>(seen->y) / scale) == target.y;
     };
     waitFor(arrived, std::move(then));
+    return true;
 }
 
 void Script::press(const sulfur::Point& at, std::function<void()> then) {

@@ -40,6 +40,10 @@ void PlayTest::start(atlax::Platform& platform) {
     controls_.reset();
 }
 
+atlax::Vec2 PlayTest::pixelsOf(const sulfur::Point& place) const {
+    return view_.camera(platform_->size()).toScreen(atlax::Vec2(place), platform_->size());
+}
+
 quaoar::TickInput PlayTest::input(const atlax::ActionState& state) {
     const quaoar::PlayerSight sight{view_.camera(platform_->size()), platform_->size(),
                                     atlax::Vec2(session_.heroPosition()),

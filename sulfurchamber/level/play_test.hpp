@@ -32,6 +32,8 @@ public:
 
     /// Called once when the hero has come to the exit.
     std::function<void(const quaoar::Recording&)> onFinish;
+    /// Where a place of the level is seen, pixels of the drawing area. While it has that.
+    atlax::Vec2 pixelsOf(const sulfur::Point& place) const;
     const quaoar::Session& session() const { return session_; }
     /// The inputs since the spawn.
     const quaoar::Recording& recording() const { return recording_; }
