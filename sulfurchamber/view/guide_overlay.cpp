@@ -47,7 +47,10 @@ atlax::Camera filmCamera(const atlax::Rect& picture, atlax::PixelSize canvas) {
 }  // namespace
 
 std::string invitation(const Document& document) {
-    if (interestingBounds(document.world()) || document.canUndo() || document.canReset()) return "";
+    // Quickly told first: it is asked for each frame.
+    if (document.canUndo() || document.canReset() || document.world().bodies().size() > 1)
+        return "";
+    if (interestingBounds(document.world())) return "";
     return tr("Choose a tool at the left and drag here to build; F1 opens examples");
 }
 

@@ -28,11 +28,12 @@ Color strainColour(float strain) {
 }
 
 void ScenePainter::paintPins() {
-    for (const BodyId body : world_->bodies()) {
-        if (world_->kind(body) != sulfur::BodyKind::dynamic || isHidden(body)) continue;
-        for (const ParticleId particle : world_->particles(body)) {
-            if (!world_->info(particle).pinned) continue;
-            const Vec2 at = place(particle);
+    for (const Posed& body : posed_) {
+        if (body.kind != sulfur::BodyKind::dynamic) continue;
+        const auto particles = world_->particles(body.id);
+        for (std::size_t i = 0; i < particles.size(); ++i) {
+            if (!world_->info(particles[i]).pinned) continue;
+            const Vec2 at = body.points[i];
             canvas_->circle(at, 5 * pixel_, palette::deep);
             canvas_->circleOutline(at, 5 * pixel_, 1.6f * pixel_, palette::ice);
             canvas_->circle(at, 1.8f * pixel_, palette::amber);

@@ -28,6 +28,8 @@ using sulfur::World;
 constexpr float innerJointPixels = 9;  // shorter inner joints would only be noise
 constexpr float smallestDotPixels = 2.6f;
 constexpr float smallBodyPixels = 14;  // up to which a body has no rim of its own
+constexpr std::size_t denseLinks = 2000;
+constexpr float denseLinkPixels = 5;
 
 float toFloat(sulfur::Real value) {
     return static_cast<float>(value);
@@ -129,13 +131,13 @@ const ScenePainter::Look& ScenePainter::lookOf(const Workbench& bench, BodyId bo
     return looks_.insert_or_assign(body, std::move(look)).first->second;
 }
 
-ScenePainter::Posed ScenePainter::pose(const Workbench& bench, BodyId body) {
-    const World& world = bench.document().world();
-    Posed posed;
+void ScenePainter::pose(BodyId body, const Look& look, Posed& posed) const {
     posed.id = body;
-    posed.look = &lookOf(bench, body);
-    posed.kind = world.kind(body);
-    for (const ParticleId particle : world.particles(body)) posed.points.push_back(place(particle));
+    posed.look = &look;
+    posed.kind = world_->kind(body);
+    posed.points.clear();
+    for (const ParticleId particle : world_->particles(body))
+        posed.points.push_back(place(particle));
     const float light = shade(body);
     if (posed.look->colour) {
         posed.fill = atlax::mix(palette::deep, *posed.look->colour, 0.8f);
@@ -153,7 +155,6 @@ ScenePainter::Posed ScenePainter::pose(const Workbench& bench, BodyId body) {
         posed.fill = atlax::mix(palette::steel, palette::sky, 0.12f + 0.38f * light);
         posed.rim = atlax::mix(palette::sky, palette::ice, 0.25f);
     }
-    return posed;
 }
 
 bool ScenePainter::isHidden(BodyId body) const {
@@ -183,8 +184,8 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
 
     FittingPainter fittings(canvas, bench, pixel_);
     fittings.paintZones();
-    for (const Posed& body : posedInOrder(bench))
-        paintBody(body, options.tools && bench.selected(body.id));
+    poseInOrder(bench);
+    for (const Posed& body : posed_) paintBody(body, options.tools && bench.selected(body.id));
     if (options.bodies) paintConnections();
     paintMechanisms();
     fittings.paintMarks();
@@ -203,22 +204,35 @@ void ScenePainter::paint(atlax::Canvas& canvas, const Workbench& bench, const Vi
     if (options.tools && bench.snapMark()) paintSnap(*bench.snapMark());
 }
 
-// What is visible, the hindmost first: by their order, and of the same what is fixed.
-std::vector<ScenePainter::Posed> ScenePainter::posedInOrder(const Workbench& bench) {
-    std::vector<Posed> bodies;
-    for (const BodyId body : world_->bodies())
-        if (!lookOf(bench, body).marks.hidden) bodies.push_back(pose(bench, body));
+// What is visible, the hindmost first: by their order, and of the same what is fixed. Those of the
+// frame before lend their memory.
+void ScenePainter::poseInOrder(const Workbench& bench) {
+    std::size_t count = 0;
+    for (const BodyId body : world_->bodies()) {
+        const Look& look = lookOf(bench, body);
+        if (look.marks.hidden) continue;
+        if (count == posed_.size()) posed_.emplace_back();
+        pose(body, look, posed_[count++]);
+    }
+    posed_.resize(count);
     const auto key = [](const Posed& body) {
         return std::pair(body.look->marks.order, body.kind != sulfur::BodyKind::fixed);
     };
-    std::stable_sort(bodies.begin(), bodies.end(),
-                     [&](const Posed& a, const Posed& b) { return key(a) < key(b); });
-    return bodies;
+    const auto isBehind = [&](const Posed& a, const Posed& b) { return key(a) < key(b); };
+    if (!std::is_sorted(posed_.begin(), posed_.end(), isBehind))
+        std::stable_sort(posed_.begin(), posed_.end(), isBehind);
 }
 
 // A body of a few pixels is its outline, filled: its rim would be as wide as it is, and thousands
 // of them cost more than all else.
 bool ScenePainter::paintedSmall(const Posed& body, bool selected) {
+    const Color color = selected ? palette::ice : atlax::mix(body.fill, body.rim, 0.25f);
+    if (body.points.size() == 1) {
+        const float radius = toFloat(world_->info(world_->particles(body.id)[0]).radius);
+        if (!(radius > 0) || 2 * radius > smallBodyPixels * pixel_) return false;
+        canvas_->circle(body.points[0], radius, color);
+        return true;
+    }
     if (body.look->fills.empty() || !body.look->filled || !body.look->lone.empty()) return false;
     Vec2 low = body.points[0];
     Vec2 high = low;
@@ -228,7 +242,6 @@ bool ScenePainter::paintedSmall(const Posed& body, bool selected) {
     }
     const float size = std::max(high.x - low.x, high.y - low.y);
     if (size > smallBodyPixels * pixel_) return false;
-    const Color color = selected ? palette::ice : atlax::mix(body.fill, body.rim, 0.25f);
     std::vector<Vec2> polygon;
     for (const auto& fill : body.look->fills) {
         const auto& loop = fill.region.outer;
@@ -236,6 +249,33 @@ bool ScenePainter::paintedSmall(const Posed& body, bool selected) {
         for (const std::uint32_t index : loop) polygon.push_back(body.points[index]);
         canvas_->polygon(polygon, color);
     }
+    return true;
+}
+
+// A lattice of thousands of links of a few pixels, such as a large cloth seen from afar, is a
+// sheet: stripes that leave no gaps. Each link for itself would cost most of the frame, and nobody
+// tells them apart.
+bool ScenePainter::paintedDense(const Posed& body) {
+    const auto joints = world_->joints(body.id);
+    if (joints.size() < denseLinks || joints.size() < body.points.size() * 3 / 2) return false;
+    const Color color = atlax::mix(body.fill, body.rim, 0.6f);
+    stripes_.clear();
+    stripeCorners_.clear();
+    for (const JointId joint : joints) {
+        const auto info = world_->info(joint);
+        const Vec2 a = place(info.a), b = place(info.b);
+        const float length = atlax::length(b - a);
+        if (length > denseLinkPixels * pixel_ || info.bend != 0) return false;
+        if (!(info.radius > 0 || body.look->fills.empty()) || !(length > 0)) continue;
+        const float half = std::max(toFloat(info.radius), length / 2);
+        const Vec2 side = atlax::perpendicular((b - a) / length) * half;
+        const auto first = static_cast<std::uint32_t>(stripes_.size());
+        for (const Vec2& corner : {a + side, b + side, b - side, a - side})
+            stripes_.push_back({corner, {}, color});
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+            stripeCorners_.push_back(first + corner);
+    }
+    canvas_->mesh({}, stripes_, stripeCorners_);
     return true;
 }
 
@@ -267,7 +307,7 @@ void ScenePainter::paintBody(const Posed& body, bool selected) {
     if (selected) capsules(3 * pixel_, palette::ice.withAlpha(drawn ? 0.5f : 0.9f));
     if (drawn) return;
     if (paintSkin(body)) return;
-    capsules(0, body.rim);
+    if (!paintedDense(body)) capsules(0, body.rim);
     if (body.look->filled) paintFill(body);
     if (options_->joints && !body.look->fills.empty()) paintJoints(body);
     paintDiscs(body);
@@ -381,6 +421,7 @@ void ScenePainter::paintConnections() {
 }
 
 void ScenePainter::paintMechanisms() {
+    if (world_->mechanisms().empty()) return;
     MechanismPen pen(*canvas_, *document_, pixel_);
     world_->draw(pen, {.bodies = false,
                        .particles = false,

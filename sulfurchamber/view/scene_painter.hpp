@@ -76,9 +76,10 @@ private:
     };
 
     const Look& lookOf(const Workbench& bench, sulfur::BodyId body);
-    Posed pose(const Workbench& bench, sulfur::BodyId body);
-    std::vector<Posed> posedInOrder(const Workbench& bench);
+    void pose(sulfur::BodyId body, const Look& look, Posed& posed) const;
+    void poseInOrder(const Workbench& bench);
     bool paintedSmall(const Posed& body, bool selected);
+    bool paintedDense(const Posed& body);
     void paintBody(const Posed& body, bool selected);
     void paintJoints(const Posed& body);
     void paintDiscs(const Posed& body);
@@ -106,6 +107,9 @@ private:
     std::map<sulfur::BodyId, quaoar::BodyShape> dresses_;
     SkinTextures* textures_ = nullptr;
     std::uint64_t revision_ = 0;
+    std::vector<Posed> posed_;
+    std::vector<atlax::MeshVertex> stripes_;
+    std::vector<std::uint32_t> stripeCorners_;
     // Of the frame that is being painted.
     atlax::Canvas* canvas_ = nullptr;
     const Document* document_ = nullptr;

@@ -160,6 +160,20 @@ TEST(Scale, TwentyThousandParticlesAreShown) {
     std::filesystem::remove(file);
 }
 
+TEST(Scale, LargeClothsAndManyBallsAreShown) {
+    Workbench cloth;
+    cloth.document().world().add(
+        sulfur::shapes::cloth({.size = {14, 14}, .columns = 140, .rows = 140}),
+        {.position = {0, 8}});
+    tell("a frame of a cloth of 19,600 particles", frameCost(cloth, [](SceneView&, int) {}));
+    Workbench balls;
+    const auto ball = sulfur::shapes::ball({.radius = 0.2f});
+    for (int i = 0; i < 20'000; ++i)
+        balls.document().world().add(ball, {.position = {i % 141 * 0.5 - 35, i / 141 * 0.5}});
+    tell("a frame of 20,000 balls", frameCost(balls, [](SceneView&, int) {}));
+    EXPECT_EQ(balls.document().world().bodies().size(), 20'001u);
+}
+
 // Two grounds, a rope from one to the other, five crates on it.
 TEST(Scale, ARopeBridgeBearsCratesAtASmallPrice) {
     Workbench bench;

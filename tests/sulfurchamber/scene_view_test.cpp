@@ -1,8 +1,10 @@
 // What a window shows of a scene, without a window.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atlax/backend.hpp>
 #include <atlax/offscreen.hpp>
+#include <set>
 
 #include "view/scene_painter.hpp"
 #include "view/scene_view.hpp"
@@ -72,6 +74,54 @@ TEST(SceneView, AllThatMovesIsInViewAtFirst) {
             EXPECT_LT(at.y, 400);
         }
     });
+}
+
+// From afar a cloth of thousands of threads is a sheet without gaps, from near a net.
+TEST(ScenePainter, ShowsALargeClothAsASheetFromAfar) {
+    Workbench bench;
+    bench.document().world().add(
+        sulfur::shapes::cloth({.size = {2, 2}, .columns = 40, .rows = 40, .radius = 0.001f}));
+    const auto darkPixels = [&](float pixelsPerMetre) {
+        atlax::OffscreenCanvas offscreen({60, 60});
+        atlax::Canvas& canvas = offscreen.begin();
+        canvas.clear(atlax::colors::black);
+        canvas.setCamera({.centre = {0.1f, 0.1f}, .pixelsPerMetre = pixelsPerMetre});
+        ScenePainter painter;
+        painter.paint(canvas, bench, {}, 1);
+        offscreen.finish();
+        const atlax::Image image = offscreen.image();
+        int dark = 0;
+        for (int x = 0; x < 60; ++x)
+            for (int y = 0; y < 60; ++y) dark += image.pixel(x, y)[0] < 40 ? 1 : 0;
+        return dark;
+    };
+    EXPECT_EQ(darkPixels(70), 0);  // 3.6 pixels a mesh
+    EXPECT_GT(darkPixels(400), 60 * 60 / 2);
+}
+
+// With a rim and a mark that turns from near, as a spot from afar.
+TEST(ScenePainter, ShowsSmallDiscsAsSpots) {
+    Workbench bench;
+    bench.document().world().add(sulfur::shapes::ball({.radius = 0.5f}), {.position = {0, 2}});
+    const auto colours = [&](float pixelsPerMetre) {
+        atlax::OffscreenCanvas offscreen({64, 64});
+        atlax::Canvas& canvas = offscreen.begin();
+        canvas.clear(atlax::colors::black);
+        canvas.setCamera({.centre = {0, 2}, .pixelsPerMetre = pixelsPerMetre});
+        ScenePainter painter;
+        painter.paint(canvas, bench, {}, 1);
+        offscreen.finish();
+        const atlax::Image image = offscreen.image();
+        std::set<std::array<std::uint8_t, 4>> found;
+        const int half = static_cast<int>(0.3f * pixelsPerMetre);
+        for (int x = 32 - half; x < 32 + half; ++x)
+            for (int y = 32 - half; y < 32 + half; ++y) found.insert(image.pixel(x, y));
+        return found;
+    };
+    const auto spot = colours(12);
+    ASSERT_EQ(spot.size(), 1u);
+    EXPECT_GT((*spot.begin())[2], 60);
+    EXPECT_GT(colours(60).size(), 3u);
 }
 
 TEST(ScenePainter, ShowsMechanisms) {
