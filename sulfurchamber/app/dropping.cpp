@@ -5,6 +5,7 @@
 #include <atlax/files.hpp>
 
 #include "../model/geometry.hpp"
+#include "../model/rube.hpp"
 #include "main_frame.hpp"
 #include "wx_words.hpp"
 
@@ -19,14 +20,19 @@ constexpr std::size_t mostSceneBytes = std::size_t{64} << 20;
 void MainFrame::makeDropUses() {
     addSkinDropUse();
     addTemplateDropUse();
-    const auto isScene = [](const DroppedFile& dropped) { return dropped.kind == FileKind::scene; };
+    const auto isScene = [](const DroppedFile& dropped) {
+        return dropped.kind == FileKind::scene || dropped.kind == FileKind::rube;
+    };
     dropUses_.push_back(
         {"open", wxTr("&Open this scene"), isScene, [this](const DroppedFile& dropped) {
              if (mayDiscard()) openFile(dropped.file);
          }});
     dropUses_.push_back(
         {"add", wxTr("&Add its bodies here"), isScene, [this](const DroppedFile& dropped) {
-             bench_.pasteAt(atlax::readFile(dropped.file, mostSceneBytes), dropped.place);
+             bench_.pasteAt(dropped.kind == FileKind::rube
+                                ? sulfur::scene::format(readRube(dropped.file).scene)
+                                : atlax::readFile(dropped.file, mostSceneBytes),
+                            dropped.place);
          }});
     dropUses_.push_back(
         {"outline", wxTr("Bodies from its ou&tlines\xE2\x80\xA6"),

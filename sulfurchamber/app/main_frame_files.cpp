@@ -5,6 +5,7 @@
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
 
+#include "../model/rube.hpp"
 #include "gallery.hpp"
 #include "main_frame.hpp"
 #include "program_files.hpp"
@@ -36,14 +37,24 @@ void MainFrame::adoptDocument() {
 
 bool MainFrame::openFile(const std::filesystem::path& file) {
     bench_.cancel();
+    std::vector<std::string> leftOut;
     try {
-        bench_.document().open(file);
+        if (std::filesystem::is_regular_file(file) && kindOfFile(file) == FileKind::rube) {
+            RubeScene imported = readRube(file);
+            bench_.document().adopt(std::move(imported.scene));
+            leftOut = std::move(imported.leftOut);
+        } else {
+            bench_.document().open(file);
+        }
     } catch (const std::exception& error) {
         tellInDialog(error.what(), "The file cannot be opened");
         return false;
     }
     adoptDocument();
     noteRecent(file);
+    std::string all;
+    for (const std::string& one : leftOut) all += (all.empty() ? "" : ", ") + one;
+    if (!all.empty()) notify(tr("This was left out: {}", {all}));
     return true;
 }
 

@@ -30,6 +30,10 @@ FileKind kindOfBytes(std::string_view head) {
     if (!text.starts_with('{')) return FileKind::other;
     if (text.find("\"sulfur-blueprint\"") != std::string_view::npos) return FileKind::blueprint;
     if (text.find("\"sulfur-scene\"") != std::string_view::npos) return FileKind::scene;
+    // Its members are in the order of the alphabet.
+    if (text.find("\"allowSleep\"") != std::string_view::npos ||
+        text.find("\"continuousPhysics\"") != std::string_view::npos)
+        return FileKind::rube;
     return FileKind::other;
 }
 

@@ -13,6 +13,7 @@ enum class FileKind : std::uint8_t {
     blueprint,  ///< a file of one blueprint
     drawing,    ///< SVG
     picture,    ///< PNG or JPEG
+    rube,       ///< a scene of R.U.B.E., the editor for Box2D
 };
 
 /// Of these first bytes of a file.
