@@ -24,7 +24,8 @@ using sulfur::scene::Node;
 constexpr double mostMetres = 1e5;
 constexpr double mostNumber = 1e6;
 constexpr int cornersOfRound = 24;  // of a circle that something holds beside its middle
-constexpr double leastMass = 1e-3;  // kg; without density a body of Box2D has 1 kg
+constexpr double leastMass = 1e-3;  // kg
+constexpr double usualMass = 1;     // kg, of a body of Box2D whose fixtures have no density
 
 // Eight digits are the bits of a float, big end first: an option of the exporter.
 double numberIn(const Node& node, double limit) {
@@ -61,12 +62,12 @@ sulfur::Material materialOf(const Node& fixture) {
     return material;
 }
 
-sulfur::scene::Prefab polygonOf(std::vector<Point> points, double density,
+sulfur::scene::Prefab polygonOf(const std::vector<Point>& points, double density, double lightest,
                                 const sulfur::Material& material) {
     const double area = momentsOf({points}).area;
     sulfur::shapes::PolygonOptions options;
     for (const Point& point : points) options.points.push_back(point.cast<Real>());
-    options.mass = static_cast<Real>(std::max(leastMass, density * std::abs(area)));
+    options.mass = static_cast<Real>(std::max(lightest, density * std::abs(area)));
     options.material = material;
     constexpr int mostTries = 8;
     double radius = std::min(0.01, std::sqrt(std::abs(area)) / 40);
@@ -144,6 +145,7 @@ void RubeReader::addBody(const Node& node) {
     const auto type = static_cast<std::size_t>(std::clamp(rubeNumber(node, "type", 0), 0.0, 2.0));
     body.kind = kinds.at(type);
     body.index = bodies_.size();
+    body.heavy = rubeNumber(node, "massData-mass", 0) > 0;
     if (rubeNumber(node, "angularVelocity", 0) != 0) leaveOut(tr("spins of bodies"));
     if (rubeFlag(node, "fixedRotation")) leaveOut(tr("bodies that do not turn"));
     if (rubeNumber(node, "gravityScale", 1) != 1) leaveOut(tr("weights of single bodies"));
@@ -162,61 +164,59 @@ void RubeReader::addBody(const Node& node) {
     bodies_.push_back(std::move(body));
 }
 
-void RubeReader::addFixture(Body& body, const Node& fixture, const std::string& base,
-                            const Vec2& velocity) {
+// Nothing where it has no counterpart.
+std::optional<RubeReader::Shape> RubeReader::shapeOf(const Body& body, const Node& fixture) {
     const sulfur::Material material = materialOf(fixture);
-    const double density = std::max(0.0, rubeNumber(fixture, "density", 1));
-    sulfur::scene::Prefab prefab;
-    Point offset(0, 0), middle(0, 0);
-    bool disc = false;
+    const double density = std::max(0.0, rubeNumber(fixture, "density", 0));
+    const double lightest = density > 0 || body.heavy ? leastMass : usualMass;
     if (const auto circle = fixture.find("circle")) {
         const double radius = std::max(1e-4, rubeNumber(*circle, "radius", 0));
-        middle = rubePoint(*circle, "center");
-        disc = heldAt(body.index, middle);
-        if (disc) {
-            offset = middle;
-            const double mass = density * std::numbers::pi * radius * radius;
-            sulfur::shapes::BallOptions ball;
-            ball.radius = static_cast<Real>(radius);
-            ball.mass = static_cast<Real>(std::max(leastMass, mass));
-            ball.material = material;
-            prefab = sulfur::scene::makePrefab("ball", ball);
-        } else {
-            prefab = polygonOf(roundOf(middle, radius), density, material);
-        }
-    } else if (const auto polygon = fixture.find("polygon")) {
-        const auto points = verticesOf(*polygon);
-        middle = momentsOf({points}).centre;
-        prefab = polygonOf(points, density, material);
-    } else {
-        const auto line = fixture.find("chain") ? fixture.find("chain") : fixture.find("loop");
-        if (!line || body.kind != sulfur::BodyKind::fixed) {
-            leaveOut(line ? tr("lines of bodies that move") : tr("fixtures of an unknown kind"));
-            return;
-        }
-        const auto points = verticesOf(*line);
-        middle = points.front();
-        prefab = lineOfRube(points, material);
+        const Point middle = rubePoint(*circle, "center");
+        if (!heldAt(body.index, middle))
+            return Shape{
+                polygonOf(roundOf(middle, radius), density, lightest, material), {0, 0}, middle};
+        const double mass = density * std::numbers::pi * radius * radius;
+        sulfur::shapes::BallOptions ball;
+        ball.radius = static_cast<Real>(radius);
+        ball.mass = static_cast<Real>(std::max(lightest, mass));
+        ball.material = material;
+        return Shape{sulfur::scene::makePrefab("ball", ball), middle, middle};
     }
-    prefab.blueprint.kind = body.kind;
-    prefab.blueprint.sensor = rubeFlag(fixture, "sensor");
-    if (fixture.find("filter-categoryBits"))
-        prefab.blueprint.filter.category =
-            static_cast<std::uint32_t>(rubeNumber(fixture, "filter-categoryBits", 1)) & 0xffffu;
-    if (fixture.find("filter-maskBits"))
-        prefab.blueprint.filter.mask = static_cast<std::uint32_t>(
-            std::max(0.0, rubeNumber(fixture, "filter-maskBits", 65535)));
-    prefab.blueprint.filter.group =
-        static_cast<std::int32_t>(rubeNumber(fixture, "filter-groupIndex", 0));
+    if (const auto polygon = fixture.find("polygon")) {
+        const auto points = verticesOf(*polygon);
+        return Shape{
+            polygonOf(points, density, lightest, material), {0, 0}, momentsOf({points}).centre};
+    }
+    const auto line = fixture.find("chain") ? fixture.find("chain") : fixture.find("loop");
+    if (line && body.kind == sulfur::BodyKind::fixed) {
+        const auto points = verticesOf(*line);
+        return Shape{lineOfRube(points, material), {0, 0}, points.front()};
+    }
+    leaveOut(line ? tr("lines of bodies that move") : tr("fixtures of an unknown kind"));
+    return std::nullopt;
+}
+
+void RubeReader::addFixture(Body& body, const Node& fixture, const std::string& base,
+                            const Vec2& velocity) {
+    std::optional<Shape> shape = shapeOf(body, fixture);
+    if (!shape) return;
+    sulfur::Blueprint& blueprint = shape->prefab.blueprint;
+    blueprint.kind = body.kind;
+    blueprint.sensor = rubeFlag(fixture, "sensor");
+    const auto bits = [&](std::string_view key, std::uint32_t& into) {
+        if (fixture.find(key))
+            into = static_cast<std::uint32_t>(std::max(0.0, rubeNumber(fixture, key, 0)));
+    };
+    bits("filter-categoryBits", blueprint.filter.category);
+    bits("filter-maskBits", blueprint.filter.mask);
+    blueprint.filter.group = static_cast<std::int32_t>(rubeNumber(fixture, "filter-groupIndex", 0));
     sulfur::scene::Placement placement;
     placement.id = made_.scene.freeId(base);
-    placement.blueprint = made_.scene.freeName(placement.id);
-    prefab.blueprint.name = placement.blueprint;
-    placement.pose = {body.toWorld(offset), body.pose.angle};
+    placement.blueprint = blueprint.name = made_.scene.freeName(placement.id);
+    placement.pose = {body.toWorld(shape->offset), body.pose.angle};
     placement.velocity = velocity;
-    const double mass = massOf(prefab.blueprint);
-    body.pieces.push_back({placement.id, body.toWorld(middle), mass});
-    made_.scene.blueprints.push_back(std::move(prefab));
+    body.pieces.push_back({placement.id, body.toWorld(shape->middle), massOf(blueprint)});
+    made_.scene.blueprints.push_back(std::move(shape->prefab));
     made_.scene.bodies.push_back(std::move(placement));
 }
 

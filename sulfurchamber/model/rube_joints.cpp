@@ -39,6 +39,23 @@ void setSpring(Drive& drive, double frequency, double ratio, double mass) {
     drive.damping = static_cast<Real>(std::max(0.0, 2 * ratio * mass * w));
 }
 
+Drive lengthOfRube(const std::string& type, const Node& joint, double mass) {
+    Drive drive;
+    if (type == "rope") {
+        drive.upper = rubeReal(joint, "maxLength");
+        return drive;
+    }
+    const Real length = rubeReal(joint, "length");
+    const double frequency = rubeNumber(joint, "frequency", 0);
+    if (frequency > 0) {
+        drive.rest = length;
+        setSpring(drive, frequency, rubeNumber(joint, "dampingRatio", 0), mass);
+    } else {
+        drive.lower = drive.upper = length;
+    }
+    return drive;
+}
+
 }  // namespace
 
 Point RubeReader::Body::toWorld(const Point& local) const {
@@ -94,67 +111,70 @@ void RubeReader::addJoint(const Node& joint) {
     const Body* a = bodyAt("bodyA");
     const Body* b = bodyAt("bodyB");
     const auto isStill = [](const Body* body) { return body->kind != sulfur::BodyKind::dynamic; };
-    if (a == nullptr || b == nullptr || (isStill(a) && isStill(b))) {
+    if (a == nullptr || b == nullptr || a == b || (isStill(a) && isStill(b))) {
         leaveOut(tr("joints of bodies that have nothing to hold"));
         return;
     }
-    const Point atA = a->toWorld(rubePoint(joint, "anchorA"));
-    const Point atB = b->toWorld(rubePoint(joint, "anchorB"));
-    const std::string idA = a->nearest(atA).id, idB = b->nearest(atB).id;
-    const Point axis = Eigen::Rotation2Dd(a->pose.angle) *
-                       (joint.find("localAxisA") ? rubePoint(joint, "localAxisA") : Point(1, 0));
-    const bool collide = rubeFlag(joint, "collideConnected");
-    const double reduced = isStill(a)   ? b->mass()
-                           : isStill(b) ? a->mass()
-                                        : a->mass() * b->mass() / (a->mass() + b->mass());
-    sulfur::scene::SceneMechanism made;
-    if (type == "revolute") {
-        sulfur::scene::Hinge hinge{idA, idB, atB, {}};
-        hinge.options.drive = limitsAndMotor(joint, "maxMotorTorque");
-        hinge.options.value = b->pose.angle - a->pose.angle - rubeNumber(joint, "refAngle", 0);
-        hinge.options.collide = collide;
-        made.spec = hinge;
-    } else if (type == "weld") {
-        sulfur::scene::Weld weld{idA, idB, atB, {}, {}};
-        weld.options.collide = collide;
-        made.spec = weld;
-    } else if (type == "prismatic" || type == "wheel") {
-        const sulfur::Vec2 line = axis.cast<Real>();
-        if (type == "prismatic") {
-            sulfur::scene::Slider slider{idA, idB, atB, line, {}, {}};
-            slider.options.drive = limitsAndMotor(joint, "maxMotorForce");
-            slider.options.value = axis.normalized().dot(atB - atA);
-            slider.options.turns = false;
-            slider.options.collide = collide;
-            made.spec = slider;
-        } else {
-            sulfur::scene::Wheel wheel{idA, idB, atB, line, {}};
-            wheel.options.motor = limitsAndMotor(joint, "maxMotorTorque");
-            setSpring(wheel.options.spring, rubeNumber(joint, "springFrequency", 0),
-                      rubeNumber(joint, "springDampingRatio", 0), reduced);
-            wheel.options.collide = collide;
-            made.spec = wheel;
-        }
-    } else if (type == "distance" || type == "rope") {
-        sulfur::scene::Distance distance{idA, idB, atA, atB, {}};
-        Drive& drive = distance.options.drive;
-        const Real length = rubeReal(joint, type == "rope" ? "maxLength" : "length");
-        const double frequency = rubeNumber(joint, "frequency", 0);
-        drive.upper = type == "distance" && frequency > 0 ? sulfur::infinite : length;
-        if (type == "distance" && frequency > 0) {
-            drive.rest = length;
-            setSpring(drive, frequency, rubeNumber(joint, "dampingRatio", 0), reduced);
-        } else if (type == "distance") {
-            drive.lower = length;
-        }
-        distance.options.collide = collide;
-        made.spec = distance;
-    } else {
+    const std::optional<Spec> spec = specOf(type, joint, endsOf(joint, *a, *b));
+    if (!spec) {
         leaveOut(tr("joints of the kind “{}”", {type}));
         return;
     }
+    sulfur::scene::SceneMechanism made;
+    made.spec = *spec;
     made_.scene.mechanisms.push_back(std::move(made));
-    if (!collide) letPass(*a, *b);
+    if (!rubeFlag(joint, "collideConnected")) letPass(*a, *b);
+}
+
+RubeReader::Ends RubeReader::endsOf(const Node& joint, const Body& a, const Body& b) {
+    Ends ends;
+    ends.atA = a.toWorld(rubePoint(joint, "anchorA"));
+    ends.atB = b.toWorld(rubePoint(joint, "anchorB"));
+    ends.a = a.nearest(ends.atA).id;
+    ends.b = b.nearest(ends.atB).id;
+    const Point axis = joint.find("localAxisA") ? rubePoint(joint, "localAxisA") : Point(1, 0);
+    ends.axis = Eigen::Rotation2Dd(a.pose.angle) * axis;
+    ends.angle = b.pose.angle - a.pose.angle - rubeNumber(joint, "refAngle", 0);
+    const bool stillA = a.kind != sulfur::BodyKind::dynamic;
+    const bool stillB = b.kind != sulfur::BodyKind::dynamic;
+    ends.mass = stillA ? b.mass() : stillB ? a.mass() : a.mass() * b.mass() / (a.mass() + b.mass());
+    return ends;
+}
+
+std::optional<RubeReader::Spec> RubeReader::specOf(const std::string& type, const Node& joint,
+                                                   const Ends& ends) {
+    const sulfur::Vec2 axis = ends.axis.cast<Real>();
+    std::optional<Spec> made;
+    if (type == "revolute") {
+        sulfur::scene::Hinge hinge{ends.a, ends.b, ends.atB, {}};
+        hinge.options.drive = limitsAndMotor(joint, "maxMotorTorque");
+        hinge.options.value = ends.angle;
+        made = hinge;
+    } else if (type == "weld") {
+        made = sulfur::scene::Weld{ends.a, ends.b, ends.atB, {}, {}};
+    } else if (type == "prismatic") {
+        sulfur::scene::Slider slider{ends.a, ends.b, ends.atB, axis, {}, {}};
+        slider.options.drive = limitsAndMotor(joint, "maxMotorForce");
+        slider.options.value = ends.axis.normalized().dot(ends.atB - ends.atA);
+        slider.options.turns = false;
+        made = slider;
+    } else if (type == "wheel") {
+        sulfur::scene::Wheel wheel{ends.a, ends.b, ends.atB, axis, {}};
+        wheel.options.motor = limitsAndMotor(joint, "maxMotorTorque");
+        setSpring(wheel.options.spring, rubeNumber(joint, "springFrequency", 0),
+                  rubeNumber(joint, "springDampingRatio", 0), ends.mass);
+        made = wheel;
+    } else if (type == "distance" || type == "rope") {
+        sulfur::scene::Distance distance{ends.a, ends.b, ends.atA, ends.atB, {}};
+        distance.options.drive = lengthOfRube(type, joint, ends.mass);
+        made = distance;
+    }
+    const bool collide = rubeFlag(joint, "collideConnected");
+    const auto set = [&](auto& spec) {
+        if constexpr (requires { spec.options.collide; }) spec.options.collide = collide;
+    };
+    if (made) std::visit(set, *made);
+    return made;
 }
 
 }  // namespace sulfurchamber

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "rube.hpp"
 
@@ -27,14 +28,23 @@ private:
         sulfur::Pose pose;
         sulfur::BodyKind kind = sulfur::BodyKind::fixed;
         std::size_t index = 0;
+        bool heavy = false;  ///< whether any of its fixtures has mass
         std::vector<Piece> pieces;
         sulfur::Point toWorld(const sulfur::Point& local) const;
         double mass() const;
         const Piece& nearest(const sulfur::Point& place) const;
     };
 
+    /// What a fixture becomes.
+    struct Shape {
+        sulfur::scene::Prefab prefab;
+        sulfur::Point offset;  ///< of its frame, and its middle: in the frame of the body
+        sulfur::Point middle;
+    };
+
     void leaveOut(const std::string& what);
     void addBody(const sulfur::scene::Node& node);
+    std::optional<Shape> shapeOf(const Body& body, const sulfur::scene::Node& fixture);
     void addFixture(Body& body, const sulfur::scene::Node& fixture, const std::string& base,
                     const sulfur::Vec2& velocity);
     void holdTogether(const Body& body);
@@ -44,6 +54,20 @@ private:
     void noteAnchors(const sulfur::scene::Node& joint);
     bool heldAt(std::size_t body, const sulfur::Point& middle) const;
     void addJoint(const sulfur::scene::Node& joint);
+    /// What a joint holds.
+    struct Ends {
+        std::string a;  ///< ids of pieces
+        std::string b;
+        sulfur::Point atA;  ///< metres, of the world
+        sulfur::Point atB;
+        sulfur::Point axis;
+        double angle = 0;  ///< radians of b against a
+        double mass = 0;   ///< kg that a spring between both moves
+    };
+    using Spec = decltype(sulfur::scene::SceneMechanism::spec);
+    static Ends endsOf(const sulfur::scene::Node& joint, const Body& a, const Body& b);
+    static std::optional<Spec> specOf(const std::string& type, const sulfur::scene::Node& joint,
+                                      const Ends& ends);
     void letPass(const Body& a, const Body& b);
 
     RubeScene made_;

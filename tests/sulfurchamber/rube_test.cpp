@@ -155,9 +155,24 @@ TEST(Rube, JointsBecomeMechanisms) {
     EXPECT_NEAR(slider.options.value, 3, 1e-9);
     EXPECT_EQ(slider.options.drive.upper, 5);
     EXPECT_EQ(made.leftOut, (std::vector<std::string>{"joints of the kind “friction”", "images"}));
+    const auto again = scene::parse(scene::format(made.scene), "again");
+    EXPECT_EQ(again.mechanisms.size(), 4u) << "it can be saved";
     Workbench bench;
     bench.document().adopt(std::move(made.scene));
     letFall(bench, 0.5);
+}
+
+TEST(Rube, WhatHasNoDensityHasAKilogram) {
+    const auto mass = [](const std::string& body, const std::string& fixtures) {
+        RubeScene made = imported(R"("body": [{"type": 2, "name": "b", )" + body +
+                                  R"("fixture": [)" + fixtures + "]}]}");
+        Workbench bench;
+        bench.document().adopt(std::move(made.scene));
+        return bench.document().world().mass(bench.document().bodyOf("b"));
+    };
+    const std::string light = R"({"circle": {"center": 0, "radius": 0.5}})";
+    EXPECT_NEAR(mass("", light), 1, 1e-6);
+    EXPECT_LT(mass(R"("massData-mass": 2, )", light + "," + box()), 0.01);
 }
 
 // The exporter may write floats as their bits.
