@@ -26,6 +26,7 @@ constexpr float minZoom = 0.5f;  // pixels per metre
 constexpr float maxZoom = 20000;
 constexpr float zoomPerNotch = 1.18f;
 constexpr float rulersTake = 44;         // logical pixels at the left and at the bottom
+constexpr float mostCropped = 1.25f;     // how much larger pictures of the past are for that
 constexpr double seekMilliseconds = 12;  // of a frame that the way to a moment may take
 
 }  // namespace
@@ -363,8 +364,10 @@ void SceneView::takePast(atlax::Canvas& canvas) {
     if (!pastTarget_.valid()) pastTarget_ = canvas.createTarget(PastPictures::size);
     const atlax::Vec2 whole = canvas.size().toVec();
     const atlax::Vec2 small = PastPictures::size.toVec();
+    // Its edges go, so far as that makes the rest larger.
+    const auto [least, most] = std::minmax({small.x / whole.x, small.y / whole.y});
     atlax::Camera camera = camera_;
-    camera.pixelsPerMetre *= std::min(small.x / whole.x, small.y / whole.y);
+    camera.pixelsPerMetre *= std::min(most, mostCropped * least);
     ViewOptions options = options_;
     options.tools = options.grid = false;
     options.bodies = true;
