@@ -27,6 +27,9 @@ class Elimination {
 public:
     using Vector = Eigen::Matrix<double, N, 1>;
     using Matrix = Eigen::Matrix<double, N, N>;
+    /// As many right sides as are answered side by side.
+    static constexpr int lanes = 4;
+    using Lanes = Eigen::Array<double, N, lanes, Eigen::RowMajor>;
 
     /// A link of a node to its parent. Up to two rows; row r of the constraint changes by
     /// row[r] . delta, and a unit of lambda[r] pushes along column[r].
@@ -73,17 +76,16 @@ public:
         for (std::size_t i = 1; i < nodes.size(); ++i) substitute(nodes[i], links[i]);
     }
 
-    /// `given`: changes of the nodes. Of these becomes what the links leave that solve() has
-    /// eliminated, which push along their rows.
-    void answer(std::span<Eigen::Vector3d> given) {
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            nodes[i].offset = given[i].template head<N>();
-            nodes[i].impulse.setZero();
-        }
-        for (std::size_t i = nodes.size() - 1; i > 0; --i) passOn(nodes[i], links[i]);
-        for (std::size_t i = 1; i < nodes.size(); ++i) substitute(nodes[i], links[i]);
+    /// `given`: changes of the nodes, in each lane others. Of these becomes what the links leave
+    /// that solve() has eliminated, which push along their rows.
+    void answer(std::span<Lanes> given) {
+        offsets_.assign(given.begin(), given.end());
+        impulses_.assign(nodes.size(), Lanes::Zero());
+        linkOffsets_.resize(nodes.size());
+        for (std::size_t i = nodes.size() - 1; i > 0; --i) passOn(i);
+        for (std::size_t i = 1; i < nodes.size(); ++i) substitute(i);
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            given[i].template head<N>() += nodes[i].inverseMass.cwiseProduct(nodes[i].impulse);
+            given[i] += impulses_[i].colwise() * nodes[i].inverseMass.array();
     }
 
     std::vector<Node> nodes;
@@ -140,20 +142,54 @@ private:
                    m[0][0] / determinant};
     }
 
+    using Row = Eigen::Array<double, 1, lanes>;
+
+    static Row along(const Vector& row, const Lanes& x) {
+        if constexpr (N == 2)
+            return row[0] * x.row(0) + row[1] * x.row(1);
+        else
+            return row[0] * x.row(0) + row[1] * x.row(1) + row[2] * x.row(2);
+    }
+
     /// What of the offsets goes through an eliminated link to the parent.
-    void passOn(const Node& child, Link& link) {
-        Node& parent = nodes[link.parent];
+    void passOn(std::size_t i) {
+        const Link& link = links[i];
+        Lanes& parent = offsets_[link.parent];
+        std::array<Row, 2>& offset = linkOffsets_[i];
         const auto rows = static_cast<std::size_t>(link.rows);
         for (std::size_t r = 0; r < rows; ++r)
-            link.offset[r] =
-                link.rowHere[r].dot(child.offset) + link.rowThere[r].dot(parent.offset);
+            offset[r] = along(link.rowHere[r], offsets_[i]) + along(link.rowThere[r], parent);
         const auto& m = link.inverse;
         if (rows == 1) {
-            parent.offset -= link.answer[0] * (m[0] * link.offset[0]);
+            const Row through = m[0] * offset[0];
+            for (int k = 0; k < N; ++k) parent.row(k) -= link.answer[0][k] * through;
         } else if (rows == 2) {
-            parent.offset -= link.answer[0] * (m[0] * link.offset[0] + m[1] * link.offset[1]) +
-                             link.answer[1] * (m[2] * link.offset[0] + m[3] * link.offset[1]);
+            const Row first = m[0] * offset[0] + m[1] * offset[1];
+            const Row second = m[2] * offset[0] + m[3] * offset[1];
+            for (int k = 0; k < N; ++k)
+                parent.row(k) -= link.answer[0][k] * first + link.answer[1][k] * second;
         }
+    }
+
+    void substitute(std::size_t i) {
+        const Link& link = links[i];
+        Lanes& parent = impulses_[link.parent];
+        const auto rows = static_cast<std::size_t>(link.rows);
+        std::array<Row, 2> want, lambda;
+        for (std::size_t r = 0; r < rows; ++r)
+            want[r] = -(linkOffsets_[i][r] + along(link.answer[r], parent));
+        const auto& m = link.inverse;
+        if (rows == 1) {
+            lambda[0] = m[0] * want[0];
+        } else if (rows == 2) {
+            lambda[0] = m[0] * want[0] + m[1] * want[1];
+            lambda[1] = m[2] * want[0] + m[3] * want[1];
+        }
+        for (std::size_t r = 0; r < rows; ++r)
+            for (int k = 0; k < N; ++k) {
+                parent.row(k) += link.columnThere[r][k] * lambda[r];
+                impulses_[i].row(k) += link.columnHere[r][k] * lambda[r];
+            }
     }
 
     void substitute(Node& child, Link& link) {
@@ -173,6 +209,10 @@ private:
             child.impulse += link.columnHere[r] * link.lambda[r];
         }
     }
+
+    // Of right sides that are answered.
+    std::vector<Lanes> offsets_, impulses_;  // of nodes
+    std::vector<std::array<Row, 2>> linkOffsets_;
 };
 
 }  // namespace sulfur::detail

@@ -25,13 +25,15 @@ inline Point unitVector(double angle) {
     constexpr double quarters = 4 / fullTurn;
     constexpr double quarterHigh = 1.5707963267341256;    // the first 33 bits of pi/2
     constexpr double quarterLow = 6.077100506506192e-11;  // the rest
-    const double turns = std::nearbyint(angle * quarters);
+    // Small angles, as steps turn things by, need no call of the C library to find that it is none.
+    const double turns = std::abs(angle * quarters) < 0.5 ? 0.0 : std::nearbyint(angle * quarters);
     const double r = (angle - turns * quarterHigh) - turns * quarterLow;
     const double r2 = r * r;
     double s = 1, c = 1;
     for (const double factor : sineFactors) s = 1 - r2 * factor * s;
     for (const double factor : cosineFactors) c = 1 - r2 * factor * c;
     s *= r;
+    if (turns == 0) return {c, s};
     switch (static_cast<int>(turns - 4 * std::floor(turns / 4))) {
         case 0:
             return {c, s};

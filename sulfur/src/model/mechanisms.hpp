@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <sulfur/ids.hpp>
 #include <sulfur/mechanisms.hpp>
 #include <vector>
@@ -168,11 +169,11 @@ struct RowHold {
 
 /// What the sweeps of a step need of a row.
 struct MechanismRow {
-    std::uint32_t mechanism = 0, number = 0;  // which of its rows
-    std::uint32_t group = 0;                  // the first row of its own
-    CoordinateSlopes slopes;                  // when the step began
-    /// Of its movers: their nodes in trees that take part in the sweeps, or none.
-    std::array<std::uint32_t, CoordinateSlopes::most> nodes{};
+    std::uint32_t mechanism = 0, number = 0;      // which of its rows
+    std::uint32_t group = 0;                      // the first row of its own
+    std::uint32_t firstMover = 0, lastMover = 0;  // in Mechanisms::movers
+    /// Where its coordinate is how far one rigid component is turned more than another: these.
+    std::array<std::uint32_t, 2> turning{none, none};
     std::array<TreeAnswer, 4> answers;
     double start = 0;                       // rad or m, when the step began
     double mobility = 0;                    // of the coordinate, for a unit of the multiplier
@@ -207,12 +208,24 @@ struct Mechanisms {
 
     // Of the present step only.
     std::vector<MechanismRow> rows;        // that act
+    std::vector<TurnedMover> movers;       // of rows: their slopes when the step began
+    std::vector<std::uint32_t> nodes;      // of each, in a tree that takes part in the sweeps
     std::vector<Eigen::Vector3d> answers;  // displacement and turn of nodes
     std::vector<MechanismGroup> groups;
     std::vector<double> numbers;       // of their matrices
     std::vector<std::uint32_t> trees;  // that groups move
 
     bool empty() const { return list.empty(); }
+    std::span<const TurnedMover> moversOf(const MechanismRow& row) const {
+        return std::span(movers).subspan(row.firstMover, row.lastMover - row.firstMover);
+    }
+    /// Of its movers, or none.
+    std::span<std::uint32_t> nodesOf(const MechanismRow& row) {
+        return std::span(nodes).subspan(row.firstMover, row.lastMover - row.firstMover);
+    }
+    std::span<const std::uint32_t> nodesOf(const MechanismRow& row) const {
+        return std::span(nodes).subspan(row.firstMover, row.lastMover - row.firstMover);
+    }
 
     template <class Archive>
     void archive(Archive& a) {

@@ -246,6 +246,17 @@ double valueOf(const State& state, const Mechanism& m, RowOf row, bool moved) {
     return 0;
 }
 
+std::array<std::uint32_t, 2> turningOf(const State& state, const Mechanism& m, RowOf row) {
+    std::array<std::uint32_t, 2> found{none, none};
+    if (row != RowOf::drive || !isAngular(m.kind) || m.angle) return found;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const ArmEnds ends = endsOf(state, m.arms[k]);
+        if (!ends.isComponent) return {none, none};
+        found[k] = state.particles.cluster[ends.from];
+    }
+    return found;
+}
+
 CoordinateSlopes slopesOf(const State& state, const Mechanism& m, RowOf row) {
     CoordinateSlopes slopes;
     if (m.kind == MechanismKind::gear) {
@@ -263,14 +274,14 @@ CoordinateSlopes slopesFromLink(const State& state, const Mechanism& m, const Po
     return slopes;
 }
 
-double freeMobility(const CoordinateSlopes& slopes) {
+double freeMobility(std::span<const TurnedMover> slopes) {
     double sum = 0;
     for (const TurnedMover& m : slopes)
         sum += m.inverseMass * m.force.squaredNorm() + m.inverseInertia * m.turning * m.turning;
     return sum;
 }
 
-void strike(State& state, const CoordinateSlopes& slopes, double impulse) {
+void strike(State& state, std::span<const TurnedMover> slopes, double impulse) {
     for (const TurnedMover& m : slopes) {
         if (m.cluster == none) {
             state.particles.velocity[m.particle] += m.inverseMass * impulse * m.force;
@@ -286,7 +297,7 @@ double speedOf(const State& state, const Mechanism& m) {
     return speedOf(state, slopesOf(state, m, RowOf::drive));
 }
 
-double speedOf(const State& state, const CoordinateSlopes& slopes) {
+double speedOf(const State& state, std::span<const TurnedMover> slopes) {
     double sum = 0;
     for (const TurnedMover& mover : slopes) {
         if (mover.cluster == none) {

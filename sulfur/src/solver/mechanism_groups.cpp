@@ -70,8 +70,8 @@ void give(const State& state, const MechanismGroup& group, NodeMoves& sum, Push&
     const Mechanisms& all = state.mechanisms;
     const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
     for (const MechanismRow& row : rows)
-        for (std::size_t k = 0; k < row.slopes.count && row.change != 0; ++k)
-            if (row.nodes[k] == none) push(row.slopes.movers[k], row.change);
+        for (auto k = row.firstMover; k < row.lastMover && row.change != 0; ++k)
+            if (all.nodes[k] == none) push(all.movers[k], row.change);
     for (auto t = group.firstTree; t < group.lastTree; ++t) {
         const Tree& tree = state.trees.list[all.trees[t]];
         const std::size_t count = tree.last - tree.first;
@@ -136,31 +136,48 @@ std::uint32_t nodeOf(const State& state, const TurnedMover& m, const Tree& tree)
     return none;
 }
 
-/// How a tree answers a row: what the row gives its nodes, and what its links then take.
-/// `eliminated`: whether these are what has been eliminated last.
-void answer(State& state, MechanismRow& row, std::uint32_t tree, bool eliminated) {
+/// Makes room for the answer of a tree to a row, and puts there what the row gives its nodes.
+std::span<Eigen::Vector3d> beginAnswer(State& state, MechanismRow& row, std::uint32_t tree) {
     const Tree& t = state.trees.list[tree];
     auto& answers = state.mechanisms.answers;
     const auto first = static_cast<std::uint32_t>(answers.size());
     answers.resize(answers.size() + (t.last - t.first), Eigen::Vector3d::Zero());
-    for (std::size_t k = 0; k < row.slopes.count; ++k) {
-        const TurnedMover& m = row.slopes.movers[k];
-        if (!hasNode(t, row.nodes[k])) continue;
-        Eigen::Vector3d& own = answers[first + (row.nodes[k] - t.first)];
+    for (auto k = row.firstMover; k < row.lastMover; ++k) {
+        const TurnedMover& m = state.mechanisms.movers[k];
+        const auto node = state.mechanisms.nodes[k];
+        if (!hasNode(t, node)) continue;
+        Eigen::Vector3d& own = answers[first + (node - t.first)];
         own.head<2>() = m.inverseMass * m.force;
         own[2] = m.inverseInertia * m.turning;
     }
-    const auto given = std::span(answers).subspan(first, t.last - t.first);
-    if (!eliminated)
-        answerOfTree(state, tree, given);
-    else if (t.points)
-        state.trees.scratch.elimination<2>().answer(given);
-    else
-        state.trees.scratch.elimination<3>().answer(given);
-    for (TreeAnswer& free : row.answers) {
-        if (free.tree != none) continue;
-        free = {tree, first};
-        return;
+    for (TreeAnswer& free : row.answers)
+        if (free.tree == none) {
+            free = {tree, first};
+            break;
+        }
+    return std::span(answers).subspan(first, t.last - t.first);
+}
+
+/// How what has been eliminated last answers: those of the rows one after the other.
+template <int N>
+void answerInLanes(State& state, std::span<Eigen::Vector3d> given) {
+    using Lanes = typename Elimination<N>::Lanes;
+    constexpr auto most = static_cast<std::size_t>(Elimination<N>::lanes);
+    auto& elimination = state.trees.scratch.elimination<N>();
+    const std::size_t count = elimination.nodes.size();
+    std::pmr::vector<Lanes> x(count, &state.arena);
+    for (; !given.empty(); given = given.subspan(std::min(given.size(), most * count))) {
+        const std::size_t sides = std::min(given.size() / count, most);
+        std::fill(x.begin(), x.end(), Lanes::Zero());
+        const auto forEach = [&](auto&& f) {
+            for (std::size_t lane = 0; lane < sides; ++lane)
+                for (std::size_t k = 0; k < count; ++k)
+                    f(given[lane * count + k].template head<N>(),
+                      x[k].col(static_cast<int>(lane)).matrix());
+        };
+        forEach([](const auto& one, auto&& lane) { lane = one; });
+        elimination.answer(std::span(x));
+        forEach([](auto&& one, const auto& lane) { one = lane; });
     }
 }
 
@@ -169,12 +186,11 @@ void answerGroup(State& state, MechanismGroup& group) {
     Mechanisms& all = state.mechanisms;
     const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
     group.firstTree = static_cast<std::uint32_t>(all.trees.size());
-    for (MechanismRow& row : rows)
-        for (std::size_t k = 0; k < row.slopes.count; ++k) {
-            const auto tree = treeOf(state, row.slopes.movers[k]);
-            row.nodes[k] = none;
+    for (const MechanismRow& row : rows)
+        for (auto k = row.firstMover; k < row.lastMover; ++k) {
+            const auto tree = treeOf(state, all.movers[k]);
             if (tree == none) continue;
-            row.nodes[k] = nodeOf(state, row.slopes.movers[k], state.trees.list[tree]);
+            all.nodes[k] = nodeOf(state, all.movers[k], state.trees.list[tree]);
             if (std::find(all.trees.begin() + group.firstTree, all.trees.end(), tree) ==
                 all.trees.end())
                 all.trees.push_back(tree);
@@ -182,25 +198,34 @@ void answerGroup(State& state, MechanismGroup& group) {
     group.lastTree = static_cast<std::uint32_t>(all.trees.size());
     for (auto k = group.firstTree; k < group.lastTree; ++k) {
         const Tree& tree = state.trees.list[all.trees[k]];
-        bool eliminated = false;
+        std::size_t others = 0;  // place of the answers to all rows but the first
         for (MechanismRow& row : rows) {
-            const auto end = row.nodes.begin() + static_cast<std::ptrdiff_t>(row.slopes.count);
-            if (std::none_of(row.nodes.begin(), end,
+            const auto nodes = all.nodesOf(row);
+            if (std::none_of(nodes.begin(), nodes.end(),
                              [&](auto node) { return hasNode(tree, node); }))
                 continue;
-            answer(state, row, all.trees[k], eliminated);
-            eliminated = true;
+            const auto given = beginAnswer(state, row, all.trees[k]);
+            if (others != 0) continue;
+            answerOfTree(state, all.trees[k], given);
+            others = all.answers.size();
         }
+        const auto left = std::span(all.answers).subspan(others);
+        if (tree.points)
+            answerInLanes<2>(state, left);
+        else
+            answerInLanes<3>(state, left);
     }
 }
 
 /// How far a unit of one row moves the coordinate of another one. It is the same both ways.
 double response(const State& state, const MechanismRow& to, const MechanismRow& by) {
+    const Mechanisms& all = state.mechanisms;
     double sum = 0;
-    for (std::size_t k = 0; k < to.slopes.count; ++k) {
-        const TurnedMover& m = to.slopes.movers[k];
-        if (to.nodes[k] == none) {
-            for (const TurnedMover& n : by.slopes)
+    for (auto k = to.firstMover; k < to.lastMover; ++k) {
+        const TurnedMover& m = all.movers[k];
+        const auto node = all.nodes[k];
+        if (node == none) {
+            for (const TurnedMover& n : all.moversOf(by))
                 if (m.particle == n.particle && m.cluster == n.cluster)
                     sum += m.inverseMass * m.force.dot(n.force) +
                            m.inverseInertia * m.turning * n.turning;
@@ -209,9 +234,8 @@ double response(const State& state, const MechanismRow& to, const MechanismRow& 
         for (const TreeAnswer& answer : by.answers) {
             if (answer.tree == none) break;
             const Tree& tree = state.trees.list[answer.tree];
-            if (hasNode(tree, to.nodes[k]))
-                sum += alongNode(
-                    m, state.mechanisms.answers[answer.first + (to.nodes[k] - tree.first)]);
+            if (hasNode(tree, node))
+                sum += alongNode(m, all.answers[answer.first + (node - tree.first)]);
         }
     }
     return sum;
@@ -227,7 +251,8 @@ void prepareGroup(State& state, const MechanismGroup& group) {
         for (std::size_t j = 0; j <= k; ++j)
             matrix[k * size + j] = matrix[j * size + k] = response(state, rows[k], rows[j]);
         const double own = matrix[k * size + k];
-        rows[k].mobility = own > GroupSweep::blocked * freeMobility(rows[k].slopes) ? own : 0;
+        rows[k].mobility =
+            own > GroupSweep::blocked * freeMobility(all.moversOf(rows[k])) ? own : 0;
     }
     GroupSweep(state, group).factorise();
 }
@@ -239,7 +264,7 @@ void groupRows(State& state) {
     using Pushes = std::tuple<int, std::uint32_t, std::uint32_t>;  // what kind of thing, which, row
     std::pmr::vector<Pushes> pushes(&state.arena);
     for (std::uint32_t i = 0; i < count; ++i)
-        for (const TurnedMover& m : all.rows[i].slopes) {
+        for (const TurnedMover& m : all.moversOf(all.rows[i])) {
             if (!(m.inverseMass + m.inverseInertia > 0)) continue;
             const auto tree = treeOf(state, m);
             if (tree != none)
@@ -262,10 +287,12 @@ void groupRows(State& state) {
         if (first == none) first = i;
         all.rows[i].group = first;
     }
-    std::sort(all.rows.begin(), all.rows.end(), [](const MechanismRow& a, const MechanismRow& b) {
+    const auto isBefore = [](const MechanismRow& a, const MechanismRow& b) {
         return std::tuple(a.group, a.mechanism, a.number) <
                std::tuple(b.group, b.mechanism, b.number);
-    });
+    };
+    if (!std::is_sorted(all.rows.begin(), all.rows.end(), isBefore))
+        std::sort(all.rows.begin(), all.rows.end(), isBefore);
     all.groups.clear();
     std::uint32_t places = 0;
     for (std::uint32_t first = 0, last = 0; first < count; first = last) {
@@ -285,6 +312,7 @@ void answerMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     if (all.rows.empty()) return;
     groupRows(state);
+    all.nodes.assign(all.movers.size(), none);
     all.trees.clear();
     for (MechanismGroup& group : all.groups) {
         answerGroup(state, group);
@@ -297,8 +325,7 @@ void solveMechanisms(State& state) {
     NodeMoves sum(&state.arena);
     for (const MechanismGroup& group : all.groups) {
         const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
-        for (MechanismRow& row : rows)
-            row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
+        for (MechanismRow& row : rows) row.now = valueNow(state, row);
         GroupSweep(state, group).run(maxSpeed * static_cast<double>(state.h));
         give(
             state, group, sum, [&](const TurnedMover& m, double change) { push(state, m, change); },
@@ -313,7 +340,7 @@ void leadMechanisms(State& state) {
         const auto rows = std::span(all.rows).subspan(group.first, group.last - group.first);
         bool any = false;
         for (MechanismRow& row : rows) {
-            row.now = valueOf(state, all.list[row.mechanism], RowOf(row.number), true);
+            row.now = valueNow(state, row);
             row.vain = isVain(state, row);
             row.now = wayToMend(state, row);
             any |= row.now != 0;

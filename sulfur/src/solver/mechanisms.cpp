@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <memory_resource>
+#include <span>
 
 #include "bodies/mechanism_bodies.hpp"
 #include "contacts/touch_rows.hpp"
@@ -69,7 +70,7 @@ bool hasRow(const Mechanism& m, RowOf row) {
     return m.kind == MechanismKind::slider && (row == RowOf::across || m.turns == 0);
 }
 
-bool canMove(const CoordinateSlopes& slopes) {
+bool canMove(std::span<const TurnedMover> slopes) {
     return std::any_of(slopes.begin(), slopes.end(),
                        [](const TurnedMover& m) { return m.inverseMass + m.inverseInertia > 0; });
 }
@@ -81,7 +82,8 @@ public:
         : state_(state), trees_(state.trees.list.size(), unknown, &state.arena) {}
 
     bool any(const MechanismRow& row) {
-        return std::any_of(row.slopes.begin(), row.slopes.end(), [&](const TurnedMover& m) {
+        const auto movers = state_.mechanisms.moversOf(row);
+        return std::any_of(movers.begin(), movers.end(), [&](const TurnedMover& m) {
             const auto tree = state_.trees.of(m.cluster, m.particle);
             return tree == none ? isPushed(m.cluster, m.particle) : isPushed(tree);
         });
@@ -154,6 +156,7 @@ RowHold holdOf(const MechanismRow& row) {
 void startMechanisms(State& state) {
     Mechanisms& all = state.mechanisms;
     all.rows.clear();
+    all.movers.clear();
     all.answers.clear();
     all.groups.clear();
     if (all.empty()) return;
@@ -165,19 +168,22 @@ void startMechanisms(State& state) {
         noteAngles(state, m);
         for (const auto number : {RowOf::drive, RowOf::across, RowOf::angle}) {
             if (!hasRow(m, number)) continue;
-            MechanismRow row;
+            const CoordinateSlopes slopes = slopesOf(state, m, number);
+            if (!canMove(slopes)) continue;
+            MechanismRow& row = all.rows.emplace_back();
             row.mechanism = i;
             row.number = static_cast<std::uint32_t>(number);
-            row.slopes = slopesOf(state, m, number);
-            if (!canMove(row.slopes)) continue;
+            row.turning = turningOf(state, m, number);
+            row.firstMover = static_cast<std::uint32_t>(all.movers.size());
+            all.movers.insert(all.movers.end(), slopes.begin(), slopes.end());
+            row.lastMover = static_cast<std::uint32_t>(all.movers.size());
             row.start = valueOf(state, m, number, false);
             const RowForces forces = m.vain[row.number] != 0 ? RowForces{} : m.forces[row.number];
             row.spring = perForce * static_cast<double>(forces.spring);
             row.motor = perForce * static_cast<double>(forces.motor);
             row.low = perForce * static_cast<double>(forces.lower);
             row.high = perForce * static_cast<double>(forces.upper);
-            strike(state, row.slopes, h * static_cast<double>(forces.sum()));
-            all.rows.push_back(row);
+            strike(state, slopes, h * static_cast<double>(forces.sum()));
         }
     }
 }
@@ -189,7 +195,7 @@ void settleMechanisms(State& state) {
     std::erase_if(all.rows, [&](MechanismRow& row) {
         const Mechanism& m = all.list[row.mechanism];
         const Drive& drive = driveOf(m, row.number);
-        const double now = valueOf(state, m, RowOf(row.number), true);
+        const double now = valueNow(state, row);
         const double reach = 2 * std::abs(now - row.start);
         settle(state, drive, row.number == 0 ? limitsOf(state, m, row.start, reach) : DriveLimits{},
                row);

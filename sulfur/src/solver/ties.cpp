@@ -53,7 +53,7 @@ public:
     }
     void addMechanisms() {
         for (const MechanismRow& row : state_.mechanisms.rows)
-            for (const TurnedMover& m : row.slopes) {
+            for (const TurnedMover& m : state_.mechanisms.moversOf(row)) {
                 if (m.cluster != none) add(moverOfCluster(state_, m.cluster));
                 if (m.particle != none) addParticle(m.particle);
             }

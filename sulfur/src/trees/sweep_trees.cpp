@@ -82,7 +82,8 @@ void touchTrees(State& state) {
         for (std::uint32_t k = 0; k < grab.count; ++k)
             pull(state, gripOf(state, state.particleSlots.dense(grab.support[k])));
     for (const MechanismRow& row : state.mechanisms.rows)
-        for (const TurnedMover& m : row.slopes) pull(state, {m.particle, m.cluster});
+        for (const TurnedMover& m : state.mechanisms.moversOf(row))
+            pull(state, {m.particle, m.cluster});
     for (const auto i : tied) trees.touched[i] = Trees::pulled;
     for (const auto i : state.work.lonelyTrees) {
         const Tree& tree = trees.list[i];
