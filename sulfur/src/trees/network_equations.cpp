@@ -191,15 +191,18 @@ double NetworkEquations::shareOf(double pushed, double mobility) const {
     return pushed > 0 ? std::min(share, averaged / (pushed * mobility)) : share;
 }
 
-Point NetworkEquations::average(const Point& before, const Point& start, const Point& now,
-                                double share) const {
+[[gnu::always_inline]] inline Point NetworkEquations::average(const Point& before,
+                                                              const Point& start, const Point& now,
+                                                              double share) const {
     if (way_ == Way::projects) return now;
     if (way_ == Way::brakes) return start + share * (now - start);
     return start + share * ((now - start) + (before - start));
 }
 
 /// How a distance along `direction` changes with the freedoms that a node has.
-Freedoms NetworkEquations::along(std::size_t i, const Point& direction, const Point& arm) const {
+[[gnu::always_inline]] inline Freedoms NetworkEquations::along(std::size_t i,
+                                                               const Point& direction,
+                                                               const Point& arm) const {
     return ofMovable({direction[0], direction[1], cross(arm, direction)}, scratch_.inverseMass[i]);
 }
 
@@ -325,7 +328,7 @@ void NetworkEquations::advance(const std::vector<Freedoms>& nodes,
         const std::array<double, 2> change{multipliers[l][0] / excess, multipliers[l][1] / excess};
         for (int r = 0; r < links_[l].rows; ++r)
             links_[l].lambda[static_cast<std::size_t>(r)] += change[static_cast<std::size_t>(r)];
-        couple_ += coupleOf(l, state_.trees.rows[tree_.firstLink + l], change);
+        if (free_) couple_ += coupleOf(l, state_.trees.rows[tree_.firstLink + l], change);
     }
 }
 
@@ -372,6 +375,7 @@ void NetworkEquations::settle() {
                 given[n.there] +=
                     data.lambda[k] * scratch_.inverseMass[n.there].cwiseProduct(data.there[k]);
             }
+            if (!free_) continue;
             NetworkRow row;
             row.here = data.here;
             row.there = data.there;
