@@ -210,8 +210,9 @@ private:
                 x[k] = 0;
                 continue;
             }
-            x[k] /= factor(k, k);
-            for (std::size_t j = k + 1; j < n; ++j) x[k] -= factor(k, j) * x[j];
+            double own = x[k] / factor(k, k);  // not in x: it would be stored in each turn
+            for (std::size_t j = k + 1; j < n; ++j) own -= factor(k, j) * x[j];
+            x[k] = own;
         }
         double share = 1;
         for (std::size_t k = 0; k < n; ++k)
