@@ -26,7 +26,8 @@ inline Point unitVector(double angle) {
     constexpr double quarterHigh = 1.5707963267341256;    // the first 33 bits of pi/2
     constexpr double quarterLow = 6.077100506506192e-11;  // the rest
     // Small angles, as steps turn things by, need no call of the C library to find that it is none.
-    const double turns = std::abs(angle * quarters) < 0.5 ? 0.0 : std::nearbyint(angle * quarters);
+    // (Less a negative zero, none keeps the sign of a zero.)
+    const double turns = std::abs(angle * quarters) < 0.5 ? -0.0 : std::nearbyint(angle * quarters);
     const double r = (angle - turns * quarterHigh) - turns * quarterLow;
     const double r2 = r * r;
     double s = 1, c = 1;
