@@ -88,6 +88,12 @@ public:
             given[i] += impulses_[i].colwise() * nodes[i].inverseMass.array();
     }
 
+    std::size_t bytes() const {
+        return nodes.size() * sizeof(Node) + links.size() * sizeof(Link) +
+               (offsets_.size() + impulses_.size()) * sizeof(Lanes) +
+               linkOffsets_.size() * sizeof(linkOffsets_[0]);
+    }
+
     std::vector<Node> nodes;
     std::vector<Link> links;  // links[i] leads from node i to its parent; links[0] is unused
 

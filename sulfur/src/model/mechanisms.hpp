@@ -220,9 +220,6 @@ struct Mechanisms {
         return std::span(movers).subspan(row.firstMover, row.lastMover - row.firstMover);
     }
     /// Of its movers, or none.
-    std::span<std::uint32_t> nodesOf(const MechanismRow& row) {
-        return std::span(nodes).subspan(row.firstMover, row.lastMover - row.firstMover);
-    }
     std::span<const std::uint32_t> nodesOf(const MechanismRow& row) const {
         return std::span(nodes).subspan(row.firstMover, row.lastMover - row.firstMover);
     }

@@ -291,6 +291,7 @@ void groupRows(State& state) {
         return std::tuple(a.group, a.mechanism, a.number) <
                std::tuple(b.group, b.mechanism, b.number);
     };
+    // They mostly are in order already.
     if (!std::is_sorted(all.rows.begin(), all.rows.end(), isBefore))
         std::sort(all.rows.begin(), all.rows.end(), isBefore);
     all.groups.clear();

@@ -181,15 +181,15 @@ MemoryUse ofScratch(const State& state) {
     const auto& t = state.trees.scratch;
     const auto& n = state.trees.scratch.network;
     const auto& w = state.trees.networkSweep;
+    const auto& m = state.mechanisms;
     const auto& e = state.work.explicitBatches;
     return Sum()
         .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.lengths,
              c.blows, c.knocks, c.impulses, c.struck, c.held, c.places)
-        .add(state.mechanisms.rows, state.mechanisms.answers, state.mechanisms.groups,
-             state.mechanisms.numbers)
+        .add(m.rows, m.movers, m.nodes, m.answers, m.groups, m.numbers, m.trees)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
-             t.step.motion, t.step.before, t.step.links, t.points.nodes, t.points.links,
-             t.bodies.nodes, t.bodies.links, t.held, state.work.chains.scratch)
+             t.step.motion, t.step.before, t.step.links, t.held, state.work.chains.scratch)
+        .addBytes(t.points.bytes() + t.bodies.bytes())
         .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.best, n.values,
              n.points, n.bodies, w.rows, w.contacts, w.bodies, w.inverseMass, w.moved, w.bestMoved,
              w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
