@@ -41,8 +41,8 @@ TEST(Deaths, PiecesOfSomethingDeadlyAreDeadly) {
     const std::string wall =
         withBody(roomWith(R"("surfaces": {"wall": {"deadly": true, "sticky": false}})"), "wall",
                  R"("shape": "wall", "size": [0.8, 0.4], "columns": 4, "rows": 2, "mass": 4,
-                    "strength": 60)",
-                 "[-2, 2]");
+                    "strength": 400)",
+                 R"([-2, 2], "angle": 0.2)");
     Session session(room(wall));
     play(session, {}, 750);
     int pieces = 0;

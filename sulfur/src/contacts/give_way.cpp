@@ -4,14 +4,17 @@
 // impulse does: both rows would add to theirs without end, and whoever slips out would be thrown by
 // what the one of them has gathered. So bodies on which a driver still closes in when a step has
 // been solved begin the next one without impulses, if its load goes through them to something else
-// that nothing pushes. So do bodies that rows have driven beyond the limit of speed: they do not go
-// on like that, and impulses that found no balance would double in every step.
+// that nothing pushes.
+//
+// Nor does a blow go on, or what has found no balance. A light crate between a heavy one and the
+// ground is pressed with a thousand times its weight from both sides; when one of these normals
+// turns to another side, what is left over would throw it, faster than sweeps can mend. So what a
+// step has changed wildly begins the next one with so much less of what presses it.
 #include <cmath>
 #include <utility>
 
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
-#include "core/limits.hpp"
 #include "core/settings.hpp"
 #include "model/contact_core.hpp"
 #include "model/slow_speeds.hpp"
@@ -21,7 +24,6 @@ namespace sulfur::detail {
 
 namespace {
 
-/// A driver that closes in more slowly has not pressed in vain.
 /// What carries so much of the load stands in the way.
 constexpr Real loadShare = Real(tuned::loadShare);
 
@@ -32,6 +34,7 @@ public:
           core_(state.core),
           movers_(core_.movers),
           vain_(slowSpeedsOf(state.settings).vain * state.h),
+          wild_(slowSpeedsOf(state.settings).wild * state.h),
           pressed_(&state.arena),
           isPressed_(&state.arena) {}
 
@@ -46,18 +49,31 @@ public:
         }
     }
 
-    void forgetLimited() {
-        const Real most = static_cast<Real>(maxSpeed) * state_.h;
-        std::uint32_t done = none;  // movers of one body stand together
-        for (const auto m : core_.awakeMovers) {
-            if (core_.lengths[m] <= most || movers_.body[m] == done) continue;
-            const BodyWay& way = core_.ways[m];
-            if (std::abs(way.x) <= most && std::abs(way.y) <= most &&
-                movers_.reach[m] * std::abs(way.turn) <= most)
+    /// Rigid components, and particles that links hold: what else is soft gives way by itself.
+    void noteUnbalanced() {
+        core_.unbalanced.clear();
+        if (core_.waysBefore.size() != core_.ways.size())
+            core_.waysBefore.resize(core_.ways.size());
+        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
+            if (core_.awakeIsCluster[k] == 0 &&
+                state_.trees.ofParticle[core_.awakeDense[k]] == none)
                 continue;
-            done = movers_.body[m];
-            forEachRow(core_, done, [&](auto& block, std::uint32_t lane) { forget(block, lane); });
+            const auto m = core_.awakeMovers[k];
+            const BodyWay &now = core_.ways[m], &before = core_.waysBefore[m];
+            const Real change = std::abs(now.x - before.x) + std::abs(now.y - before.y) +
+                                movers_.reach[m] * std::abs(now.turn - before.turn);
+            if (change > wild_) core_.unbalanced.push_back({m, wild_ / change});
         }
+    }
+    void forgetUnbalanced() {
+        for (const auto& [m, share] : core_.unbalanced)
+            if (movers_.body[m] != none)
+                forEachRow(core_, movers_.body[m], [&](auto& block, std::uint32_t lane) {
+                    bool pushes = false;
+                    forEachPush(block, lane,
+                                [&](std::uint32_t who, const Vec2&, Real) { pushes |= who == m; });
+                    if (pushes) keep(block, lane, share);
+                });
     }
 
 private:
@@ -109,19 +125,26 @@ private:
 
     template <class Block>
     void forget(Block& block, std::uint32_t lane) {
+        keep(block, lane, 0);
+    }
+    /// A row begins the next step with a share of what it gives.
+    template <class Block>
+    void keep(Block& block, std::uint32_t lane, Real share) {
+        const Real gone = 1 - share;
         forEachPush(block, lane, [&](std::uint32_t m, const Vec2& push, Real twist) {
             SolverBody& body = movers_.bodies[m];
-            body.vx -= push[0] * body.inverseMass;
-            body.vy -= push[1] * body.inverseMass;
-            body.spin -= twist * body.inverseInertia;
+            body.vx -= gone * push[0] * body.inverseMass;
+            body.vy -= gone * push[1] * body.inverseMass;
+            body.spin -= gone * twist * body.inverseInertia;
         });
-        forgetImpulses(block, lane);
+        keepImpulses(block, lane, share);
     }
 
     State& state_;
     ContactCore& core_;
     Movers& movers_;
     Real vain_;  // m: a driver that closes in by more in a step has pressed in vain
+    Real wild_;  // m: what a step changes by more is unbalanced
     std::pmr::vector<std::uint32_t> pressed_;   // bodies, slots
     std::pmr::vector<std::uint8_t> isPressed_;  // by slot of a body
 };
@@ -131,7 +154,11 @@ private:
 void giveWay(State& state) {
     GivingWay way(state);
     way.forgetVain();
-    way.forgetLimited();
+    way.noteUnbalanced();
+}
+
+void forgetUnbalanced(State& state) {
+    if (!state.core.unbalanced.empty()) GivingWay(state).forgetUnbalanced();
 }
 
 }  // namespace sulfur::detail

@@ -39,12 +39,14 @@ inline Real pressingOf(const TouchBlock& t, std::uint32_t l) {
     return t.pressing[l];
 }
 
-/// A row gives its bodies nothing any more.
-inline void forgetImpulses(ManifoldBlock& r, std::uint32_t l) {
-    r.rubbing[l] = r.points[0].pressing[l] = r.points[1].pressing[l] = 0;
+/// A row gives its bodies a share of what it gave.
+inline void keepImpulses(ManifoldBlock& r, std::uint32_t l, Real share) {
+    for (Real* impulse : {&r.rubbing[l], &r.points[0].pressing[l], &r.points[1].pressing[l]})
+        *impulse *= share;
 }
-inline void forgetImpulses(TouchBlock& t, std::uint32_t l) {
-    t.rubbing[l] = t.pressing[l] = 0;
+inline void keepImpulses(TouchBlock& t, std::uint32_t l, Real share) {
+    t.rubbing[l] *= share;
+    t.pressing[l] *= share;
 }
 
 /// Calls f(block, lane) for all rows of a body, given by its slot.

@@ -28,6 +28,8 @@ void leadApart(State& state);
 void endLeads(State& state);
 /// Pairs that may have come to touch are looked at; rows are made, changed and taken away.
 void lookAtPairs(State& state);
+/// What the last step has changed wildly begins this one with less of what its rows gave.
+void forgetUnbalanced(State& state);
 /// Rows take up how their bodies have moved and turned.
 void refreshRows(State& state);
 /// Stacks that begin to rest begin with the loads of statics. An accelerator: without this call all

@@ -87,6 +87,18 @@ struct Blow {
     Motion3 before;       // as it would have gone
 };
 
+/// A mover that the last step has changed wildly.
+struct Unbalanced {
+    std::uint32_t mover = 0;
+    Real share = 0;  // of the impulses of its rows, with which it begins the next step
+
+    template <class Archive>
+    void archive(Archive& a) {
+        a(mover);
+        a(share);
+    }
+};
+
 /// The impulse of an impact, beside those of the rows.
 struct Knock {
     std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
@@ -186,9 +198,10 @@ struct ContactCore {
     // Scratch of a tick.
     std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
-    std::vector<std::uint8_t> stirred;  // by mover, the last sweep that has stirred it
-    std::uint8_t sweep = 0;             // number of the present one
-    std::vector<std::uint32_t> tied;    // movers that other constraints hold in this step, too
+    std::vector<Unbalanced> unbalanced;  // by the step before
+    std::vector<std::uint8_t> stirred;   // by mover, the last sweep that has stirred it
+    std::uint8_t sweep = 0;              // number of the present one
+    std::vector<std::uint32_t> tied;     // movers that other constraints hold in this step, too
     std::vector<Motion3> placed;  // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
     FoundInPieces findInPieces;
@@ -198,6 +211,7 @@ struct ContactCore {
     std::vector<KnownSide> knownSides;
     std::vector<Passing> passings;
     std::vector<BodyWay> ways;           // by mover: how it goes in this step
+    std::vector<BodyWay> waysBefore;     // and how in the one before
     std::vector<Real> lengths;           // m, by mover: how far any of its surface goes at most
     Real farthest = 0;                   // m, of all movers, as far as they go without rows
     std::uint32_t newRows = 0;           // manifolds, in this step
@@ -244,6 +258,8 @@ struct ContactCore {
         a(staleShapes);
         a(lastStep);
         a(loadsAgain);
+        a(ways);
+        a(unbalanced);
     }
 };
 

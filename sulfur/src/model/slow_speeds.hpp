@@ -11,7 +11,8 @@ namespace sulfur::detail {
 
 /// m/s; see core/settings.hpp, where the values for ordinary gravity are.
 struct SlowSpeeds {
-    Real creep = 0, restingPush = 0, settledChange = 0, sticking = 0, rebound = 0, vain = 0;
+    Real creep = 0, restingPush = 0, settledChange = 0, sticking = 0, rebound = 0, vain = 0,
+         wild = 0;
 };
 
 /// In what proportion speeds count as slow under a gravity of so many m/s^2. What is thrown up
@@ -32,6 +33,7 @@ inline SlowSpeeds slowSpeedsOf(const WorldSettings& settings) {
     slow.settledChange = scaled(tuned::settledChange);
     slow.sticking = scaled(tuned::stickingSpeed);
     slow.rebound = settings.reboundSpeed.value_or(scaled(tuned::slowestRebound));
+    slow.wild = scaled(tuned::wildChange);
     slow.vain = scaled(tuned::vainSpeed);
     return slow;
 }

@@ -13,7 +13,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x46735f7266756c53u;  // "Slfr_sF", little-endian
+constexpr std::uint64_t snapshotMark = 0x47735f7266756c53u;  // "Slfr_sG", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>

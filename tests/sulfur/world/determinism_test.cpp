@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 6076168520554660198u);
+    EXPECT_EQ(world.hash(), 10584207716559139504u);
 #else
-    EXPECT_EQ(world.hash(), 6819536854891005352u);
+    EXPECT_EQ(world.hash(), 8431759494504943755u);
 #endif
 }
 

@@ -139,7 +139,7 @@ TEST(FixedRotation, IsKeptBySnapshotsAndByPieces) {
     EXPECT_EQ(world.hash(), before);
     wall.setFixedRotation(true);
     EXPECT_NE(world.hash(), before);
-    test::run(world, 2);  // it falls
+    while (world.bodies().size() == 2 && world.time() < 3) world.step();  // it falls, and breaks
     ASSERT_GT(world.bodies().size(), 2u);
     other.restore(world.snapshot());
     for (int i = 0; i < 100; ++i) {
