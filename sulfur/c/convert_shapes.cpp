@@ -101,6 +101,7 @@ void members(const Copy& copy, C& c, Own& own) {
     copy(c.stiffness, own.stiffness);
     copy(c.damping, own.damping);
     copy(c.bending, own.bending);
+    copy(c.bending_damping, own.bendingDamping);
     copy(c.strength, own.strength);
     copy(c.pin_first, own.pinFirst);
     copy(c.pin_last, own.pinLast);

@@ -106,9 +106,10 @@ void stiffen(Blueprint& plan, const RopeOptions& options, double link) {
     const double most = std::sqrt(static_cast<double>(options.stiffness) / (16 * mass));
     const double w = std::min(
         detail::tuned::ropeFrequency * std::sqrt(static_cast<double>(options.bending)), most);
+    const double z = detail::tuned::ropeDamping * static_cast<double>(options.bendingDamping);
     const double inertia = mass * link * link;
     const auto stiffness = static_cast<Real>(inertia * w * w);
-    const auto damping = static_cast<Real>(2 * detail::tuned::ropeDamping * inertia * w);
+    const auto damping = static_cast<Real>(2 * z * inertia * w);
     for (std::uint32_t i = 1; i + 1 < plan.particles.size(); ++i)
         plan.angles.push_back({i - 1, i, i + 1, stiffness, damping, Real(0)});
 }
@@ -128,6 +129,7 @@ Blueprint rope(const RopeOptions& options) {
     requireRange(links, 1, 100000, "links");
     const double slack = slackOf(options, links);
     requireRange(static_cast<double>(options.bending), 0, 100, "bending");
+    requireRange(static_cast<double>(options.bendingDamping), 0, 100, "bendingDamping");
     Blueprint plan;
     plan.name = "rope";
     plan.material = options.material;

@@ -123,6 +123,7 @@ std::string callOf(const shapes::RopeOptions& o) {
                .add("stiffness", o.stiffness, d.stiffness)
                .add("damping", o.damping, d.damping)
                .add("bending", o.bending, d.bending)
+               .add("bendingDamping", o.bendingDamping, d.bendingDamping)
                .add("strength", o.strength, d.strength)
                .add("pinFirst", o.pinFirst, d.pinFirst)
                .add("pinLast", o.pinLast, d.pinLast)

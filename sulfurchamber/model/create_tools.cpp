@@ -173,7 +173,7 @@ private:
     }
 
     // What bears loads between two ends gives, damps, is rough, and has few links: a load across
-    // many rigid ones costs a tenth of a core. What resists bending calms it, the more the longer
+    // many rigid ones costs a tenth of a core. What damps bending calms it, the more the longer
     // links are: the links' own damping does nothing against swinging. From end to end all of them
     // are one spring, so that a longer rope is a thicker one and does not swing more slowly.
     static void makeSpan(sulfur::shapes::RopeOptions& options) {
@@ -186,7 +186,8 @@ private:
         options.slack = sulfur::Real(0.02);
         options.stiffness = real(endToEnd * options.links);
         options.damping = real(dampedFor * static_cast<double>(options.stiffness));
-        options.bending = 10;
+        options.bending = Real(0.35);
+        options.bendingDamping = 30;
         options.material.staticFriction = Real(1.5);
         options.material.kineticFriction = Real(1.3);
     }

@@ -223,6 +223,7 @@ SULFURCHAMBER_RECIPE(Segments, segments)
 SULFURCHAMBER_RECIPE(Planks, planks)
 SULFURCHAMBER_RECIPE(Links, links)
 SULFURCHAMBER_RECIPE(Bending, bending)
+SULFURCHAMBER_RECIPE(BendingDamping, bendingDamping)
 SULFURCHAMBER_RECIPE(Sag, sag)
 SULFURCHAMBER_RECIPE(Rim, rimRadius)
 SULFURCHAMBER_RECIPE(SkinRadius, skinRadius)
@@ -280,6 +281,8 @@ constexpr std::array properties{
                    getLinks, setLinks},
     NumberProperty{"bending", "Bending", "", "How stiff a rope is against bending", 0, 100,
                    Scale::cubic, "", false, getBending, setBending},
+    NumberProperty{"bending-damping", "Bend damping", "", "How strongly bending of a rope is damped",
+                   0, 100, Scale::cubic, "", false, getBendingDamping, setBendingDamping},
     NumberProperty{"slack", "Slack", "", "The share by which a rope is longer than its way", 0, 10,
                    Scale::cubic, "", false, slack, setSlack},
     NumberProperty{"sag", "Sag", "m", "How far the middle of a bridge hangs", 0, 50, Scale::cubic,

@@ -257,27 +257,27 @@ TEST(Tools, ARopeBridgeComesToRest) {
     }
 }
 
-TEST(Tools, ARopeBridgeWithCratesComesToRest) {
-    for (const int crates : {1, 3, 5}) {
-        Workbench bench;
-        const auto& world = bench.document().world();
-        bench.setTool(ToolKind::ground);
-        drag(bench, {-6, 3}, {-3, 3});
-        drag(bench, {3, 3}, {6, 3});
-        bench.setTool(ToolKind::rope);
-        drag(bench, {-3, 3}, {3, 3});
-        bench.setTool(ToolKind::box);
-        for (int i = 0; i < crates; ++i) click(bench, {0.75 * (i - 0.5 * (crates - 1)), 3.6});
-        tickFor(bench, 5);
-        for (const BodyId body : world.bodies())
-            EXPECT_LT(world.meanVelocity(body).norm(), 0.03f) << crates << world.name(body);
-        tickFor(bench, 5);
-        for (const BodyId body : world.bodies())
-            if (world.kind(body) == sulfur::BodyKind::dynamic) {
-                EXPECT_TRUE(world.asleep(body)) << crates << world.name(body);
-                EXPECT_GT(world.centreOfMass(body).y(), 2) << "it bears them";
-            }
-    }
+/// Crates in its middle and beside it: those beside it sway slowly, with a period of up to 9 s.
+TEST(Tools, ARopeBridgeWithCratesSleepsWithinFiveSeconds) {
+    for (const int crates : {1, 2, 3, 4, 5})
+        for (const double aside : {0.0, 0.2}) {
+            Workbench bench;
+            const auto& world = bench.document().world();
+            bench.setTool(ToolKind::ground);
+            drag(bench, {-6, 3}, {-3, 3});
+            drag(bench, {3, 3}, {6, 3});
+            bench.setTool(ToolKind::rope);
+            drag(bench, {-3, 3}, {3, 3});
+            bench.setTool(ToolKind::box);
+            for (int i = 0; i < crates; ++i)
+                click(bench, {aside + 0.75 * (i - 0.5 * (crates - 1)), 3.6});
+            tickFor(bench, 5);
+            for (const BodyId body : world.bodies())
+                if (world.kind(body) == sulfur::BodyKind::dynamic) {
+                    EXPECT_TRUE(world.asleep(body)) << crates << world.name(body) << aside;
+                    EXPECT_GT(world.centreOfMass(body).y(), 2) << "it bears them";
+                }
+        }
 }
 
 TEST(Tools, PinTogglesAndCutDivides) {

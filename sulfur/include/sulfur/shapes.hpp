@@ -133,11 +133,14 @@ struct RopeOptions {
     Real damping = 0;           ///< N s/m of a link
     /// How stiff it is against bending, 0 (limp, as a chain of hinges) to 100. An angular joint at
     /// each inner particle has the stiffness m l^2 w^2 (N m/rad) and the damping 2 z m l^2 w
-    /// (N m s/rad), with the mass m of a particle, the length l of a link, z = 0.3, and w = 60
-    /// rad/s times the root of this, or a quarter of the root of stiffness over m, if that is less.
-    /// Between rigid links and up to 1 that are forces alone, whatever the rate. A rope of links of
-    /// 5 cm then lies in coils of some 10 cm.
+    /// (N m s/rad), with the mass m of a particle, the length l of a link, z = 0.3 times
+    /// `bendingDamping`, and w = 60 rad/s times the root of this, or a quarter of the root of
+    /// stiffness over m, if that is less. Between rigid links, and with both up to 1, that are
+    /// forces alone, whatever the rate. A rope of links of 5 cm then lies in coils of some 10 cm.
     Real bending = 1;
+    /// How strongly bending is damped, 0 to 100; from 3.3 on it springs back without swinging. A
+    /// rope across a gap needs tens of it to calm loads that are much heavier than itself.
+    Real bendingDamping = 1;
     Real strength = infinite;  ///< N of a link
     bool pinFirst = false;     ///< holds the particle at `from`
     bool pinLast = false;      ///< holds the particle at `to`

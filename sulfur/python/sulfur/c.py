@@ -247,6 +247,7 @@ class RopeOptions(Structure):
         ("stiffness", c_double),
         ("damping", c_double),
         ("bending", c_double),
+        ("bending_damping", c_double),
         ("strength", c_double),
         ("pin_first", c_bool),
         ("pin_last", c_bool),

@@ -167,6 +167,7 @@ void describe(Visitor& v, Object& o) {
     v.infinite("stiffness", o.stiffness, d.stiffness, Limits::stiffness, "rigid");
     v.number("damping", o.damping, d.damping, 0, Limits::damping);
     v.number("bending", o.bending, d.bending, 0, Limits::bending);
+    v.number("bendingDamping", o.bendingDamping, d.bendingDamping, 0, Limits::bending);
     v.infinite("strength", o.strength, d.strength, Limits::strength, "unbreakable");
     v.flag("pinFirst", o.pinFirst, d.pinFirst);
     v.flag("pinLast", o.pinLast, d.pinLast);

@@ -156,6 +156,7 @@ TEST(CInterfaceShapes, Rope) {
     rope.stiffness = 5000;
     rope.damping = 2;
     rope.bending = 0.25;
+    rope.bending_damping = 4;
     rope.strength = 700;
     rope.pin_first = true;
     rope.material = surface;
@@ -169,6 +170,7 @@ TEST(CInterfaceShapes, Rope) {
                              .stiffness = 5000,
                              .damping = 2,
                              .bending = Real(0.25),
+                             .bendingDamping = 4,
                              .strength = 700,
                              .pinFirst = true,
                              .material = material}),

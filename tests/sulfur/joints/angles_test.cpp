@@ -306,5 +306,34 @@ TEST(Angles, RopesFallIntoCoilsAndSleep) {
     EXPECT_LT(folded, 12);
 }
 
+/// A rope that is bent and let go without gravity: how far its end goes beyond the straight.
+double overshootOf(Real bendingDamping) {
+    World world({.gravity = {0, 0}});
+    const Body rope = world.add(
+        shapes::rope({.to = {1, 0}, .links = 5, .bendingDamping = bendingDamping}));
+    const auto particles = rope.particles();
+    for (std::size_t i = 2; i < particles.size(); ++i) {
+        const double turn = 0.1 * static_cast<double>(i - 1);
+        const Point link(0.2 * std::cos(turn), 0.2 * std::sin(turn));
+        world.setPosition(particles[i], world.position(particles[i - 1]) + link);
+    }
+    double least = 1;
+    for (int tick = 0; tick < 1000; ++tick) {
+        world.step();
+        double turn = 0;
+        for (const AngleInfo& info : world.angles(rope)) turn += static_cast<double>(info.angle);
+        least = std::min(least, turn);
+    }
+    return -least;
+}
+
+TEST(Angles, ARopeSpringsBackAsItsBendingIsDamped) {
+    EXPECT_GT(overshootOf(0), 0.3);
+    EXPECT_GT(overshootOf(Real(0.3)), 0.05);
+    EXPECT_LT(overshootOf(10), 1e-3);
+    EXPECT_LT(overshootOf(100), 1e-3);
+    EXPECT_THROW(shapes::rope({.bendingDamping = 101}), Error);
+}
+
 }  // namespace
 }  // namespace sulfur

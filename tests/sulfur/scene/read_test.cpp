@@ -197,6 +197,7 @@ const Mistake mistakes[] = {
     {R"({"shape": "rope", "links": 24000})", "0 to 23999"},
     {R"({"shape": "rope", "to": [0, 0]})", "length"},
     {R"({"shape": "rope", "bending": 101})", "0 to 100"},
+    {R"({"shape": "rope", "bendingDamping": -1})", "0 to 100"},
     {R"({"shape": "jelly", "columns": 1})", "2 to 1000"},
     {R"({"shape": "jelly", "columns": 1000, "rows": 1000})", "1000000 particles"},
     {R"({"shape": "blob", "segments": 2})", "3 to 1000"},

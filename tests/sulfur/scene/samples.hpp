@@ -51,7 +51,7 @@ inline const std::string fullScene = R"({
             "skin": {"texture": "box.png"}},
     "ball": {"shape": "ball", "radius": 0.4, "mass": 3, "material": {"restitution": 1}},
     "rope": {"shape": "rope", "from": [1, 2], "to": [4, 6], "links": 9, "bending": 2.5, "mass": 0.9, "radius": 0,
-             "stiffness": 800, "damping": 0.2, "strength": 500, "pinFirst": true, "pinLast": true,
+             "bendingDamping": 2, "stiffness": 800, "damping": 0.2, "strength": 500, "pinFirst": true, "pinLast": true,
              "selfCollision": true, "material": {"staticFriction": 2}},
     "jelly": {"shape": "jelly", "size": [2, 1], "columns": 5, "rows": 3, "mass": 4,
               "radius": 0.05, "stiffness": 300, "damping": 2, "strength": 99,

@@ -108,6 +108,7 @@ typedef struct SulfurRopeOptions {
     double stiffness;         ///< N/m of a link
     double damping;           ///< N s/m of a link
     double bending;           ///< 0 (limp) to 100: how stiff it is against bending
+    double bending_damping;   ///< 0 to 100: how strongly bending is damped
     double strength;          ///< N of a link
     bool pin_first;           ///< holds the particle at `from`
     bool pin_last;            ///< holds the particle at `to`

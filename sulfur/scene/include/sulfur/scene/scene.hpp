@@ -37,7 +37,7 @@ struct Limits {
     static constexpr double leastRatio = 1e-6;          ///< of pulleys and gears
     static constexpr double ratio = 1e6;                ///< of pulleys and gears
     static constexpr double angle = 3.1415928;          ///< rad, either way; pi, also as Real
-    static constexpr double bending = 100;              ///< of ropes
+    static constexpr double bending = 100;              ///< of ropes, also its damping
     static constexpr double strength = 1e18;            ///< N, beside "unbreakable"
     static constexpr double friction = 1e6;             ///< coefficient
     static constexpr double rollingResistance = 1'000;  ///< coefficient
