@@ -200,7 +200,7 @@ Solution solve(const Ground& ground, const SolveOptions& options, const Policy* 
         solution.policy = *known;
         proof = recordBest(ground, *known, 12);
     }
-    // A proof shows that gold can be had: a known way that has become slower is not enough.
+    // A proof should show that gold can be had: where a known way has become slower, it searches.
     if (!proof || secondsOf(proof->ticks()) > ground.level->medals.gold) {
         const std::vector<Way> ways = searchWays(ground, options, solution);
         Session session(ground.level);
