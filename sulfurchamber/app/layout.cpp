@@ -247,9 +247,11 @@ void MainFrame::makePanels() {
     manager_.AddPane(secondPalette_,
                      wxAuiPaneInfo().Name("tools2").ToolbarPane().Left().Row(1).Gripper(false));
     manager_.Update();
+    // GTK loses what it is asked for while it gives out sizes: pages that are hidden then would
+    // stay as large as they were.
     Bind(wxEVT_SIZE, [this](wxSizeEvent& event) {
         event.Skip();
-        arrange();
+        CallAfter([this] { arrange(); });
     });
 }
 

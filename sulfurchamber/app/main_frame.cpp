@@ -80,6 +80,8 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
     const atlax::PixelSize size =
         remembered ? preferences_->windowSize() : atlax::PixelSize{options.width, options.height};
     SetSize(size.width, size.height);
+    // Else GTK lays it out without room for what the window manager puts around it, and complains.
+    SetClientSize(GetClientSize());
     if (remembered && preferences_->maximised()) Maximize();
     refresh();
 }

@@ -199,6 +199,7 @@ Pointer SceneView::pointerAt(atlax::Vec2 position, atlax::Modifiers modifiers) c
 void SceneView::mouseButton(const atlax::MouseButtonEvent& event) {
     mouse_ = event.position;
     ++buttonEvents_;
+    fitted_.reset();
     if (event.button == atlax::MouseButton::Middle || event.button == atlax::MouseButton::Right) {
         panFrom_ = event.down ? std::optional(event.position) : std::nullopt;
         return;
@@ -239,6 +240,7 @@ void SceneView::wheel(const atlax::WheelEvent& event) {
 // The point under the pointer stays under the pointer.
 void SceneView::zoom(float factor) {
     if (platform_ == nullptr) return;
+    fitted_.reset();
     const atlax::PixelSize size = platform_->size();
     const atlax::Vec2 fixed = mouse_.value_or(size.toVec() * 0.5f);
     const atlax::Vec2 before = camera_.toWorld(fixed, size);
@@ -316,8 +318,13 @@ void SceneView::draw(atlax::Canvas& canvas, double alpha) {
 
 void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     followSlider();
-    if (fitPending_ || wantedBounds_) fit(canvas.size());
-    fitPending_ = false;
+    if (wantedBounds_) {
+        fit(canvas.size());
+        fitted_.reset();
+    } else if (fitted_ && *fitted_ != canvas.size()) {
+        fit(canvas.size());
+        fitted_ = canvas.size();
+    }
     wantedBounds_.reset();
     stepFilm(canvas);
     takePast(canvas);

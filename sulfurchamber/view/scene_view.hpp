@@ -54,8 +54,9 @@ public:
     /// What things snap to.
     SnapSwitches& snapping() { return snapping_; }
     const SnapSwitches& snapping() const { return snapping_; }
-    /// Shows all that is interesting, with the next frame.
-    void zoomToFit() { fitPending_ = true; }
+    /// Shows all that is interesting, with the next frame, and again where the drawing area gets
+    /// another size before anybody has touched it.
+    void zoomToFit() { fitted_ = atlax::PixelSize{}; }
     /// Shows a rectangle with some room around it, with the next frame.
     void zoomTo(const Bounds& bounds) { wantedBounds_ = bounds; }
     void zoom(float factor);
@@ -177,7 +178,8 @@ private:
     atlax::Camera camera_{{0, 2}, 90};
     std::optional<atlax::Vec2> mouse_;
     std::optional<atlax::Vec2> panFrom_;
-    bool fitPending_ = true;
+    /// Size of the drawing area that all fits into, nothing once somebody has touched the view.
+    std::optional<atlax::PixelSize> fitted_ = atlax::PixelSize{};
     std::optional<Bounds> wantedBounds_;
     SnapSwitches snapping_;
     int speedPermille_ = 1000;
