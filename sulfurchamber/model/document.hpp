@@ -103,9 +103,15 @@ public:
     sulfur::BodyId bodyOf(std::string_view id) const;
     /// What is fitted in the plan: mechanisms, then zones, then thrusters.
     std::vector<FittingRef> fittings() const;
-    /// Precondition: the plan has it.
+    /// Also a single particle or joint. Precondition: the plan has it.
     Fitting fitting(const FittingRef& ref) const;
     const std::vector<Thruster>& thrusters() const;
+    /// A single particle or joint as a part of the plan; nothing where the plan has none such.
+    std::optional<FittingRef> partOf(sulfur::ParticleId particle) const;
+    std::optional<FittingRef> partOf(sulfur::JointId joint) const;
+    bool hasPart(const FittingRef& ref) const;
+    /// Where a particle is now, or both ends of a joint, metres; nothing where it has broken.
+    std::vector<sulfur::Point> placesOf(const FittingRef& ref) const;
     /// What the mechanisms of the plan are in this moment; null where they are not there.
     const std::vector<sulfur::scene::MadeMechanism>& made() const;
     /// What a zone of the plan is in this moment; null when it is not there.
@@ -242,7 +248,8 @@ public:
     /// Changes one. In a moment a mechanism is made anew where its bodies are, unless `live`: then
     /// nothing changes but what drives it, and its keys.
     void refit(const FittingRef& ref, const std::function<void(Fitting&)>& change, bool live);
-    /// Takes one away, with gears that need it and pegs that only it had.
+    /// Takes one away, with gears that need it and pegs that only it had, with a particle all that
+    /// holds on to it.
     void unfit(const FittingRef& ref);
     /// Changes the plan as a whole. The world becomes what the plan says then: a moment is left, to
     /// which undo leads back.
@@ -279,6 +286,12 @@ private:
                      const std::vector<sulfur::scene::MadeMechanism>& there);
     std::vector<sulfur::BodyId> bodiesOfMechanism(std::size_t mechanism) const;
     void setZone(std::size_t zone, const std::optional<sulfur::Field>& field);
+    Fitting part(const FittingRef& ref) const;
+    sulfur::JointId jointOf(const FittingRef& part) const;
+    const sulfur::Blueprint& sharedBlueprint(const std::string& id) const;
+    void setPart(const FittingRef& ref, const Fitting& to);
+    void removePart(const FittingRef& ref);
+    void requirePlan() const;
     void merge(const std::string& into, const std::string& single, std::uint32_t other,
                const sulfur::JointSpec& joint);
     void takeOver(const std::function<void()>& change);

@@ -112,6 +112,7 @@ std::vector<FittingRef> Document::fittings() const {
 Fitting Document::fitting(const FittingRef& ref) const {
     if (ref.kind == FittingRef::Kind::mechanism) return scene().mechanisms.at(ref.index);
     if (ref.kind == FittingRef::Kind::zone) return scene().fields.at(ref.index);
+    if (ref.isPart()) return part(ref);
     return thrusters().at(ref.index);
 }
 
@@ -359,6 +360,8 @@ void Document::refit(const FittingRef& ref, const std::function<void(Fitting&)>&
         setThrusters(plan_.scene(), all);
     } else if (ref.kind == FittingRef::Kind::zone) {
         setZone(ref.index, std::get<SceneField>(now).field);
+    } else if (ref.isPart()) {
+        setPart(ref, now);
     } else {
         const MadeMechanism there = moved_ ? made().at(ref.index) : MadeMechanism{};
         auto& mechanism = plan_.scene().mechanisms.at(ref.index);
@@ -379,6 +382,8 @@ void Document::refit(const FittingRef& ref, const std::function<void(Fitting&)>&
 void Document::unfit(const FittingRef& ref) {
     if (ref.kind == FittingRef::Kind::zone) {
         setZone(ref.index, std::nullopt);
+    } else if (ref.isPart()) {
+        removePart(ref);
     } else if (ref.kind == FittingRef::Kind::thruster) {
         auto all = thrusters();
         all.erase(all.begin() + static_cast<std::ptrdiff_t>(ref.index));

@@ -180,6 +180,8 @@ Drive* driveOf(SceneMechanism& mechanism) {
 std::string_view kindName(const Fitting& fitting) {
     if (const auto* mechanism = std::get_if<SceneMechanism>(&fitting)) return nameOf(*mechanism);
     if (std::holds_alternative<Thruster>(fitting)) return "Thruster";
+    if (std::holds_alternative<ParticlePart>(fitting)) return "Particle";
+    if (std::holds_alternative<JointPart>(fitting)) return "Joint";
     const auto& field = std::get<sulfur::scene::SceneField>(fitting).field;
     if (std::holds_alternative<sulfur::WindField>(field)) return "Wind";
     return std::holds_alternative<sulfur::UniformField>(field) ? "Gravity zone" : "Attraction";

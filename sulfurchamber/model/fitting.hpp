@@ -1,4 +1,5 @@
 // What is fitted to bodies, or to the scene: mechanisms, zones and thrusters, as data of the plan.
+// And single particles and joints, which are chosen and changed as these are.
 #pragma once
 
 #include <array>
@@ -43,13 +44,25 @@ struct DeviceLimits {
     static constexpr double force = 1e6;  ///< newtons, on each axis
 };
 
-using Fitting = std::variant<sulfur::scene::SceneMechanism, sulfur::scene::SceneField, Thruster>;
+/// A particle of a body.
+struct ParticlePart {
+    sulfur::ParticleSpec spec;
+};
+/// A joint of a body, or between two: then its ends are 0.
+struct JointPart {
+    sulfur::JointSpec spec;
+};
+
+using Fitting = std::variant<sulfur::scene::SceneMechanism, sulfur::scene::SceneField, Thruster,
+                             ParticlePart, JointPart>;
 
 /// One of them: its place among its kind in the plan.
 struct FittingRef {
-    enum class Kind : std::uint8_t { mechanism, zone, thruster };
+    enum class Kind : std::uint8_t { mechanism, zone, thruster, particle, joint, connection };
     Kind kind = Kind::mechanism;
     std::size_t index = 0;
+    std::string body = {};  ///< id of a placement, of particles and joints
+    bool isPart() const { return kind >= Kind::particle; }
     bool operator==(const FittingRef&) const = default;
 };
 

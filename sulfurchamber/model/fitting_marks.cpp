@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "geometry.hpp"
 #include "rail.hpp"
 
 namespace sulfurchamber {
@@ -187,6 +188,17 @@ std::optional<FittingRef> fittingAt(const Document& document, const Point& point
     return found;
 }
 
+std::optional<FittingRef> partAt(const Document& document, sulfur::BodyId body, const Point& point,
+                                 double reach) {
+    const sulfur::World& world = document.world();
+    if (body)
+        if (const auto pick = particleAt(world, point, reach); pick && pick->body == body)
+            return document.partOf(pick->particle);
+    if (const auto pick = jointAt(world, point, reach); pick && pick->body == body)
+        return document.partOf(pick->joint);
+    return std::nullopt;
+}
+
 std::vector<FittingRef> fittingsCrossing(const Document& document, const Point& a, const Point& b) {
     std::vector<FittingRef> found;
     for (const FittingMark& mark : fittingMarks(document)) {
@@ -237,6 +249,15 @@ void moveFitting(Document& document, const FittingRef& ref, const Point& from, c
             ref, [&](Fitting& f) { std::get<Thruster>(f).at += local; }, true);
         return;
     }
+    if (ref.kind == FittingRef::Kind::particle) {
+        const auto body = document.bodyOf(ref.body);
+        if (!body) return;
+        const auto local = document.world().vectorToBody(body, by.cast<sulfur::Real>());
+        document.refit(
+            ref, [&](Fitting& f) { std::get<ParticlePart>(f).spec.position += local; }, false);
+        return;
+    }
+    if (ref.isPart()) return;
     if (document.canReset())
         throw std::runtime_error("mechanisms are moved before time runs; reset the scene first");
     // Pegs move with the points that they hold.

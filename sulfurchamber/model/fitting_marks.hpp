@@ -44,11 +44,15 @@ std::vector<FittingMark> fittingMarks(const Document& document);
 /// The one that the pointer hits: points before lines, lines before borders of zones.
 std::optional<FittingRef> fittingAt(const Document& document, const sulfur::Point& point,
                                     double reach);
+/// The particle or joint of a body that the pointer hits, particles before joints; of null a joint
+/// between two.
+std::optional<FittingRef> partAt(const Document& document, sulfur::BodyId body,
+                                 const sulfur::Point& point, double reach);
 /// Springs, cables and winches that a line from `a` to `b` crosses, in the order of the plan.
 std::vector<FittingRef> fittingsCrossing(const Document& document, const sulfur::Point& a,
                                          const sulfur::Point& b);
-/// Moves one by metres, as a part of the open edit: a zone, a thruster within its body, or a
-/// mechanism with its pegs. Of what has two ends the one that is nearer to `from`.
+/// Moves one by metres, as a part of the open edit: a zone, a thruster or a particle within its
+/// body, or a mechanism with its pegs. Joints stay. Of what has two ends the one that is nearer to `from`.
 void moveFitting(Document& document, const FittingRef& ref, const sulfur::Point& from,
                  const sulfur::Point& by);
 

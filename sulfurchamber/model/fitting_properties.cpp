@@ -112,7 +112,30 @@ Real* strengthOf(Fitting& fitting) {
     if (auto* weld = specOf<sulfur::scene::Weld>(fitting)) return &weld->options.strength;
     if (auto* pulley = specOf<sulfur::scene::Pulley>(fitting)) return &pulley->options.strength;
     if (auto* rope = specOf<sulfur::scene::Distance>(fitting)) return &rope->options.drive.strength;
+    if (auto* joint = std::get_if<JointPart>(&fitting)) return &joint->spec.strength;
     return nullptr;
+}
+template <Real sulfur::ParticleSpec::* member>
+Real* ofParticle(Fitting& fitting) {
+    auto* part = std::get_if<ParticlePart>(&fitting);
+    return part == nullptr ? nullptr : &(part->spec.*member);
+}
+template <Real sulfur::JointSpec::* member>
+Real* ofJoint(Fitting& fitting) {
+    auto* part = std::get_if<JointPart>(&fitting);
+    return part == nullptr ? nullptr : &(part->spec.*member);
+}
+template <int axis>
+Real* placeOf(Fitting& fitting) {
+    auto* part = std::get_if<ParticlePart>(&fitting);
+    return part == nullptr ? nullptr : &part->spec.position[axis];
+}
+Number getPinned(const Fitting& fitting) {
+    const auto* part = std::get_if<ParticlePart>(&fitting);
+    return part == nullptr ? std::nullopt : Number(part->spec.pinned ? 1 : 0);
+}
+void setPinned(Fitting& fitting, double value) {
+    present(std::get_if<ParticlePart>(&fitting)).spec.pinned = value > 0.5;
 }
 Real* ratioOf(Fitting& fitting) {
     if (auto* pulley = specOf<sulfur::scene::Pulley>(fitting)) return &pulley->options.ratio;
@@ -326,6 +349,27 @@ constexpr std::array allProperties{
                     1e5, cub, "", false, false, getReal<bendingDamperOf>, setReal<bendingDamperOf>},
     FittingProperty{"ratio", "Ratio", "", "How many times the second one counts", -100, 100, lin,
                     "", false, false, getReal<ratioOf>, setRatio},
+    FittingProperty{"joint-stiffness", "Stiffness", "N/m", "Of the joint", 0, 1e9, cub, "rigid",
+                    false, true, getReal<ofJoint<&sulfur::JointSpec::stiffness>>,
+                    setReal<ofJoint<&sulfur::JointSpec::stiffness>>},
+    FittingProperty{"joint-damping", "Damping", "N s/m", "Along the joint", 0, 1e6, cub, "", false,
+                    true, getReal<ofJoint<&sulfur::JointSpec::damping>>,
+                    setReal<ofJoint<&sulfur::JointSpec::damping>>},
+    FittingProperty{"joint-radius", "Radius", "m", "Half its thickness; 0: it touches nothing", 0,
+                    10, cub, "", false, true, getReal<ofJoint<&sulfur::JointSpec::radius>>,
+                    setReal<ofJoint<&sulfur::JointSpec::radius>>},
+    FittingProperty{"particle-mass", "Mass", "kg", "Of the particle", 1e-3, 1e4, log, "", false,
+                    true, getReal<ofParticle<&sulfur::ParticleSpec::mass>>,
+                    setReal<ofParticle<&sulfur::ParticleSpec::mass>>},
+    FittingProperty{"particle-radius", "Radius", "m", "Of its disc; 0: it touches nothing", 0, 10,
+                    cub, "", false, true, getReal<ofParticle<&sulfur::ParticleSpec::radius>>,
+                    setReal<ofParticle<&sulfur::ParticleSpec::radius>>},
+    FittingProperty{"particle-pinned", "Pinned", "", "1: it is held where it is", 0, 1, lin, "",
+                    true, true, getPinned, setPinned},
+    FittingProperty{"particle-x", "x", "m", "In the frame of its body", -1000, 1000, lin, "", false,
+                    true, getReal<placeOf<0>>, setReal<placeOf<0>>},
+    FittingProperty{"particle-y", "y", "m", "In the frame of its body", -1000, 1000, lin, "", false,
+                    true, getReal<placeOf<1>>, setReal<placeOf<1>>},
     FittingProperty{"strength", "Strength", "N", "The force at which it breaks", 1, 1e7, log,
                     "never", false, false, getReal<strengthOf>, setReal<strengthOf>},
     FittingProperty{"collide", "Bodies touch", "", "1: its bodies touch each other; 0: they pass",

@@ -34,7 +34,10 @@ public:
         const BodyId body = bench().bodyUnder(pointer);
         // Marks lie on bodies. While time runs these are what one wants to pull.
         if (!body || !document().playing()) {
-            if (const auto ref = fittingAt(document(), pointer.position, pointer.reach)) {
+            auto ref = partUnder(pointer, body);
+            if (!ref) ref = fittingAt(document(), pointer.position, pointer.reach);
+            if (!ref && !body) ref = partAt(document(), {}, pointer.position, pointer.reach);
+            if (ref) {
                 bench().chooseFitting(ref);
                 if (!document().playing()) doing_ = Doing::fitting;
                 return;
@@ -168,11 +171,29 @@ private:
             document().playing()
                 ? "Drag a body to pull it with a spring, or drag a frame to select"
                 : "Click to select, drag to move, with Alt a copy; handles turn and scale";
+        if (const auto ref = bench().fitting(); ref && ref->isPart())
+            return ref->kind == FittingRef::Kind::particle
+                       ? "Drag the particle to move it; Delete takes it away with its joints"
+                       : "Page Object has the numbers of the joint; Delete takes it away";
+        if (!document().playing() && bench().selection().size() == 1)
+            hint = "Drag to move, with Alt a copy; a double click takes a particle or joint alone";
         if (const std::size_t hidden = hiddenCount(document()); hidden > 0)
             hint = trCount("{} body is hidden and still simulated",
                            "{} bodies are hidden and still simulated", hidden) +
                    "; " + tr(hint);
         return hint;
+    }
+
+    // A second click on a body takes it out of its group, or else a single part of it, and what is
+    // chosen so can be dragged.
+    std::optional<FittingRef> partUnder(const Pointer& pointer, BodyId body) const {
+        const auto chosen = bench().fitting();
+        if (!body || (pointer.clicks < 2 && !(chosen && chosen->isPart()))) return std::nullopt;
+        const auto part = partAt(document(), body, pointer.position, pointer.reach);
+        if (part && part == chosen) return part;
+        const bool alone = bench().withGroup(body).size() == 1 ||
+                           bench().selection() == std::vector<BodyId>{body};
+        return pointer.clicks > 1 && alone ? part : std::nullopt;
     }
 
     // Less than the reach is a click.

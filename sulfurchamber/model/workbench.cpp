@@ -227,6 +227,8 @@ void Workbench::toggle(BodyId body) {
 // Mechanisms are known by their ids, others by their place.
 std::optional<FittingRef> Workbench::fitting() const {
     if (!chosen_) return std::nullopt;
+    if (chosen_->ref.isPart())
+        return document_.hasPart(chosen_->ref) ? std::optional(chosen_->ref) : std::nullopt;
     const auto describe = [&](const FittingRef& ref) {
         const Fitting is = document_.fitting(ref);
         const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);

@@ -39,6 +39,20 @@ void FittingPainter::paintZones() {
 void FittingPainter::paintMarks() {
     for (const FittingMark& mark : marks_)
         if (mark.ref.kind != FittingRef::Kind::zone) paint(mark);
+    paintPart();
+}
+
+// The particle or joint that is chosen.
+void FittingPainter::paintPart() {
+    const auto chosen = bench_.fitting();
+    if (!chosen || !chosen->isPart()) return;
+    const auto places = bench_.document().placesOf(*chosen);
+    if (places.size() == 2)
+        canvas_.line(Vec2(places[0]), Vec2(places[1]), 4 * pixel_, palette::ice);
+    for (const sulfur::Point& place : places) {
+        canvas_.circle(Vec2(place), 6 * pixel_, palette::ice);
+        canvas_.circle(Vec2(place), 4 * pixel_, palette::deep);
+    }
 }
 
 // A tinted pane with arrows that drift as what is in it does.

@@ -22,6 +22,7 @@ public:
     void paintKeys(const atlax::Font& font);
 
 private:
+    void paintPart();
     void paint(const FittingMark& mark);
     void paintZone(const FittingMark& mark);
     void paintPin(const FittingMark& mark, atlax::Color color);
