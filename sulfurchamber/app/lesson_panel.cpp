@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "small_button.hpp"
+#include "wrapped_text.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -132,9 +133,7 @@ void LessonPanel::wrap() {
     top_->SetOrientation(wide ? wxHORIZONTAL : wxVERTICAL);
     top_->GetItem(std::size_t{0})->SetFlag(wide ? int{wxALIGN_CENTRE_VERTICAL} : int{wxEXPAND});
     title_->SetMinSize(wxSize(FromDIP(40), title_->GetCharHeight()));
-    text_->SetLabel(words_);
-    text_->Wrap(std::max(FromDIP(160), width));
-    text_->InvalidateBestSize();
+    showWrapped(*text_, words_, std::max(FromDIP(160), width));
     InvalidateBestSize();
     SetMinSize(wxSize(-1, GetSizer()->CalcMin().GetHeight()));
 }

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "icons.hpp"
 #include "small_button.hpp"
+#include "wrapped_text.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -68,6 +70,10 @@ LevelPanel::LevelPanel(wxWindow* parent, Workbench& bench, LevelStage& stage,
     border->Add(all, wxSizerFlags(1).Expand().Border(wxALL, FromDIP(8)));
     SetSizer(border);
     SetScrollRate(0, FromDIP(12));
+    Bind(wxEVT_SIZE, [this](wxSizeEvent& event) {
+        event.Skip();
+        wrapProof();
+    });
     refresh();
 }
 
@@ -280,8 +286,15 @@ void LevelPanel::refreshProof() {
     const std::string text = desk.proofText();
     if (text == shownProof_) return;
     shownProof_ = text;
-    proof_->SetLabel(shownText(text));
-    proof_->Wrap(std::max(FromDIP(160), GetClientSize().GetWidth() - FromDIP(20)));
+    proofWidth_ = 0;
+    wrapProof();
+}
+
+// The width changes with the window and with the scroll bar.
+void LevelPanel::wrapProof() {
+    const int width = std::max(FromDIP(160), GetClientSize().GetWidth() - FromDIP(20));
+    if (std::exchange(proofWidth_, width) == width) return;
+    showWrapped(*proof_, shownText(shownProof_), width);
     FitInside();
     Layout();
 }

@@ -45,6 +45,7 @@ private:
     wxButton* button(const wxString& label, const wxString& help, const char* action);
 
     void refreshProof();
+    void wrapProof();
     void refreshProblems();
     void refreshThings();
     void refreshFields();
@@ -82,6 +83,7 @@ private:
     std::vector<std::string> shownProblems_;
     std::vector<std::string> shownThings_;
     std::string shownProof_;
+    int proofWidth_ = 0;  ///< at which it is wrapped
     std::optional<bool> wasLevel_;
 };
 

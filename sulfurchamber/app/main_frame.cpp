@@ -5,6 +5,7 @@
 #include <wx/arrstr.h>
 #include <wx/gdicmn.h>
 #include <wx/image.h>
+#include <wx/listctrl.h>
 #include <wx/menu.h>
 #include <wx/msgdlg.h>
 #include <wx/spinctrl.h>
@@ -206,18 +207,55 @@ std::string MainFrame::menuLabel(const std::string& name) const {
 
 namespace {
 
+// A number at the end of a line, and its unit on the next one.
+bool partsUnit(const wxString& line, const wxString& next) {
+    if (line.empty() || !wxIsdigit(line.Last())) return false;
+    wxString word = next.BeforeFirst(' ');
+    while (!word.empty() && wxIspunct(word.Last()) && word != "%") word.RemoveLast();
+    return word == "%" || word == "s" || word == "m" || word == "kg" || word == "N" || word == "J";
+}
+
+// A line may be too long for its text, and the lines too many.
+void addCutText(const wxStaticText& text, std::vector<std::string>& cut) {
+    if (text.GetLabelText().empty()) return;
+    const wxArrayString lines = wxSplit(text.GetLabelText(), '\n', '\0');
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (text.GetTextExtent(lines[i]).GetWidth() > text.GetSize().GetWidth() ||
+            (i > 0 && partsUnit(lines[i - 1], lines[i])))
+            cut.push_back(lines[i].utf8_string());
+    if (static_cast<int>(lines.size()) * text.GetCharHeight() > text.GetSize().GetHeight())
+        cut.push_back(text.GetLabelText().utf8_string());
+}
+
+// Words may be longer than their field, but neither numbers nor what an empty one says.
+void addCutText(const wxTextCtrl& field, std::vector<std::string>& cut) {
+    if (!field.IsEmpty() && !field.HasFlag(wxTE_RIGHT)) return;
+    const wxString text = field.IsEmpty() ? field.GetHint() : field.GetValue();
+    if (field.GetTextExtent(text).GetWidth() + field.FromDIP(fieldEdges) >
+        field.GetSize().GetWidth())
+        cut.push_back(text.utf8_string());
+}
+
+void addCutText(const wxListCtrl& list, std::vector<std::string>& cut) {
+    constexpr int edges = 8;  // pixels that the list keeps free
+    const auto look = [&](const wxString& text, int column) {
+        if (list.GetTextExtent(text).GetWidth() + edges > list.GetColumnWidth(column))
+            cut.push_back(text.utf8_string());
+    };
+    for (int column = 0; column < list.GetColumnCount(); ++column) {
+        wxListItem head;
+        head.SetMask(wxLIST_MASK_TEXT);
+        if (list.GetColumn(column, head)) look(head.GetText(), column);
+        for (int row = 0; row < list.GetItemCount(); ++row)
+            look(list.GetItemText(row, column), column);
+    }
+}
+
 void addCutTexts(const wxWindow& window, std::vector<std::string>& cut) {
     if (!window.IsShown()) return;
-    if (const auto* text = dynamic_cast<const wxStaticText*>(&window)) {
-        for (const wxString& line : wxSplit(text->GetLabelText(), '\n', '\0'))
-            if (text->GetTextExtent(line).GetWidth() > text->GetSize().GetWidth())
-                cut.push_back(line.utf8_string());
-    }
-    if (const auto* field = dynamic_cast<const wxTextCtrl*>(&window); field && field->IsEmpty())
-        if (const wxString hint = field->GetHint();
-            field->GetTextExtent(hint).GetWidth() + window.FromDIP(fieldEdges) >
-            field->GetSize().GetWidth())
-            cut.push_back(hint.utf8_string());
+    if (const auto* text = dynamic_cast<const wxStaticText*>(&window)) addCutText(*text, cut);
+    if (const auto* field = dynamic_cast<const wxTextCtrl*>(&window)) addCutText(*field, cut);
+    if (const auto* list = dynamic_cast<const wxListCtrl*>(&window)) addCutText(*list, cut);
     for (const wxWindow* child : window.GetChildren()) addCutTexts(*child, cut);
 }
 
@@ -246,6 +284,7 @@ std::vector<std::string> MainFrame::cutTexts() const {
     for (std::size_t i = 0; i < GetMenuBar()->GetMenuCount(); ++i)
         addHighMenus(*this, *GetMenuBar()->GetMenu(i), GetMenuBar()->GetMenuLabelText(i), cut);
     addCutTexts(*centre_, cut);
+    if (const wxWindow* experiment = table4_.get()) addCutTexts(*experiment, cut);
     for (int i = 0; i < GetStatusBar()->GetFieldsCount(); ++i) {
         wxRect place;
         GetStatusBar()->GetFieldRect(i, place);

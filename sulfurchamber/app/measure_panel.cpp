@@ -10,6 +10,7 @@
 #include "../model/stage_times.hpp"
 #include "../view/meter_painter.hpp"
 #include "small_button.hpp"
+#include "wrapped_text.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -172,8 +173,8 @@ void MeasurePanel::refreshTextbook() {
             "The textbook scenes among the examples (F1) compare a formula with what happens.");
     const std::size_t count = std::min(findings.size(), mostFindings);
     if (advice_->GetLabel() != advice || count != shownBlocks_) {
-        advice_->SetLabel(advice);
-        advice_->Wrap(std::max(FromDIP(120), GetClientSize().GetWidth() - FromDIP(20)));
+        showWrapped(*advice_, advice,
+                    std::max(FromDIP(120), GetClientSize().GetWidth() - FromDIP(20)));
         advice_->Show(!advice.empty());
         for (std::size_t i = 0; i < mostFindings; ++i)
             for (wxWindow* window : blocks_[i].all) window->Show(i < count);
@@ -190,8 +191,8 @@ void MeasurePanel::show(Block& block, const Finding& finding) {
     const wxString formula = wxTr(finding.formula);
     if (block.formula->GetToolTipText() != formula) {
         block.formula->SetToolTip(formula);
-        block.formula->SetLabel(formula);
-        block.formula->Wrap(std::max(FromDIP(120), GetClientSize().GetWidth() - FromDIP(20)));
+        showWrapped(*block.formula, formula,
+                    std::max(FromDIP(120), GetClientSize().GetWidth() - FromDIP(20)));
         FitInside();
         Layout();
     }
@@ -275,9 +276,9 @@ void MeasurePanel::refreshSearch() {
         text = wxTr("Trying\xE2\x80\xA6 {} %", {fixed(costs_->progress() * 100, 0)});
     }
     if (found_->GetLabel() == text) return;
-    found_->SetLabel(text);
-    found_->Wrap(std::max(FromDIP(120), GetClientSize().GetWidth() - FromDIP(20)));
+    showWrapped(*found_, text, std::max(FromDIP(120), GetClientSize().GetWidth() - FromDIP(20)));
     FitInside();
+    Layout();
 }
 
 }  // namespace sulfurchamber

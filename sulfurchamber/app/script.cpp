@@ -111,7 +111,7 @@ std::string scriptHelp() {
            "                          lets time pass, does it with all selected, and fails\n"
            "                          if it refuses, or unless undo takes it back\n"
            "  every-key FILE TICKS [BUT...]   the same with keys, which are pressed\n"
-           "  whole                   fails if a text of the window is cut\n"
+           "  whole                   fails if a text or a number of the window is cut\n"
            "  quit                    also what follows the last line\n";
 }
 
