@@ -13,11 +13,15 @@ namespace {
 constexpr int sliderSteps = 1000;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+// Six digits, or three and a power of ten: nothing that it gives is wider than these.
+constexpr const char* widest = "-88888.8";
+constexpr const char* widestLarge = "-8.88e88";
 wxString shortNumber(double value) {
     const double size = std::abs(value);
     if (size >= 1e5) {
         wxString text = wxString::Format("%.3g", value);
         text.Replace("e+0", "e");
+        text.Replace("e+", "e");
         return text;
     }
     return wxString::Format("%g", std::round(value * 1000) / 1000 + 0.0);  // never "-0"
@@ -45,21 +49,19 @@ void ValueRow::makeTop(wxWindow* parent) {
                              wxST_ELLIPSIZE_END);
     number_ = new wxTextCtrl(parent, wxID_ANY, "", wxDefaultPosition, wxDefaultSize,
                              wxTE_RIGHT | wxTE_PROCESS_ENTER);
-    const int words = number_->GetTextExtent(wxTr("mixed")).x + parent->FromDIP(fieldEdges);
-    number_->SetMinSize({std::max(parent->FromDIP(58), words), -1});
+    int room = 0;
+    for (const wxString& text : {wxString(widest), wxString(widestLarge), wxTr("mixed")})
+        room = std::max(room, number_->GetTextExtent(text).x);
+    number_->SetMinSize({room + parent->FromDIP(fieldEdges), -1});
     auto* unit = new wxStaticText(parent, wxID_ANY, spec_.unit);
     // One below the other, but for long ones such as "N m s/rad".
     unit->SetMinSize({std::max(parent->FromDIP(42), unit->GetTextExtent(spec_.unit).x + 1), -1});
-    revert_ = new wxBitmapButton(parent, wxID_ANY, icon("revert"), wxDefaultPosition, wxDefaultSize,
-                                 wxBU_EXACTFIT | wxBORDER_NONE);
-    revert_->SetToolTip(wxTr("Back to what the scene began with"));
     top_->Add(name_, wxSizerFlags(1).CentreVertical());
     top_->Add(number_, wxSizerFlags(0).CentreVertical());
     top_->Add(unit, wxSizerFlags(0).CentreVertical().Border(wxLEFT, parent->FromDIP(4)));
-    top_->Add(revert_, wxSizerFlags(0).CentreVertical());
 }
 
-// The slider between the ends of its range.
+// The slider between the ends of its range, and the button, for which names leave no room above.
 void ValueRow::makeSlider(wxWindow* parent) {
     bottom_ = new wxBoxSizer(wxHORIZONTAL);
     slider_ = new wxSlider(parent, wxID_ANY, 0, 0, sliderSteps);
@@ -72,6 +74,10 @@ void ValueRow::makeSlider(wxWindow* parent) {
     end(shortNumber(spec_.low));
     bottom_->Add(slider_, wxSizerFlags(1).CentreVertical());
     end(spec_.endless.empty() ? shortNumber(spec_.high) : spec_.endless);
+    revert_ = new wxBitmapButton(parent, wxID_ANY, icon("revert"), wxDefaultPosition, wxDefaultSize,
+                                 wxBU_EXACTFIT | wxBORDER_NONE);
+    revert_->SetToolTip(wxTr("Back to what the scene began with"));
+    bottom_->Add(revert_, wxSizerFlags(0).CentreVertical());
 }
 
 void ValueRow::bind() {

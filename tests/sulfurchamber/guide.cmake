@@ -150,6 +150,12 @@ open ${SCENES}/car.json
 do select-all
 do page-object
 whole
+tool jelly
+drag -2 1 -1.2 1.6
+property mass 4985.12
+property damping 1234.56
+whole
+do select-all
 do page-library
 whole
 do plot

@@ -99,8 +99,9 @@ foreach(size 640x480 900x600 1280x800 3840x2160)
     string(APPEND script "tool ${tool}\nwhole\n")
   endforeach()
   string(APPEND script "do page-object\nwhole\ndo select-all\nwhole\ndo page-history\nwhole\ndo page-outline\nwhole\n")
-  # A verdict of two lines.
-  string(APPEND script "open ${SCENES}/../../levels/01-cold-wake.json\ndo page-level\nwhole\n"
+  # Numbers of many digits, and a verdict of two lines.
+  string(APPEND script "do new\ndo page-object\ntool jelly\ndrag 2 3 3 4\nproperty mass 4985.12\nproperty x -13.642\n"
+    "whole\nopen ${SCENES}/../../levels/01-cold-wake.json\ndo page-level\nwhole\n"
     "open ${SCENES}/jelly-tower.json\n")
   file(WRITE ${WORK}/whole.txt "${script}screenshot ${WORK}/${size}.png\nrun 0.2\nwhole\n")
   run(0 ${XVFB_RUN} -a -s "-screen 0 ${size}x24" ${PROGRAM} --width ${width} --height ${height}
