@@ -19,6 +19,8 @@
 namespace sulfurchamber {
 namespace {
 
+constexpr int columnEdges = 16;  // of a column beside its texts, in pixels of a usual screen
+
 struct Curve {
     wxString name;
     wxColour colour;
@@ -143,11 +145,12 @@ Table4Window::Table4Window(wxWindow* parent, Choose choose,
     auto* panel = new wxPanel(this);
     auto* words = new wxStaticText(
         panel, wxID_ANY,
-        wxTr("Share of a processor core that physics takes while boxes of 1 m drop, the mean of "
-             "10 s. The paper's machines are those of 2014 and before."));
+        wxTr(
+            "Share of a processor core that physics takes while boxes of 1\xC2\xA0m drop, the mean "
+            "of 10\xC2\xA0s. The paper's machines are those of 2014 and before."));
     words->Wrap(FromDIP(560));
     diagram_ = new Diagram(panel, table_);
-    list_ = new wxListView(panel, wxID_ANY, wxDefaultPosition, FromDIP(wxSize(580, 128)),
+    list_ = new wxListView(panel, wxID_ANY, wxDefaultPosition, wxDefaultSize,
                            wxLC_REPORT | wxLC_SINGLE_SEL);
     makeTable();
     progress_ = new wxGauge(panel, wxID_ANY, 1000);
@@ -194,9 +197,18 @@ void Table4Window::begin(double seconds) {
 
 // A line for each machine; ours is the last.
 void Table4Window::makeTable() {
-    list_->AppendColumn(wxTr("Boxes a second"), wxLIST_FORMAT_LEFT, FromDIP(190));
-    for (const int rate : table4Rates())
+    const wxString heading = wxTr("Boxes a second");
+    const wxString own = wxTr("This machine");
+    int names = std::max(GetTextExtent(heading).x, GetTextExtent(own).x);
+    for (const Table4Machine& machine : table4Machines())
+        names = std::max(names, GetTextExtent(wxString::FromUTF8(machine.name)).x);
+    int width = names + FromDIP(columnEdges);
+    list_->AppendColumn(heading, wxLIST_FORMAT_LEFT, width);
+    for (const int rate : table4Rates()) {
         list_->AppendColumn(wxString::Format("%d", rate), wxLIST_FORMAT_RIGHT, FromDIP(54));
+        width += FromDIP(54);
+    }
+    list_->SetMinSize(wxSize(width + FromDIP(columnEdges), FromDIP(128)));
     long row = 0;
     for (const Table4Machine& machine : table4Machines()) {
         list_->InsertItem(row, wxString::FromUTF8(machine.name));
@@ -205,7 +217,7 @@ void Table4Window::makeTable() {
                            wxString::Format("%.0f %%", machine.percent[i]));
         ++row;
     }
-    list_->InsertItem(row, wxTr("This machine"));
+    list_->InsertItem(row, own);
 }
 
 void Table4Window::refresh() {
@@ -223,7 +235,7 @@ void Table4Window::refresh() {
         }
     }
     progress_->SetValue(static_cast<int>(table_.progress() * 1000));
-    const wxString label = table_.running() ? "Stop" : "Run again";
+    const wxString label = wxTr(table_.running() ? "Stop" : "Run again");
     if (run_->GetLabel() != label) run_->SetLabel(label);
 }
 

@@ -141,7 +141,9 @@ do lesson-level
 whole
 ${skipped}do lesson-end
 do page-measure
-${laws}do language-system
+${laws}table4 0.02
+whole
+do language-system
 ")
   run_window(0 --language ${language} --script ${WORK}/${language}.txt)
   # In the smallest window too.

@@ -157,6 +157,7 @@ do table4
 run 0.2
 table4 0.5
 expect table4.cells = 7
+whole                       # no column is cut, no number without its unit
 save-table4 ${WORK}/table4.csv
 save-table4 ${WORK}/table4.png
 screenshot ${WORK}/table4_window.png
