@@ -1,5 +1,7 @@
 #include "properties_panel.hpp"
 
+#include <wx/colordlg.h>
+#include <wx/dcmemory.h>
 #include <wx/sizer.h>
 
 #include <algorithm>
@@ -11,6 +13,23 @@
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
+namespace {
+
+// A swatch of several colours.
+wxBitmap striped(const std::vector<wxColour>& colours, const wxSize& size) {
+    wxBitmap bitmap(size);
+    wxMemoryDC dc(bitmap);
+    dc.SetPen(*wxTRANSPARENT_PEN);
+    const int count = static_cast<int>(colours.size());
+    for (int i = 0; i < count; ++i) {
+        dc.SetBrush(wxBrush(colours[static_cast<std::size_t>(i)]));
+        const int from = size.x * i / count;
+        dc.DrawRectangle(from, 0, size.x * (i + 1) / count - from, size.y);
+    }
+    return bitmap;
+}
+
+}  // namespace
 
 PropertiesPanel::PropertiesPanel(wxWindow* parent, Workbench& bench,
                                  const std::function<void(const std::string&)>& run,
@@ -84,7 +103,11 @@ void PropertiesPanel::makeLook(wxSizer* table) {
                                      FromDIP(wxSize(52, -1)));
     ownColour_ = smallButton(this, wxTr("Usual"));
     ownColour_->SetToolTip(wxTr("Back to the colour that the scene gives it"));
+    colours_ = new wxBitmapButton(this, wxID_ANY, striped({*wxWHITE}, FromDIP(wxSize(44, 16))));
+    colours_->SetMinSize(FromDIP(wxSize(52, -1)));
+    colours_->SetToolTip(wxTr("They have several"));
     row->Add(colour_, wxSizerFlags(1).Expand());
+    row->Add(colours_, wxSizerFlags(1).Expand());
     row->Add(ownColour_, wxSizerFlags(0).Expand().Border(wxLEFT, FromDIP(4)));
     colourName_ = new wxStaticText(this, wxID_ANY, wxTr("Colour"));
     table->Add(colourName_, wxSizerFlags(0).CentreVertical());
@@ -143,10 +166,15 @@ void PropertiesPanel::bindHead() {
         change(on ? "Hold in place" : "Let go",
                [&] { holdInPlace(bench_.document(), bench_.selection(), on); });
     });
-    colour_->Bind(wxEVT_COLOURPICKER_CHANGED, [this](wxColourPickerEvent& event) {
-        const std::string text =
-            event.GetColour().GetAsString(wxC2S_HTML_SYNTAX).Lower().utf8_string();
+    const auto dye = [this](const wxColour& wanted) {
+        const std::string text = wanted.GetAsString(wxC2S_HTML_SYNTAX).Lower().utf8_string();
         change("Colour", [&] { setColour(bench_.document(), bench_.selection(), text); });
+    };
+    colour_->Bind(wxEVT_COLOURPICKER_CHANGED,
+                  [dye](wxColourPickerEvent& event) { dye(event.GetColour()); });
+    colours_->Bind(wxEVT_BUTTON, [this, dye](wxCommandEvent&) {
+        const wxColour wanted = wxGetColourFromUser(this, colour_->GetColour());
+        if (wanted.IsOk()) dye(wanted);
     });
     ownColour_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) {
         change("Usual colour", [&] { setColour(bench_.document(), bench_.selection(), ""); });
@@ -277,15 +305,6 @@ void PropertiesPanel::showHead() {
     preset_->SetSelection(0);
     const auto held = heldInPlace(document, bodies);
     held_->Set3StateValue(!held ? wxCHK_UNDETERMINED : *held ? wxCHK_CHECKED : wxCHK_UNCHECKED);
-    const auto own = colour(document, bodies);
-    // Without one of its own it has the scene's colour for what is soft or rigid.
-    const auto stiffness = common(document, bodies, *numberProperty("stiffness"));
-    const bool soft = stiffness.value && std::isfinite(*stiffness.value);
-    const wxColour usual = soft ? wxColour(0xFF, 0xB3, 0x47) : wxColour(0x6F, 0xA8, 0xDC);
-    colour_->SetColour(own && !own->empty() ? wxColour(wxString::FromUTF8(*own)) : usual);
-    ownColour_->Enable(!own || !own->empty());
-    colourName_->SetLabel(wxTr(own ? "Colour" : "Colours"));
-    colourName_->SetToolTip(own ? wxString() : wxTr("They have several"));
     const auto skin = skinOf(document, bodies);
     skin_->ChangeValue(wxString::FromUTF8(skin.value_or("")));
     skin_->SetHint(skin || bodies.empty() ? wxString() : wxTr("mixed"));
@@ -304,6 +323,27 @@ void PropertiesPanel::showSwitches() {
     const auto properties = switchProperties();
     for (std::size_t i = 0; i < properties.size(); ++i)
         show(*switches_[i], common(document, bodies, properties[i]).on);
+}
+
+void PropertiesPanel::showColours() {
+    const Document& document = bench_.document();
+    const auto& bodies = bench_.selection();
+    const auto own = colour(document, bodies);
+    std::vector<wxColour> shown;
+    for (const std::string& text : shownColours(document, bodies))
+        shown.emplace_back(wxString::FromUTF8(text));
+    const bool several = shown.size() > 1;
+    if (!shown.empty()) colour_->SetColour(shown.front());
+    if (several && shown != stripes_) {
+        stripes_ = shown;
+        colours_->SetBitmap(striped(shown, FromDIP(wxSize(44, 16))));
+    }
+    ownColour_->Enable(!own || !own->empty());
+    colourName_->SetLabel(wxTr(several ? "Colours" : "Colour"));
+    colourName_->SetToolTip(several ? wxTr("They have several") : wxString());
+    // What hides all of a page shows all of it again.
+    colour_->Show(!several && !bodies.empty());
+    colours_->Show(several);
 }
 
 // What differs from the template is marked, here and in the rows.
@@ -344,6 +384,7 @@ void PropertiesPanel::refresh() {
             for (Number& number : numbers_) number.first = number.now;
         showHead();
         body_->ShowItems(!bodies.empty());
+        showColours();
         skinSection_->read();
         showMembership();
         for (Number& number : numbers_) number.row->show(!bodies.empty() && number.now.applies);

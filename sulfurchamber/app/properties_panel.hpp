@@ -1,6 +1,7 @@
 // A page of the side panel: what is selected, one body or many, and its properties.
 #pragma once
 
+#include <wx/bmpbuttn.h>
 #include <wx/button.h>
 #include <wx/checkbox.h>
 #include <wx/choice.h>
@@ -37,6 +38,8 @@ public:
 
     /// Shows what is selected now. Cheap; may be called often.
     void refresh();
+    /// Of the swatch, which has a stripe for each.
+    std::size_t swatchColours() const { return colours_->IsShown() ? stripes_.size() : 1; }
 
 private:
     void makeHead(wxSizer* sizer);
@@ -52,6 +55,7 @@ private:
     void rename();
     void readSelection();
     void showHead();
+    void showColours();
     void showMembership();
 
     Workbench& bench_;
@@ -63,6 +67,8 @@ private:
     wxChoice* preset_ = nullptr;
     wxCheckBox* held_ = nullptr;
     wxColourPickerCtrl* colour_ = nullptr;
+    wxBitmapButton* colours_ = nullptr;  ///< instead of it where they have several
+    std::vector<wxColour> stripes_;      ///< that it shows
     wxButton* ownColour_ = nullptr;
     wxStaticText* colourName_ = nullptr;
     wxTextCtrl* skin_ = nullptr;

@@ -94,6 +94,7 @@ std::string scriptHelp() {
            "                          page (of the side panel, the first is 1)\n"
            "                          instances overrides (of what is selected) templates (shown)\n"
            "                          skins (bodies that wear one)\n"
+           "                          swatch (colours that the page Object shows)\n"
            "                          pictures (of templates that are still to come)\n"
            "                          slide-cost (ms of processor time a frame of the last slide)\n"
            "                          level.things level.problems level.checked level.proof\n"

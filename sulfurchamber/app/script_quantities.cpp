@@ -10,6 +10,7 @@
 #include "../model/transform.hpp"
 #include "library_panel.hpp"
 #include "outline_panel.hpp"
+#include "properties_panel.hpp"
 #include "script.hpp"
 
 namespace sulfurchamber {
@@ -104,6 +105,7 @@ double Script::quantity(const std::string& name) const {
     }
     if (name == "templates")
         return static_cast<double>(frame_.side().library().grid().items().size());
+    if (name == "swatch") return static_cast<double>(frame_.side().properties().swatchColours());
     if (name == "skins") {
         std::size_t count = 0;
         for (const auto& body : document.scene().bodies)

@@ -36,6 +36,7 @@ public:
     /// Brings a page to the front: "scene", "object", "history", "measure", "outline", "library",
     /// or one that was added. False when there is no such page.
     bool showPage(const std::string& name);
+    const PropertiesPanel& properties() const { return *properties_; }
     MeasurePanel& measures() { return *measures_; }
     OutlinePanel& outline() { return *outline_; }
 

@@ -423,6 +423,22 @@ std::optional<std::string> colour(const Document& document, std::span<const Body
     return same;
 }
 
+std::vector<std::string> shownColours(const Document& document, std::span<const BodyId> bodies) {
+    std::vector<std::string> colours;
+    for (const BodyId body : bodies) {
+        const std::string id = document.idOf(body);
+        std::string own = id.empty() ? "" : colourOf(document.plan().body(id));
+        if (own.empty()) {
+            const auto stiffness =
+                common(document, std::span(&body, 1), *numberProperty("stiffness")).value;
+            own = stiffness && std::isfinite(*stiffness) ? "#ffb347" : "#6fa8dc";
+        }
+        if (std::find(colours.begin(), colours.end(), own) == colours.end())
+            colours.push_back(std::move(own));
+    }
+    return colours;
+}
+
 void setColour(Document& document, std::span<const BodyId> bodies, const std::string& colour) {
     for (const BodyId body : bodies) {
         const std::string id = document.idOf(body);

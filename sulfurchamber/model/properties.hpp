@@ -72,6 +72,10 @@ void holdInPlace(Document& document, std::span<const sulfur::BodyId> bodies, boo
 std::optional<std::string> colour(const Document& document, std::span<const sulfur::BodyId> bodies);
 void setColour(Document& document, std::span<const sulfur::BodyId> bodies,
                const std::string& colour);
+/// In which they are seen, each once, in the order of the bodies. Who has none of its own has that
+/// of the scene for what is soft or rigid.
+std::vector<std::string> shownColours(const Document& document,
+                                      std::span<const sulfur::BodyId> bodies);
 /// Of one body of the plan; "" where it has none.
 std::string colourOf(const sulfur::scene::Placement& body);
 

@@ -244,6 +244,25 @@ TEST(Properties, ColoursAreKeptInFiles) {
     EXPECT_EQ(again.text().find("color"), std::string::npos);
 }
 
+TEST(Properties, ColoursThatDifferAreAllShown) {
+    Document document;
+    place(document, "box", shapes::BoxOptions{});
+    place(document, "crate", shapes::BoxOptions{}, {0, 5});
+    place(document, "jelly", shapes::JellyOptions{}, {0, 7});
+    const auto shown = [&](std::initializer_list<const char*> names) {
+        std::vector<BodyId> bodies;
+        for (const char* name : names) bodies.push_back(document.bodyOf(name));
+        return shownColours(document, bodies);
+    };
+    using Colours = std::vector<std::string>;
+    EXPECT_EQ(shown({"box", "crate"}), Colours{"#6fa8dc"});
+    EXPECT_EQ(shown({"box", "jelly"}), (Colours{"#6fa8dc", "#ffb347"}));
+    document.edit("Colour",
+                  [&] { setColour(document, std::vector{document.bodyOf("crate")}, "#cc2211"); });
+    EXPECT_EQ(shown({"box", "crate", "jelly"}), (Colours{"#6fa8dc", "#cc2211", "#ffb347"}));
+    EXPECT_EQ(shown({"crate"}), Colours{"#cc2211"});
+}
+
 TEST(Properties, ANameIsThePlansAndOnce) {
     Document document;
     place(document, "box", shapes::BoxOptions{});

@@ -179,6 +179,15 @@ do mirror
 do larger
 expect property.mass > 5.9
 screenshot ${WORK}/handles.png
+do page-object
+select box
+colour cc2211
+whole
+expect swatch = 1
+do select-all
+whole
+expect swatch = 3           # red, soft, and the blue floor
+screenshot ${WORK}/colours.png
 do page-history
 screenshot ${WORK}/history.png
 ")
