@@ -56,19 +56,9 @@ void MainFrame::addEditActions() {
     const auto copyable = [this] { return bench_.canCopy(); };
     const auto anything = [this] { return bench_.anythingSelected(); };
     add({"undo", m, "&Undo\tCtrl+Z", 0, "Back to the moment before the last change", "undo",
-         [this] {
-             bench_.cancel();
-             bench_.document().undo();
-             bench_.documentChanged();
-         },
-         [this] { return bench_.document().canUndo(); }});
+         [this] { bench_.undo(); }, [this] { return bench_.document().canUndo(); }});
     add({"redo", m, "&Redo\tCtrl+Shift+Z", 0, "Do the undone change again", "redo",
-         [this] {
-             bench_.cancel();
-             bench_.document().redo();
-             bench_.documentChanged();
-         },
-         [this] { return bench_.document().canRedo(); }});
+         [this] { bench_.redo(); }, [this] { return bench_.document().canRedo(); }});
     add({"cut", m, "Cu&t\tCtrl+X", 0, "Put the selection into the clipboard and remove it", "",
          [this] { canvas_->platform().setClipboard(bench_.cut()); }, copyable})
         .separatorBefore = true;

@@ -37,12 +37,7 @@ void SidePanel::makeHistory() {
     history_->SetToolTip(wxTr("All steps; a click goes back or forth to one"));
     addPage("history", history_, "History");
     history_->Bind(wxEVT_LISTBOX, [this](wxCommandEvent& event) {
-        const auto wanted = static_cast<std::size_t>(std::max(0, event.GetInt()));
-        Document& document = bench_.document();
-        bench_.cancel();
-        while (document.historyPlace() > wanted && document.canUndo()) document.undo();
-        while (document.historyPlace() < wanted && document.canRedo()) document.redo();
-        bench_.documentChanged();
+        bench_.goToStep(static_cast<std::size_t>(std::max(0, event.GetInt())));
     });
 }
 

@@ -160,6 +160,63 @@ void Workbench::tick() {
     if (trailing_) trails_.sample(document_.world());
 }
 
+// --- history ---------------------------------------------------------------------------------
+
+namespace {
+
+std::vector<std::string> namesOf(const Document& document) {
+    std::vector<std::string> names;
+    for (const auto& body : document.scene().bodies) names.push_back(body.id);
+    return names;
+}
+
+// A step that leaves as many bodies, with a new name at the place of another, has renamed one.
+void followNames(std::vector<std::string>& chosen, const std::vector<std::string>& before,
+                 const std::vector<std::string>& after) {
+    if (before.size() != after.size() || before == after) return;
+    const std::set<std::string> known(before.begin(), before.end());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        if (before[i] != after[i] && !known.contains(after[i]))
+            std::replace(chosen.begin(), chosen.end(), before[i], after[i]);
+}
+
+}  // namespace
+
+void Workbench::undo() {
+    cancel();
+    if (const std::size_t place = document_.historyPlace(); place > 0) goToStep(place - 1);
+}
+
+void Workbench::redo() {
+    cancel();
+    goToStep(document_.historyPlace() + 1);
+}
+
+void Workbench::goToStep(std::size_t steps) {
+    cancel();
+    std::vector<std::string> chosen;
+    for (const BodyId body : selection_) chosen.push_back(document_.idOf(body));
+    const auto go = [&](void (Document::*step)()) {
+        const auto before = chosen.empty() ? std::vector<std::string>() : namesOf(document_);
+        (document_.*step)();
+        if (!chosen.empty()) followNames(chosen, before, namesOf(document_));
+    };
+    while (document_.historyPlace() > steps && document_.canUndo()) go(&Document::undo);
+    while (document_.historyPlace() < steps && document_.canRedo()) go(&Document::redo);
+    if (!chosen.empty()) selectAgain(chosen);
+    documentChanged();
+}
+
+// Bodies of the plan by their names, beside the pieces that are still selected.
+void Workbench::selectAgain(const std::vector<std::string>& names) {
+    const std::set<std::string> wanted(names.begin(), names.end());
+    std::vector<BodyId> bodies = selection_;
+    for (const BodyId body : document_.world().bodies())
+        if (const std::string id = document_.idOf(body); !id.empty() && wanted.contains(id))
+            bodies.push_back(body);
+    setSelection(std::move(bodies));
+}
+
 // --- selection -------------------------------------------------------------------------------
 
 bool Workbench::selected(BodyId body) const {

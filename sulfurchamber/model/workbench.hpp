@@ -187,6 +187,14 @@ public:
     Controls& controls() { return controls_; }
     const Controls& controls() const { return controls_; }
 
+    // -- history --
+
+    /// A step back or forth. What is selected stays so, as far as it is there then.
+    void undo();
+    void redo();
+    /// The same for several: to where so many steps are done. There it ends at either end.
+    void goToStep(std::size_t steps);
+
     // -- selection --
 
     const std::vector<sulfur::BodyId>& selection() const { return selection_; }
@@ -299,6 +307,7 @@ private:
     void dropBox(Drop kind, double width);
     void followHandles(const std::function<sulfur::BodyId(sulfur::BodyId)>& now);
     void forgetRemoved();
+    void selectAgain(const std::vector<std::string>& names);
     void setSelection(std::vector<sulfur::BodyId> bodies);
     void watchSelection(bool plotting = false);
     void deleteThings();

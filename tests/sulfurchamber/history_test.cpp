@@ -449,6 +449,60 @@ TEST(History, StaysWholeWhileOneRewindsAndBranches) {
     }
 }
 
+TEST(History, KeepsWhatIsSelectedAsFarAsItIsThere) {
+    Workbench bench;
+    const Document& document = bench.document();
+    const auto names = [&] {
+        std::vector<std::string> found;
+        for (const sulfur::BodyId body : bench.selection()) found.push_back(document.idOf(body));
+        std::sort(found.begin(), found.end());
+        return found;
+    };
+    using Names = std::vector<std::string>;
+    const auto click = [&](ToolKind tool, const sulfur::Point& from, const sulfur::Point& to) {
+        bench.setTool(tool);
+        bench.press({.position = from, .reach = 0.05});
+        bench.move({.position = to, .reach = 0.05});
+        bench.release({.position = to, .reach = 0.05});
+    };
+    click(ToolKind::box, {-3, 3}, {-2, 4});
+    click(ToolKind::particle, {0, 2}, {0, 2});
+    click(ToolKind::particle, {1, 2}, {1, 2});
+    click(ToolKind::joint, {0, 2}, {1, 2});
+    const std::string pair = document.scene().bodies.back().id;
+    click(ToolKind::particle, {2, 2}, {2, 2});
+    click(ToolKind::joint, {1, 2}, {2, 2});
+    ASSERT_EQ(document.plan().blueprint(pair).particles.size(), 3u);
+    bench.select({document.bodyOf("box"), document.bodyOf(pair)});
+    bench.undo();  // the joint: the body has a particle less
+    EXPECT_EQ(names(), (Names{"box", pair}));
+    bench.redo();
+    EXPECT_EQ(names(), (Names{"box", pair}));
+    // Another name is no other body.
+    bench.select({document.bodyOf("box")});
+    bench.document().edit("Rename",
+                          [&] { bench.document().rename(bench.selection()[0], "crate"); });
+    EXPECT_EQ(names(), Names{"crate"});
+    bench.undo();
+    EXPECT_EQ(names(), Names{"box"});
+    bench.redo();
+    EXPECT_EQ(names(), Names{"crate"});
+    // In a moment, over many steps, and where only one of two is there.
+    bench.select({document.bodyOf("crate"), document.bodyOf(pair)});
+    for (int i = 0; i < 50; ++i) bench.tick();
+    bench.nudge({0, 1});
+    const std::size_t steps = document.historyPlace();
+    bench.goToStep(steps - 1);
+    EXPECT_EQ(names(), (Names{"crate", pair}));
+    bench.goToStep(1);
+    EXPECT_EQ(names(), Names{"box"});
+    bench.goToStep(1000);
+    EXPECT_EQ(document.historyPlace(), steps);
+    EXPECT_EQ(names(), Names{"crate"});
+    bench.goToStep(0);
+    EXPECT_TRUE(names().empty());
+}
+
 TEST(History, HasNoEnd) {
     Document document;
     document.edit("Add wall", [&] {
