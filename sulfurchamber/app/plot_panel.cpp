@@ -28,7 +28,7 @@ constexpr int axisWidth = 50;
 constexpr int timeHeight = 18;
 constexpr int topMargin = 8;
 constexpr std::int64_t fitEveryNs = 1'000'000'000;  // while it plays
-constexpr std::size_t mostTold = 6;                 // series in the legend
+constexpr std::size_t mostTold = 7;                 // lines of the legend
 
 struct Ink {
     wxColour paper, grid, text, now;
@@ -101,7 +101,7 @@ public:
             paintSeries(g, size, time, i, ink.series[i % ink.series.size()]);
         paintNow(g, size, time, ink);
         g.ResetClip();
-        paintLegend(g, time, ink);
+        paintLegend(g, size, time, ink);
     }
 
     PlotScale timeScale(const wxSize& size) const {
@@ -270,24 +270,41 @@ private:
                         std::abs(*pointer_ - *dragFrom_), bottom - FromDIP(topMargin));
     }
 
-    // What each curve is, with its value under the cursor, or now.
-    void paintLegend(wxGraphicsContext& g, const PlotScale& time, const Ink& ink) {
+    // What each curve is, with its value under the cursor, or now, over a third of the diagram.
+    void paintLegend(wxGraphicsContext& g, const wxSize& size, const PlotScale& time,
+                     const Ink& ink) {
         const double at = cursor().value_or(bench_.document().world().time());
         double y = FromDIP(topMargin + 2);
         const double x = time.from + FromDIP(8);
         bool any = false;
-        for (std::size_t i = 0; i < std::min(series().size(), mostTold); ++i) {
+        std::vector<std::string> values(series().size());
+        std::vector<std::string> fitted(series().size());
+        for (std::size_t i = 0; i < series().size(); ++i) {
             const Series& one = series()[i];
-            std::string words = one.title();
             if (const auto sample = nearest(one.samples, at)) {
                 std::array<char, 32> value{};
                 std::snprintf(value.data(), value.size(), ": %.4g ", sample->value);
-                words += value.data() + std::string(one.quantity->unit);
+                values[i] = value.data() + std::string(one.quantity->unit);
                 any = true;
             }
-            if (i < fits().size() && fits()[i]) words += "   " + fits()[i]->text;
-            g.SetFont(GetFont().Smaller(), ink.series[i % ink.series.size()]);
-            y += legendLine(g, words, x, y, ink);
+            if (i < fits().size() && fits()[i]) fitted[i] = fits()[i]->text;
+        }
+        g.SetFont(GetFont().Smaller(), ink.text);
+        double width = 0;
+        double height = 0;
+        const auto widthOf = [&](const std::string& words) {
+            g.GetTextExtent(wxString::FromUTF8(words), &width, &height);
+            return width;
+        };
+        widthOf("+1");
+        const double room = size.y - FromDIP(timeHeight) - y;
+        const auto lines = static_cast<std::size_t>(std::max(1.0, std::floor(room / height)));
+        for (const LegendLine& line : legendLines(series(), values, fitted, size.x / 3.0,
+                                                  std::min(lines, mostTold), widthOf)) {
+            const wxColour& colour =
+                line.series ? ink.series[*line.series % ink.series.size()] : ink.text;
+            g.SetFont(GetFont().Smaller(), colour);
+            y += legendLine(g, line.text, x, y, ink);
         }
         g.SetFont(GetFont().Smaller(), ink.text);
         if (series().empty())

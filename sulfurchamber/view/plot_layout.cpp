@@ -163,4 +163,79 @@ std::vector<std::pair<double, double>> curve(std::span<const Sample> samples, co
     return points;
 }
 
+// --- the legend ------------------------------------------------------------------------------
+
+namespace {
+
+using WidthOf = std::function<double(const std::string&)>;
+
+// Characters of UTF-8, not bytes.
+std::vector<std::string> charactersOf(const std::string& text) {
+    std::vector<std::string> characters;
+    for (const char byte : text) {
+        const bool continues = (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+        if (continues && !characters.empty())
+            characters.back() += byte;
+        else
+            characters.emplace_back(1, byte);
+    }
+    return characters;
+}
+
+// Without as much of its middle as is too wide.
+std::string shortened(const std::string& text, double width, const WidthOf& widthOf) {
+    if (widthOf(text) <= width) return text;
+    const auto characters = charactersOf(text);
+    std::string found;
+    for (std::size_t kept = characters.size() - 1; kept > 0; --kept) {
+        const std::size_t first = (kept + 1) / 2;
+        found.clear();
+        for (std::size_t i = 0; i < first; ++i) found += characters[i];
+        found += "\xE2\x80\xA6";
+        for (std::size_t i = characters.size() - (kept - first); i < characters.size(); ++i)
+            found += characters[i];
+        if (widthOf(found) <= width) break;
+    }
+    return found;
+}
+
+// What tells a series apart from the others, if that is less than its title.
+std::string briefTitle(std::span<const Series> all, const Series& one) {
+    const auto same = [&](auto Series::*part) {
+        return std::all_of(all.begin(), all.end(),
+                           [&](const Series& other) { return other.*part == one.*part; });
+    };
+    if (same(&Series::subject)) return tr(std::string(one.quantity->name));
+    return same(&Series::quantity) ? tr(one.subject) : one.title();
+}
+
+}  // namespace
+
+std::vector<LegendLine> legendLines(std::span<const Series> series,
+                                    std::span<const std::string> values,
+                                    std::span<const std::string> fits, double width,
+                                    std::size_t most, const WidthOf& widthOf) {
+    std::vector<LegendLine> lines;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const std::string fit = fits[i].empty() ? "" : "   " + fits[i];
+        std::vector<LegendLine> own;
+        std::string title = series[i].title();
+        if (widthOf(title + values[i] + fit) <= width) {
+            own.push_back({i, title + values[i] + fit});
+        } else {
+            if (widthOf(title + values[i]) > width) title = briefTitle(series, series[i]);
+            title = shortened(title, width - widthOf(values[i]), widthOf);
+            own.push_back({i, title + values[i]});
+            if (!fit.empty()) own.push_back({i, shortened(fit, width, widthOf)});
+        }
+        const std::size_t rest = i + 1 < series.size() ? 1 : 0;  // a line that says how many
+        if (lines.size() + own.size() + rest > most) {
+            lines.push_back({std::nullopt, "+" + std::to_string(series.size() - i)});
+            break;
+        }
+        lines.insert(lines.end(), own.begin(), own.end());
+    }
+    return lines;
+}
+
 }  // namespace sulfurchamber

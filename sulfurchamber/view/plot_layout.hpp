@@ -1,6 +1,7 @@
 // How a diagram of measured series is laid out: axes, what is shown, what is read. Knows no window.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -61,6 +62,21 @@ std::vector<std::string_view> unitsOf(std::span<const Series> series);
 /// The range of all that is shown of a unit, with a little room.
 std::pair<double, double> valuesOf(std::span<const Series> series, std::string_view unit,
                                    std::pair<double, double> shown);
+
+/// A line of the legend: of a series, or how many have no room.
+struct LegendLine {
+    std::optional<std::size_t> series;
+    std::string text;
+};
+/// The legend in so much width and so many lines. `values` and `fits` are what stands behind the
+/// titles of the series, or empty. Where they are too long titles say only what tells them apart,
+/// then they are shortened in the middle; fits go to lines of their own. "+3": as many have no
+/// room.
+std::vector<LegendLine> legendLines(std::span<const Series> series,
+                                    std::span<const std::string> values,
+                                    std::span<const std::string> fits, double width,
+                                    std::size_t most,
+                                    const std::function<double(const std::string&)>& widthOf);
 
 /// A line of a picture: at most two points for a pixel, so that no peak is lost.
 std::vector<std::pair<double, double>> curve(std::span<const Sample> samples, const PlotScale& time,

@@ -1,6 +1,7 @@
 // Diagrams: round numbers, zoom, scales and what is read from them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "view/plot_layout.hpp"
@@ -74,6 +75,50 @@ TEST(Plot, FitsTellWhatIsShown) {
     EXPECT_EQ(fitted(wave, {0, 10}, FitKind::sine)->text,
               "sine 0.7958 Hz, \xC2\xB1"
               "0.1 m");
+}
+
+// Seven pixels for each character.
+double widthOf(const std::string& text) {
+    return 7.0 * static_cast<double>(std::count_if(text.begin(), text.end(), [](char byte) {
+               return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+           }));
+}
+
+TEST(Plot, TheLegendKeepsToItsWidthAndItsLines) {
+    std::vector<Series> series;
+    for (const char* subject : {"car", "polygon", "wheel", "wheel2"})
+        for (const char* key : {"x", "height", "speed"})
+            series.push_back({{}, 0, subject, quantity(key), {}});
+    const std::vector<std::string> values(series.size(), ": -3.25 m");
+    std::vector<std::string> fits(series.size());
+    for (const double width : {110.0, 180.0, 400.0})
+        for (const std::size_t most : {1u, 4u, 7u, 12u, 30u}) {
+            const auto lines = legendLines(series, values, fits, width, most, widthOf);
+            ASSERT_LE(lines.size(), most);
+            std::size_t told = 0;
+            for (const LegendLine& line : lines) {
+                EXPECT_LE(widthOf(line.text), width) << line.text;
+                if (!line.series) continue;
+                EXPECT_EQ(*line.series, told++);
+                EXPECT_TRUE(line.text.ends_with(values[0])) << line.text;
+            }
+            if (told < series.size()) {
+                EXPECT_EQ(lines.back().text, "+" + std::to_string(series.size() - told));
+            }
+        }
+    // With room titles are whole; without it only what differs is told.
+    EXPECT_EQ(legendLines(series, values, fits, 400, 30, widthOf)[3].text,
+              series[3].title() + values[3]);
+    const std::span<const Series> one(series.data(), 3);
+    EXPECT_EQ(legendLines(one, values, fits, 150, 30, widthOf)[1].text, "Height: -3.25 m");
+    std::vector<Series> heights{series[1], series[4]};
+    EXPECT_EQ(legendLines(heights, values, fits, 120, 30, widthOf)[1].text, "polygon: -3.25 m");
+    // A fit that has no room beside the value has a line of its own.
+    fits[0] = "slope -9.81 m/s per s";
+    const auto fitted = legendLines(one, values, fits, 200, 30, widthOf);
+    ASSERT_EQ(fitted.size(), 4u);
+    EXPECT_EQ(fitted[1].series, 0u);
+    EXPECT_EQ(fitted[1].text, "   " + fits[0]);
 }
 
 TEST(Plot, ACurveLosesNoPeak) {
