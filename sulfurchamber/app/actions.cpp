@@ -225,12 +225,17 @@ void MainFrame::addViewActions() {
                     {},
                     [&flag] { return flag; }});
     };
-    add({"fit", m, "Zoom to &fit", 'F', "Show everything", "fit", [this] { view_.zoomToFit(); }});
+    // In menus of their own, because the whole must fit on a small screen.
+    add({"fit", m, "Zoom to &fit", 'F', "Show everything", "fit", [this] { view_.zoomToFit(); }})
+        .under = "Zoom";
     add({"zoom-in", m, "Zoom &in", '+', "Larger; the mouse wheel zooms to the pointer", "",
-         [this] { view_.zoom(1.25f); }});
-    add({"zoom-out", m, "Zoom &out", '-', "Smaller", "", [this] { view_.zoom(0.8f); }});
+         [this] { view_.zoom(1.25f); }})
+        .under = "Zoom";
+    add({"zoom-out", m, "Zoom &out", '-', "Smaller", "", [this] { view_.zoom(0.8f); }}).under =
+        "Zoom";
     toggle("grid", "&Grid", '#', "Lines at round metres", "grid", o.grid).separatorBefore = true;
     toggle("rulers", "R&ulers", 0, "Metres at the edges", "", o.rulers);
+    addGridActions();
     addSnapActions();
     toggle("velocities", "&Velocity arrows", 'A', "Arrows as long as the way of 0.12 s", "arrows",
            o.velocities)

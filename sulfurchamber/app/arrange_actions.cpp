@@ -55,6 +55,31 @@ void MainFrame::addAlignActions() {
             .under = "Arrange";
 }
 
+void MainFrame::addGridActions() {
+    struct Entry {
+        const char* name;
+        const char* label;
+        double step;
+    };
+    static constexpr Entry entries[] = {{"grid-automatic", "&Automatic", 0},
+                                        {"grid-tenth", "0.&1 m", 0.1},
+                                        {"grid-quarter", "0.&25 m", 0.25},
+                                        {"grid-half", "0.&5 m", 0.5},
+                                        {"grid-metre", "1 &m", 1}};
+    for (const Entry& entry : entries)
+        add({entry.name,
+             MenuId::view,
+             entry.label,
+             0,
+             entry.step > 0 ? "Distance of the lines to which things snap"
+                            : "The distance of the lines follows the zoom",
+             "",
+             [this, entry] { view_.options().gridStep = entry.step; },
+             {},
+             [this, entry] { return view_.options().gridStep == entry.step; }})
+            .under = "Grid step";
+}
+
 void MainFrame::addSnapActions() {
     struct Entry {
         const char* name;

@@ -128,6 +128,7 @@ private:
     void addTransformActions();
     void addArrangeActions();
     void addAlignActions();
+    void addGridActions();
     void addSnapActions();
     void addTemplateActions();
     void addToolActions();

@@ -6,12 +6,14 @@
 #include <atlax/log.hpp>
 
 #include "../model/words.hpp"
+#include "../view/grid_painter.hpp"
 
 namespace sulfurchamber {
 namespace {
 
 constexpr std::size_t mostFiles = 9;  // as many as wxFileHistory lists
 constexpr const char* recentKey = "recent.files";
+constexpr const char* gridStepKey = "view.grid-step";
 
 /// The switches of the view by their names in settings.
 struct Switch {
@@ -61,11 +63,15 @@ ViewOptions Preferences::viewOptions() const {
     ViewOptions options;
     for (const Switch& one : switches)
         options.*one.flag = settings_.get(one.key, options.*one.flag);
+    const double step = settings_.get(gridStepKey, 0.0, 0.0, 1.0);
+    if (std::find(gridStepChoices.begin(), gridStepChoices.end(), step) != gridStepChoices.end())
+        options.gridStep = step;
     return options;
 }
 
 void Preferences::setViewOptions(const ViewOptions& options) {
     for (const Switch& one : switches) settings_.set(one.key, options.*one.flag);
+    settings_.set(gridStepKey, options.gridStep);
 }
 
 SnapSwitches Preferences::snapping() const {

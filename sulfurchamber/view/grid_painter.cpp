@@ -33,19 +33,31 @@ void forEachLine(double from, double to, const GridSteps& steps, const Visit& vi
         visit(static_cast<double>(i) * steps.fine, i % perLabel == 0);
 }
 
-}  // namespace
-
-GridSteps gridSteps(float pixelsPerMetre, float scaleFactor) {
-    const double least = static_cast<double>(labelledPixels * scaleFactor / pixelsPerMetre);
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= least)
-            return {factor * power, factor * power / (factor == 2.0 ? 4 : 5)};
-    return {10 * power, 2 * power};
+// From afar chosen lines would be one surface.
+GridSteps drawnSteps(const atlax::Camera& camera, float scale, double chosen) {
+    GridSteps steps = gridSteps(camera.pixelsPerMetre, scale, chosen);
+    if (steps.fine * static_cast<double>(camera.pixelsPerMetre) < static_cast<double>(4 * scale))
+        steps.fine = steps.labelled;
+    return steps;
 }
 
-void paintGrid(atlax::Canvas& canvas, const atlax::Camera& camera) {
-    const GridSteps steps = gridSteps(camera.pixelsPerMetre, canvas.scaleFactor());
+}  // namespace
+
+GridSteps gridSteps(float pixelsPerMetre, float scaleFactor, double chosen) {
+    const double least = static_cast<double>(labelledPixels * scaleFactor / pixelsPerMetre);
+    for (double power = std::pow(10.0, std::floor(std::log10(least)));; power *= 10)
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            const double step = factor * power;
+            if (step < least) continue;
+            if (!(chosen > 0)) return {step, step / (factor == 2.0 ? 4 : 5)};
+            // Labels stand on lines.
+            const double lines = step / chosen;
+            if (lines > 0.5 && std::abs(lines - std::round(lines)) < 1e-6) return {step, chosen};
+        }
+}
+
+void paintGrid(atlax::Canvas& canvas, const atlax::Camera& camera, double chosen) {
+    const GridSteps steps = drawnSteps(camera, canvas.scaleFactor(), chosen);
     const atlax::Rect view = camera.view(canvas.size());
     const float hair = canvas.pixel();
     const auto color = [](double at, bool labelled) {
@@ -64,9 +76,10 @@ void paintGrid(atlax::Canvas& canvas, const atlax::Camera& camera) {
                 });
 }
 
-void paintRulers(atlax::Canvas& canvas, const atlax::Camera& camera, const atlax::Font& font) {
+void paintRulers(atlax::Canvas& canvas, const atlax::Camera& camera, const atlax::Font& font,
+                 double chosen) {
     const float scale = canvas.scaleFactor();
-    const GridSteps steps = gridSteps(camera.pixelsPerMetre, scale);
+    const GridSteps steps = drawnSteps(camera, scale, chosen);
     const atlax::PixelSize size = canvas.size();
     const atlax::Vec2 extent = size.toVec() / scale;
     const atlax::Rect view = camera.view(size);

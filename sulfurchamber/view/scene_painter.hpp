@@ -23,6 +23,7 @@ atlax::Color strainColour(float strain);
 /// What is drawn beside the bodies.
 struct ViewOptions {
     bool grid = true;
+    double gridStep = 0;  ///< metres between its fine lines; 0: it follows the zoom
     bool rulers = true;
     bool joints = true;  ///< inner joints of bodies, where they are large enough
     bool velocities = false;

@@ -218,7 +218,7 @@ SnapOptions SceneView::snapOptions() const {
 
 double SceneView::fineStep() const {
     const float scale = platform_ == nullptr ? 1.0f : platform_->scaleFactor();
-    return gridSteps(camera_.pixelsPerMetre, scale).fine;
+    return gridSteps(camera_.pixelsPerMetre, scale, options_.gridStep).fine;
 }
 
 void SceneView::mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers) {
@@ -334,7 +334,7 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     if (overlay) overlay(canvas, camera_, *font_);
     paintForces(canvas, camera_, bench_.document().world(), options_);
     paintMeters(canvas, camera_, *font_, bench_, bench_.document().playing() ? alpha : 1.0);
-    if (options_.rulers) paintRulers(canvas, camera_, *font_);
+    if (options_.rulers) paintRulers(canvas, camera_, *font_, options_.gridStep);
     paintLegend(canvas, camera_, *font_, bench_.document().world(), options_);
     paintRulerText(canvas);
     paintLabels(canvas);
@@ -355,7 +355,7 @@ void SceneView::paintWorld(atlax::Canvas& canvas, const atlax::Camera& camera,
     if (options.bodies)
         canvas.gradientRect({{0, 0}, canvas.size().toVec()}, palette::above, palette::deep);
     canvas.setCamera(camera);
-    if (options.grid) paintGrid(canvas, camera);
+    if (options.grid) paintGrid(canvas, camera, options.gridStep);
     painter.paint(canvas, bench_, options, alpha);
     if (!options.skeleton) return;
     canvas.setCamera(camera);

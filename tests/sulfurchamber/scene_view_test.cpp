@@ -4,8 +4,10 @@
 #include <array>
 #include <atlax/backend.hpp>
 #include <atlax/offscreen.hpp>
+#include <cmath>
 #include <set>
 
+#include "view/grid_painter.hpp"
 #include "view/scene_painter.hpp"
 #include "view/scene_view.hpp"
 
@@ -58,6 +60,37 @@ TEST(SceneView, AnEmptySceneIsTwelveMetresWideWithTheFloorInTheLowerFifth) {
             EXPECT_LT(floor, 0.85f * height);
         });
     }
+}
+
+TEST(SceneView, TheStepOfTheGridIsChosenOrFollowsTheZoom) {
+    for (const float zoom : {3.0f, 20.0f, 90.0f, 700.0f}) {
+        const GridSteps free = gridSteps(zoom, 1);
+        EXPECT_GE(free.labelled * static_cast<double>(zoom), 72);
+        for (const double chosen : gridStepChoices) {
+            const GridSteps steps = gridSteps(zoom, 1, chosen);
+            EXPECT_EQ(steps.fine, chosen);
+            EXPECT_GE(steps.labelled * static_cast<double>(zoom), 72);
+            EXPECT_GE(steps.labelled, free.labelled);
+            EXPECT_NEAR(std::remainder(steps.labelled, chosen), 0, 1e-9) << "labels are on lines";
+        }
+    }
+    // What is built goes to the lines.
+    Workbench bench;
+    SceneView view(bench);
+    view.snapping() = {.grid = true};
+    view.options().gridStep = 0.25;
+    EXPECT_EQ(view.fineStep(), 0.25);
+    const auto click = [&](atlax::Vec2 at) {
+        for (const bool down : {true, false})
+            view.event(atlax::MouseButtonEvent{
+                .button = atlax::MouseButton::Left, .down = down, .position = at, .clicks = 1});
+    };
+    EXPECT_EQ(bench.snap(), 0);
+    click({10, 10});
+    EXPECT_EQ(bench.snap(), 0.25);
+    view.options().gridStep = 0;
+    click({10, 10});
+    EXPECT_NEAR(bench.snap(), 0.2, 1e-9);
 }
 
 TEST(SceneView, AllThatMovesIsInViewAtFirst) {
