@@ -290,6 +290,7 @@ void MainFrame::addViewActions() {
          [this] { showSide(!side_->IsShown()); },
          {},
          [this] { return side_->IsShown(); }});
+    addThemeActions();
     add({"fullscreen",
          m,
          "F&ullscreen\tF11",
@@ -301,6 +302,26 @@ void MainFrame::addViewActions() {
          },
          {},
          [this] { return IsFullScreen(); }});
+}
+
+void MainFrame::addThemeActions() {
+    struct Entry {
+        const char* name;
+        const char* label;
+    };
+    static constexpr Entry entries[] = {
+        {"system", "As the &system"}, {"light", "&Light"}, {"dark", "&Dark"}};
+    for (const Entry& entry : entries)
+        add({"theme-" + std::string(entry.name),
+             MenuId::view,
+             entry.label,
+             0,
+             "How light the panels are, from the next start on",
+             "",
+             [this, entry] { chooseTheme(entry.name); },
+             {},
+             [this, entry] { return theme_ == entry.name; }})
+            .under = "Theme";
 }
 
 void MainFrame::addLanguageActions() {

@@ -31,11 +31,16 @@ void giveLargeBlocksBack() {
 }
 
 /// What the command line does not say is in the settings. Scripts and pictures speak English.
-void chooseLanguage(Options& options) {
+void chooseLanguageAndTheme(Options& options) {
     using sulfurchamber::Preferences;
-    if (options.languageGiven) return;
-    const bool alone = options.unattended() || !options.picture.empty();
-    options.language = alone ? "en" : Preferences(Preferences::settingsFile()).language();
+    if (options.unattended() || !options.picture.empty()) {
+        if (!options.languageGiven) options.language = "en";
+        return;
+    }
+    if (options.languageGiven && options.themeGiven) return;
+    const Preferences preferences(Preferences::settingsFile());
+    if (!options.languageGiven) options.language = preferences.language();
+    if (!options.themeGiven) options.theme = preferences.theme();
 }
 
 int runWindow(Workbench& bench, const Options& options, char* program) {
@@ -69,7 +74,7 @@ int main(int argc, char** argv) {
     }
     if (parsed.exitCode) return *parsed.exitCode;
     Options options = parsed.options;
-    chooseLanguage(options);
+    chooseLanguageAndTheme(options);
     giveLargeBlocksBack();
     try {
         Workbench bench(atlax::stateFolder("sulfurchamber"));

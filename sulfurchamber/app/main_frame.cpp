@@ -48,7 +48,8 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
       library_(templateLibrary()),
       desk_(bench_, library_),
       thumbnails_(atlax::cacheFolder("sulfurchamber") / "thumbnails", withSkins(view_), {192, 144}),
-      language_(options.language) {
+      language_(options.language),
+      theme_(options.theme) {
     wxUpdateUIEvent::SetMode(wxUPDATE_UI_PROCESS_SPECIFIED);  // refresh() does it, less often
     SetIcons(wxIconBundle(programIcon().GetIcon(wxSize(64, 64))));
     actions_.reserve(256);
@@ -510,6 +511,16 @@ void MainFrame::chooseLanguage(const std::string& language) {
         preferences_->save();
     }
     notify("The language changes when SulfurChamber starts again");
+}
+
+// GTK takes a theme only when it starts.
+void MainFrame::chooseTheme(const std::string& theme) {
+    theme_ = theme;
+    if (preferences_) {
+        preferences_->setTheme(theme);
+        preferences_->save();
+    }
+    notify("The theme changes when SulfurChamber starts again");
 }
 
 void MainFrame::about() {

@@ -138,6 +138,7 @@ private:
     void addRewindActions();
     void addMeasureActions();
     void addPlotActions();
+    void addThemeActions();
     void addLanguageActions();
     void addHelpActions();
     Action& add(Action action);
@@ -247,6 +248,7 @@ private:
     void notify(const std::string& english);
     void tellInDialog(const std::string& english, const wxString& title);
     void chooseLanguage(const std::string& language);
+    void chooseTheme(const std::string& theme);
     void about();
 
     Workbench& bench_;
@@ -256,6 +258,7 @@ private:
     TemplateDesk desk_;
     Thumbnails thumbnails_;
     std::string language_;  ///< that is chosen; empty for the system's
+    std::string theme_;     ///< that is chosen: dark, light or system
     std::vector<Action> actions_;
     std::vector<DropUse> dropUses_;
     wxAuiManager manager_;

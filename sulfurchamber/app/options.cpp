@@ -33,9 +33,9 @@ Parsed parseCommandLine(int argc, char** argv) {
     app.add_option("--autosave", options.autosave,
                    "Seconds after which unsaved work is kept for a crash (default 30)")
         ->check(CLI::Range(1, 3600));
-    app.add_option("--theme", options.theme,
-                   "Panels: dark (default), light, or as the system has them")
-        ->check(CLI::IsMember({"dark", "light", "system"}));
+    const auto* theme = app.add_option("--theme", options.theme,
+                                       "Panels: dark (default), light, or as the system has them")
+                            ->check(CLI::IsMember({"dark", "light", "system"}));
     std::vector<std::string> spoken = languages();
     spoken.emplace_back("system");
     const auto* language =
@@ -57,6 +57,7 @@ Parsed parseCommandLine(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         parsed.exitCode = app.exit(error);
     }
+    options.themeGiven = theme->count() > 0;
     options.languageGiven = language->count() > 0;
     if (options.language == "system") options.language.clear();
     options.sizeGiven = width->count() + height->count() > 0;

@@ -20,6 +20,7 @@ struct Options {
     std::string language;        ///< "de" and so on; empty: as the system has it
     bool languageGiven = false;  ///< else that of the settings counts, and English for scripts
     std::string theme = "dark";  ///< dark, light or system
+    bool themeGiven = false;     ///< else that of the settings counts, but not for scripts
     int width = 1280;
     int height = 800;
     bool sizeGiven = false;  ///< else the last window's size counts

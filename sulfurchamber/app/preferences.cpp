@@ -91,6 +91,11 @@ std::string Preferences::language() const {
     return std::find(all.begin(), all.end(), code) != all.end() ? code : "";
 }
 
+std::string Preferences::theme() const {
+    std::string name = settings_.get("theme", std::string());
+    return name == "light" || name == "system" ? name : "dark";
+}
+
 std::vector<std::filesystem::path> Preferences::recentFiles() const {
     const auto texts = settings_.get(recentKey, std::vector<std::string>{});
     return {texts.begin(),

@@ -42,6 +42,10 @@ public:
     std::string language() const;
     void setLanguage(const std::string& code) { settings_.set("language", code); }
 
+    /// Of the panels: "dark", "light" or "system".
+    std::string theme() const;
+    void setTheme(const std::string& name) { settings_.set("theme", name); }
+
     void save() { settings_.trySave(); }
 
 private:

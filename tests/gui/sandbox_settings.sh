@@ -26,8 +26,12 @@ start_sandbox() {
 }
 trap 'kill $pid 2> /dev/null || true' EXIT
 
+# The theme and the step of the grid that were chosen before.
+mkdir -p "$(dirname "$settings")"
+echo '{"version": 1, "settings": {"theme": "light", "view.grid-step": 0.5}}' > "$settings"
 start_sandbox --width 1100 --height 700 "$scene"
 take_picture plain.png
+(($(pixels_like plain.png '#f6f5f4' 300x20+700+0) > 4000)) || fail "no light theme; see $PWD/plain.png"
 xdotool key k
 sleep 1
 take_picture skeleton.png
@@ -35,7 +39,7 @@ take_picture skeleton.png
 xdotool key ctrl+q
 wait_until 10 has_ended || fail "Ctrl+Q does not end it"
 wait "$pid" || fail "it ended with status $?: $(cat sandbox.log)"
-for line in '"view.skeleton": true' '"window.width": 1100' '"window.height": 700' \
+for line in '"theme": "light"' '"view.grid-step": 0.5' '"view.skeleton": true' '"window.width": 1100' '"window.height": 700' \
     "$(basename "$scene")"; do
     grep --quiet "$line" "$settings" || fail "the settings lack $line: $(cat $settings)"
 done

@@ -144,6 +144,7 @@ do page-measure
 ${laws}table4 0.02
 whole
 do language-system
+do theme-system
 do grid-half
 ")
   run_window(0 --language ${language} --script ${WORK}/${language}.txt)

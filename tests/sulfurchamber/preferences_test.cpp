@@ -19,26 +19,31 @@ protected:
     std::filesystem::path file_ = folder_ / "settings.json";
 };
 
-TEST_F(PreferencesTest, KeepTheStepOfTheGrid) {
+TEST_F(PreferencesTest, KeepTheThemeAndTheStepOfTheGrid) {
+    EXPECT_EQ(Preferences(file_).theme(), "dark");
     EXPECT_EQ(Preferences(file_).viewOptions().gridStep, 0);
     {
         Preferences preferences(file_);
+        preferences.setTheme("light");
         ViewOptions options;
         options.gridStep = 0.25;
         preferences.setViewOptions(options);
         preferences.save();
     }
+    EXPECT_EQ(Preferences(file_).theme(), "light");
     EXPECT_EQ(Preferences(file_).viewOptions().gridStep, 0.25);
 }
 
 TEST_F(PreferencesTest, TakeOnlyWhatOneCanChoose) {
     {
         Preferences preferences(file_);
+        preferences.setTheme("purple");
         ViewOptions options;
         options.gridStep = 1e-9;
         preferences.setViewOptions(options);
         preferences.save();
     }
+    EXPECT_EQ(Preferences(file_).theme(), "dark");
     EXPECT_EQ(Preferences(file_).viewOptions().gridStep, 0);
 }
 
