@@ -10,8 +10,11 @@
 // ground is pressed with a thousand times its weight from both sides; when one of these normals
 // turns to another side, what is left over would throw it, faster than sweeps can mend. So what a
 // step has changed wildly begins the next one with so much less of what presses it.
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "contacts/row_pushes.hpp"
 #include "contacts/stages.hpp"
@@ -65,18 +68,48 @@ public:
             if (change > wild_) core_.unbalanced.push_back({m, wild_ / change});
         }
     }
+    /// Movers of one body stand together, and its rows are looked at once for all of them.
     void forgetUnbalanced() {
-        for (const auto& [m, share] : core_.unbalanced)
-            if (movers_.body[m] != none)
-                forEachRow(core_, movers_.body[m], [&](auto& block, std::uint32_t lane) {
-                    bool pushes = false;
-                    forEachPush(block, lane,
-                                [&](std::uint32_t who, const Vec2&, Real) { pushes |= who == m; });
-                    if (pushes) keep(block, lane, share);
+        const auto& all = core_.unbalanced;
+        std::pmr::vector<std::uint32_t> placeOf(movers_.body.size(), none, &state_.arena);
+        for (std::uint32_t k = 0; k < all.size(); ++k) placeOf[all[k].mover] = k;
+        std::pmr::vector<Kept> kept(&state_.arena);
+        for (std::uint32_t from = 0, to = 0; from < all.size(); from = to) {
+            const auto body = movers_.body[all[from].mover];
+            while (to < all.size() && movers_.body[all[to].mover] == body) ++to;
+            kept.clear();
+            if (body == none) continue;
+            forEachRow(core_, body, [&](auto& block, std::uint32_t lane) {
+                const auto first = static_cast<std::ptrdiff_t>(kept.size());
+                const auto isNoted = [&](std::uint32_t place) {
+                    return std::any_of(kept.begin() + first, kept.end(),
+                                       [&](const Kept& k) { return k.place == place; });
+                };
+                forEachPush(block, lane, [&](std::uint32_t who, const Vec2&, Real) {
+                    const auto place = placeOf[who];
+                    const auto order = static_cast<std::uint32_t>(kept.size());
+                    if (place != none && place >= from && place < to && !isNoted(place))
+                        kept.push_back({place, order, &block, lane});
                 });
+            });
+            // A stable sort would ask for memory.
+            std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {
+                return std::pair(a.place, a.order) < std::pair(b.place, b.order);
+            });
+            for (const Kept& k : kept)
+                std::visit([&](auto* block) { keep(*block, k.lane, all[k.place].share); }, k.block);
+        }
     }
 
 private:
+    /// A row that keeps the share of an unbalanced mover.
+    struct Kept {
+        std::uint32_t place;  // of the mover among the unbalanced ones
+        std::uint32_t order;  // in which it was found
+        std::variant<ManifoldBlock*, TouchBlock*> block;
+        std::uint32_t lane;
+    };
+
     bool isDriver(std::uint32_t m) const {
         return movers_.bodies[m].inverseMass == 0 && movers_.bodies[m].inverseInertia == 0;
     }

@@ -131,7 +131,7 @@ bool hasMoved(const std::uint8_t* moved, const TouchBlock& r) {
     return false;
 }
 
-/// Impulses are kept for steps of one length.
+/// Impulses and ways are kept for steps of one length.
 void scaleImpulses(ContactCore& core, double step) {
     const double before = std::exchange(core.lastStep, step);
     if (before == step || before == 0) return;
@@ -153,6 +153,12 @@ void scaleImpulses(ContactCore& core, double step) {
         body.vx *= share;
         body.vy *= share;
         body.spin *= share;
+    }
+    const Real longer = static_cast<Real>(step / before);
+    for (BodyWay& way : core.ways) {
+        way.x *= longer;
+        way.y *= longer;
+        way.turn *= longer;
     }
 }
 
