@@ -18,6 +18,7 @@ void MainFrame::makeActions() {
     addFileActions();
     addEditActions();
     addToolActions();
+    addPointerActions();
     addViewActions();
     addSimulationActions();
     addRewindActions();
@@ -87,6 +88,7 @@ void MainFrame::addEditActions() {
          [this] { bench_.finish(); }});
     add({"cancel", m, "Select &nothing", WXK_ESCAPE,
          "Drop what the tool is doing and the selection", "", [this] {
+             view_.letGoOfKeys();
              bench_.cancel();
              bench_.select({});
          }});
@@ -208,6 +210,29 @@ void MainFrame::addToolActions() {
             if (info.group == group)
                 action.under = wxString::FromUTF8(info.title.data(), info.title.size());
     }
+}
+
+// Everything that the mouse does in the scene, by keys.
+void MainFrame::addPointerActions() {
+    struct Way {
+        const char* name;
+        const char* label;
+        int key;
+        double x, y;
+    };
+    static constexpr Way ways[] = {{"pointer-left", "Pointer left", WXK_LEFT, -1, 0},
+                                   {"pointer-right", "Pointer right", WXK_RIGHT, 1, 0},
+                                   {"pointer-up", "Pointer up", WXK_UP, 0, 1},
+                                   {"pointer-down", "Pointer down", WXK_DOWN, 0, -1}};
+    for (const Way& way : ways)
+        add({way.name, MenuId::tools, way.label, way.key | withShift,
+             "Move the pointer by a line of the fine grid", "",
+             [this, way] { view_.movePointer(sulfur::Point(way.x, way.y) * view_.fineStep()); }})
+            .under = "Pointer";
+    add({"pointer-button", MenuId::tools, "Press or let go", WXK_INSERT,
+         "Press the button of the mouse where the pointer is, or let it go", "",
+         [this] { view_.switchButton(); }})
+        .under = "Pointer";
 }
 
 void MainFrame::addViewActions() {

@@ -19,7 +19,10 @@ namespace sulfurchamber {
 namespace {
 
 wxString keyText(int key) {
+    if ((key & withShift) != 0) return wxTr("Shift") + "+" + keyText(key & ~withShift);
     switch (key) {
+        case WXK_INSERT:
+            return wxTr("Ins");
         case 0:
             return "";
         case WXK_SPACE:

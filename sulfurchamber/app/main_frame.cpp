@@ -181,6 +181,8 @@ void MainFrame::onKey(wxKeyEvent& event) {
     if (key < 128) key = std::toupper(key);
     if (key == '=' || event.GetKeyCode() == WXK_NUMPAD_ADD) key = '+';
     if (event.GetKeyCode() == WXK_NUMPAD_SUBTRACT) key = '-';
+    const bool arrow = key == WXK_LEFT || key == WXK_RIGHT || key == WXK_UP || key == WXK_DOWN;
+    if (arrow && event.ShiftDown()) key |= withShift;
     for (const Action& action : actions_)
         if (action.plainKey != 0 && action.plainKey == key) {
             runAction(action);

@@ -41,12 +41,16 @@ class LevelPanel;
 
 enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, measure, level, help };
 
+/// In a key of an action: it is held together with Shift.
+inline constexpr int withShift = 1 << 16;
+
 /// Something that one can do from a menu, with a key, on a bar, or from a script.
 struct Action {
     std::string name;  ///< for scripts: "play", "tool-box"
     MenuId menu = MenuId::file;
     wxString label;    ///< with '&', and '\t' before an accelerator with modifiers
-    int plainKey = 0;  ///< a key without modifiers, handled only outside of text fields
+    /// A key without modifiers but `withShift`, handled only outside of text fields.
+    int plainKey = 0;
     std::string help;  ///< one line for the tooltip
     std::string icon;  ///< on a bar when not empty
     std::function<void()> run;
@@ -132,6 +136,7 @@ private:
     void addSnapActions();
     void addTemplateActions();
     void addToolActions();
+    void addPointerActions();
     void addViewActions();
     void addSimulationActions();
     void addSpeedActions();

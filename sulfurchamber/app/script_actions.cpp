@@ -26,7 +26,9 @@ struct KeyPress {
     auto operator<=>(const KeyPress&) const = default;
 };
 KeyPress keyOf(const Action& action) {
-    if (action.plainKey != 0) return {action.plainKey};
+    if (action.plainKey != 0)
+        return {action.plainKey & ~withShift,
+                (action.plainKey & withShift) != 0 ? wxMOD_SHIFT : wxMOD_NONE};
     const std::unique_ptr<wxAcceleratorEntry> entry(wxAcceleratorEntry::Create(action.label));
     if (!entry) return {};
     static_assert(int{wxACCEL_ALT} == int{wxMOD_ALT} && int{wxACCEL_CTRL} == int{wxMOD_CONTROL} &&

@@ -110,6 +110,8 @@ public:
     std::optional<FittingRef> partOf(sulfur::ParticleId particle) const;
     std::optional<FittingRef> partOf(sulfur::JointId joint) const;
     bool hasPart(const FittingRef& ref) const;
+    /// What tells a part from another one that comes to have its place. Precondition: hasPart().
+    std::string markOf(const FittingRef& ref) const;
     /// Where a particle is now, or both ends of a joint, metres; nothing where it has broken.
     std::vector<sulfur::Point> placesOf(const FittingRef& ref) const;
     /// What the mechanisms of the plan are in this moment; null where they are not there.

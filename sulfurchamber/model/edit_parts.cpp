@@ -1,8 +1,9 @@
 // Single particles and joints of a document: which are there, and what they become.
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 
 #include "document_steps.hpp"
+#include "meter.hpp"
 
 namespace sulfurchamber {
 namespace {
@@ -95,9 +96,23 @@ bool Document::hasPart(const FittingRef& ref) const {
 Fitting Document::part(const FittingRef& ref) const {
     if (ref.kind == FittingRef::Kind::connection)
         return JointPart{specOf(scene().connections.at(ref.index).options)};
-    const Blueprint plan = plan_.blueprint(ref.body);
+    const Blueprint& plan = sharedBlueprint(ref.body);
     if (ref.kind == FittingRef::Kind::particle) return ParticlePart{plan.particles.at(ref.index)};
     return JointPart{plan.joints.at(ref.index)};
+}
+
+std::string Document::markOf(const FittingRef& ref) const {
+    const auto text = [](std::size_t number) { return std::to_string(number); };
+    const auto end = [&](const ParticleRef& e) { return e.body + ":" + text(e.particle); };
+    if (ref.kind == FittingRef::Kind::connection) {
+        const auto& connection = scene().connections.at(ref.index);
+        return end(connection.a) + "-" + end(connection.b);
+    }
+    const Blueprint& plan = sharedBlueprint(ref.body);
+    const std::string count = text(plan.particles.size());
+    if (ref.kind == FittingRef::Kind::particle) return count;
+    const JointSpec& joint = plan.joints.at(ref.index);
+    return text(joint.a) + "-" + text(joint.b) + " of " + count;
 }
 
 std::vector<sulfur::Point> Document::placesOf(const FittingRef& ref) const {
@@ -156,25 +171,41 @@ void Document::setPart(const FittingRef& ref, const Fitting& to) {
         const auto info = world_->info(joint);
         sulfur::ConnectOptions live = options;
         live.stiffness = scaled(live.stiffness, constants_);
+        if (moved_ && !live.restLength) live.restLength = info.restLength;
         world_->remove(joint);
         world_->connect(info.a, info.b, live);
         return;
     }
     const BodyId body = bodyOf(ref.body);
     if (!body) throw std::runtime_error("pieces cannot be changed so; reset the scene first");
+    if (ref.kind == FittingRef::Kind::joint) {
+        change({&body, 1}, [&](Prefab& prefab) {
+            prefab.generator = {};
+            prefab.blueprint.joints.at(ref.index) = std::get<JointPart>(to).spec;
+        });
+        return;
+    }
+    const sulfur::ParticleSpec& wanted = std::get<ParticlePart>(to).spec;
+    const auto place = static_cast<std::uint32_t>(ref.index);
+    const sulfur::Point by =
+        (wanted.position - sharedBlueprint(ref.body).particles.at(place).position).cast<double>();
+    const bool moves = by != sulfur::Point(0, 0);
+    if (moves) requirePlan();
     change({&body, 1}, [&](Prefab& prefab) {
         prefab.generator = {};
-        Blueprint& plan = prefab.blueprint;
-        if (ref.kind == FittingRef::Kind::joint) {
-            plan.joints.at(ref.index) = std::get<JointPart>(to).spec;
-            return;
-        }
-        auto& particle = plan.particles.at(ref.index);
-        const bool moves = particle.position != std::get<ParticlePart>(to).spec.position;
-        if (moves) requirePlan();
-        particle = std::get<ParticlePart>(to).spec;
-        if (moves) forgetLengths(plan, static_cast<std::uint32_t>(ref.index));
+        prefab.blueprint.particles.at(place) = wanted;
+        if (moves) forgetLengths(prefab.blueprint, place);
     });
+    if (!moves) return;
+    auto& placement = plan_.body(ref.body);
+    if (placement.state)
+        placement.state->positions.at(place) += Eigen::Rotation2Dd(placement.pose.angle) * by;
+    for (auto& connection : plan_.scene().connections)
+        for (const ParticleRef& end : {connection.a, connection.b})
+            if (end.body == ref.body && end.particle == place)
+                connection.options.restLength.reset();
+    stamp();
+    touched();
 }
 
 void Document::removePart(const FittingRef& ref) {
@@ -205,10 +236,17 @@ void Document::removePart(const FittingRef& ref) {
         moveUp(connection.b);
     }
     for (auto& held : plan.attachments) moveUp(held.particle);
+    forgetParticleInMeters(plan, ref.body, gone);
+    auto state = plan_.body(ref.body).state;
+    if (state) {
+        state->positions.erase(state->positions.begin() + gone);
+        state->velocities.erase(state->velocities.begin() + gone);
+    }
     plan_.change({ref.body}, [&](Prefab& prefab) {
         prefab.generator = {};
         takeOut(prefab.blueprint, gone);
     });
+    plan_.body(ref.body).state = std::move(state);
     stamp();
     touched();
 }

@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "geometry.hpp"
 #include "rail.hpp"
 
 namespace sulfurchamber {
@@ -191,12 +190,34 @@ std::optional<FittingRef> fittingAt(const Document& document, const Point& point
 std::optional<FittingRef> partAt(const Document& document, sulfur::BodyId body, const Point& point,
                                  double reach) {
     const sulfur::World& world = document.world();
+    if (body) {
+        sulfur::ParticleId hit;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const sulfur::ParticleId particle : world.particles(body)) {
+            const double off = (world.position(particle) - point).norm();
+            const double radius = static_cast<double>(world.info(particle).radius);
+            if (off > std::max(reach, radius) || off >= nearest) continue;
+            hit = particle;
+            nearest = off;
+        }
+        if (hit) return document.partOf(hit);
+    }
+    sulfur::JointId hit;
+    double nearest = reach;
+    const auto look = [&](sulfur::JointId joint) {
+        const auto info = world.info(joint);
+        const double off =
+            distanceToSegment(point, world.position(info.a), world.position(info.b)) -
+            static_cast<double>(info.radius);
+        if (off > nearest) return;
+        hit = joint;
+        nearest = off;
+    };
     if (body)
-        if (const auto pick = particleAt(world, point, reach); pick && pick->body == body)
-            return document.partOf(pick->particle);
-    if (const auto pick = jointAt(world, point, reach); pick && pick->body == body)
-        return document.partOf(pick->joint);
-    return std::nullopt;
+        for (const sulfur::JointId joint : world.joints(body)) look(joint);
+    else
+        for (const sulfur::JointId joint : world.connections()) look(joint);
+    return hit ? document.partOf(hit) : std::nullopt;
 }
 
 std::vector<FittingRef> fittingsCrossing(const Document& document, const Point& a, const Point& b) {
@@ -251,7 +272,7 @@ void moveFitting(Document& document, const FittingRef& ref, const Point& from, c
     }
     if (ref.kind == FittingRef::Kind::particle) {
         const auto body = document.bodyOf(ref.body);
-        if (!body) return;
+        if (!body) throw std::runtime_error("pieces cannot be changed so; reset the scene first");
         const auto local = document.world().vectorToBody(body, by.cast<sulfur::Real>());
         document.refit(
             ref, [&](Fitting& f) { std::get<ParticlePart>(f).spec.position += local; }, false);

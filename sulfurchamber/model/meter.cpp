@@ -176,6 +176,20 @@ void forgetMeters(Scene& scene, const std::function<bool(const std::string& body
     setMeters(scene, meters);
 }
 
+void forgetParticleInMeters(Scene& scene, const std::string& body, std::uint32_t particle) {
+    if (sulfur::scene::findExtra(scene.extra, metersKey) == nullptr) return;
+    auto meters = metersOf(scene);
+    std::erase_if(meters, [&](const Meter& meter) {
+        return std::any_of(meter.ends.begin(), meter.ends.end(), [&](const MeterEnd& end) {
+            return end.body == body && end.particle == particle;
+        });
+    });
+    for (Meter& meter : meters)
+        for (MeterEnd& end : meter.ends)
+            if (end.body == body && end.particle && *end.particle > particle) --*end.particle;
+    setMeters(scene, meters);
+}
+
 void renameInMeters(Scene& scene, const std::string& from, const std::string& to) {
     auto meters = metersOf(scene);
     bool any = false;

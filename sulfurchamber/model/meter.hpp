@@ -63,6 +63,9 @@ void removeMeters(sulfur::scene::Scene& scene, std::span<const std::string> ids)
 /// Takes away those that hold on to bodies that go. These must be there still.
 void forgetMeters(sulfur::scene::Scene& scene,
                   const std::function<bool(const std::string& body)>& gone);
+/// Takes away those that hold on to a particle of a body; the particles after it move up by one.
+void forgetParticleInMeters(sulfur::scene::Scene& scene, const std::string& body,
+                            std::uint32_t particle);
 /// Follows a body's new id, which it does not have yet.
 void renameInMeters(sulfur::scene::Scene& scene, const std::string& from, const std::string& to);
 

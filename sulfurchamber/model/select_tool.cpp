@@ -39,7 +39,8 @@ public:
             if (!ref && !body) ref = partAt(document(), {}, pointer.position, pointer.reach);
             if (ref) {
                 bench().chooseFitting(ref);
-                if (!document().playing()) doing_ = Doing::fitting;
+                const bool isJoint = ref->isPart() && ref->kind != FittingRef::Kind::particle;
+                if (!document().playing() && !isJoint) doing_ = Doing::fitting;
                 return;
             }
         }
@@ -188,6 +189,7 @@ private:
     // chosen so can be dragged.
     std::optional<FittingRef> partUnder(const Pointer& pointer, BodyId body) const {
         const auto chosen = bench().fitting();
+        if (chosen && !chosen->isPart()) return std::nullopt;  // a mark lies on it
         if (!body || (pointer.clicks < 2 && !(chosen && chosen->isPart()))) return std::nullopt;
         const auto part = partAt(document(), body, pointer.position, pointer.reach);
         if (part && part == chosen) return part;

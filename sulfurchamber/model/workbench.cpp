@@ -184,11 +184,13 @@ void followNames(std::vector<std::string>& chosen, const std::vector<std::string
 
 void Workbench::undo() {
     cancel();
+    document_.commit();  // an open edit counts as a step, but one that changed nothing is none
     if (const std::size_t place = document_.historyPlace(); place > 0) goToStep(place - 1);
 }
 
 void Workbench::redo() {
     cancel();
+    document_.commit();
     goToStep(document_.historyPlace() + 1);
 }
 
@@ -285,7 +287,9 @@ void Workbench::toggle(BodyId body) {
 std::optional<FittingRef> Workbench::fitting() const {
     if (!chosen_) return std::nullopt;
     if (chosen_->ref.isPart())
-        return document_.hasPart(chosen_->ref) ? std::optional(chosen_->ref) : std::nullopt;
+        return document_.hasPart(chosen_->ref) && document_.markOf(chosen_->ref) == chosen_->id
+                   ? std::optional(chosen_->ref)
+                   : std::nullopt;
     const auto describe = [&](const FittingRef& ref) {
         const Fitting is = document_.fitting(ref);
         const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);
@@ -303,6 +307,10 @@ std::optional<FittingRef> Workbench::fitting() const {
 void Workbench::chooseFitting(const std::optional<FittingRef>& ref) {
     select({});
     if (!ref) return;
+    if (ref->isPart()) {
+        chosen_ = Chosen{*ref, document_.markOf(*ref)};
+        return;
+    }
     const Fitting is = document_.fitting(*ref);
     const auto* mechanism = std::get_if<sulfur::scene::SceneMechanism>(&is);
     chosen_ = Chosen{*ref, mechanism == nullptr ? "" : mechanism->id};

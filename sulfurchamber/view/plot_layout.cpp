@@ -186,6 +186,7 @@ std::vector<std::string> charactersOf(const std::string& text) {
 std::string shortened(const std::string& text, double width, const WidthOf& widthOf) {
     if (widthOf(text) <= width) return text;
     const auto characters = charactersOf(text);
+    if (characters.empty()) return text;
     std::string found;
     for (std::size_t kept = characters.size() - 1; kept > 0; --kept) {
         const std::size_t first = (kept + 1) / 2;

@@ -168,14 +168,21 @@ void SceneView::event(const atlax::Event& event) {
         guest_->event(event);
         return;
     }
-    if (const auto* moved = std::get_if<atlax::MouseMoved>(&event))
+    if (const auto* moved = std::get_if<atlax::MouseMoved>(&event)) {
+        byKeys_ = false;
+        keyClicks_ = 0;
         mouseMoved(moved->position, moved->modifiers);
-    if (const auto* button = std::get_if<atlax::MouseButtonEvent>(&event)) mouseButton(*button);
+    }
+    if (const auto* button = std::get_if<atlax::MouseButtonEvent>(&event)) {
+        letGoOfKeys();
+        mouseButton(*button);
+    }
     if (const auto* turned = std::get_if<atlax::WheelEvent>(&event)) wheel(*turned);
     if (const auto* focus = std::get_if<atlax::FocusChanged>(&event); focus && !focus->focused) {
         guarded([&] { bench_.cancel(); });
         bench_.controls().release();
         panFrom_.reset();
+        letGoOfKeys();
     }
     if (const auto* dropped = std::get_if<atlax::FileDropped>(&event); dropped && onFile)
         onFile(dropped->file);
@@ -230,6 +237,38 @@ void SceneView::mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers) {
     }
     bench_.setSnapping(snapOptions());
     guarded([&] { bench_.move(pointerAt(position, modifiers)); });
+}
+
+void SceneView::movePointer(const sulfur::Point& by) {
+    if (platform_ == nullptr || guest_ != nullptr) return;
+    const atlax::Vec2 size = platform_->size().toVec();
+    const atlax::Vec2 from = mouse_.value_or(size * 0.5f);
+    const atlax::Vec2 to = toPixels(toWorld(from) + by);
+    byKeys_ = true;
+    keyClicks_ = 0;
+    mouseMoved({std::clamp(to.x, 0.0f, size.x - 1), std::clamp(to.y, 0.0f, size.y - 1)},
+               atlax::Modifiers::None);
+}
+
+void SceneView::switchButton() {
+    if (!mouse_) movePointer({0, 0});
+    if (!mouse_ || guest_ != nullptr) return;
+    byKeys_ = true;
+    keyDown_ = !keyDown_;
+    if (keyDown_) ++keyClicks_;
+    mouseButton({atlax::MouseButton::Left, keyDown_, *mouse_, keyClicks_ > 1 ? 2 : 1,
+                 atlax::Modifiers::None});
+}
+
+// A cross where keys have moved the pointer, and a disc in it while its button is down.
+void SceneView::paintPointer(atlax::Canvas& canvas) const {
+    if (!byKeys_ || !mouse_) return;
+    const float scale = canvas.scaleFactor();
+    canvas.setScreenSpace(scale);
+    const atlax::Vec2 at = *mouse_ / scale, across{11, 0}, up{0, 11};
+    canvas.line(at - across, at + across, 2, palette::ice);
+    canvas.line(at - up, at + up, 2, palette::ice);
+    if (keyDown_) canvas.circle(at, 5, palette::ice);
 }
 
 void SceneView::wheel(const atlax::WheelEvent& event) {
@@ -322,7 +361,8 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
         fit(canvas.size());
         fitted_.reset();
     } else if (fitted_ && *fitted_ != canvas.size()) {
-        fit(canvas.size());
+        // What has moved may be far away.
+        if (fitted_->empty() || !bench_.document().canReset()) fit(canvas.size());
         fitted_ = canvas.size();
     }
     wantedBounds_.reset();
@@ -340,6 +380,7 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     paintLabels(canvas);
     paintClock(canvas);
     paintGuide(canvas);
+    paintPointer(canvas);
     pastCard_.paint(canvas, past_, bench_.document());
     if (whileDrawing) whileDrawing(canvas);
 }

@@ -55,7 +55,7 @@ public:
     SnapSwitches& snapping() { return snapping_; }
     const SnapSwitches& snapping() const { return snapping_; }
     /// Shows all that is interesting, with the next frame, and again where the drawing area gets
-    /// another size before anybody has touched it.
+    /// another size before anybody has touched it or time has run.
     void zoomToFit() { fitted_ = atlax::PixelSize{}; }
     /// Shows a rectangle with some room around it, with the next frame.
     void zoomTo(const Bounds& bounds) { wantedBounds_ = bounds; }
@@ -70,6 +70,13 @@ public:
     std::optional<sulfur::Point> pointer() const;
     /// The same, nothing where it is not over the drawing area.
     std::optional<sulfur::Point> pointerInView() const;
+
+    /// As the mouse: moves the pointer by metres, and presses the left button or lets it go. Twice at
+    /// one place is a double click.
+    void movePointer(const sulfur::Point& by);
+    void switchButton();
+    /// Forgets a button that keys hold down; its tool must have been cancelled.
+    void letGoOfKeys() { keyDown_ = false, keyClicks_ = 0; }
 
     /// Buttons of the mouse that went down or up so far; for scripts that wait for their clicks.
     std::uint64_t buttonEvents() const { return buttonEvents_; }
@@ -162,6 +169,7 @@ private:
     void paintLabels(atlax::Canvas& canvas);
     void paintClock(atlax::Canvas& canvas);
     void paintGuide(atlax::Canvas& canvas);
+    void paintPointer(atlax::Canvas& canvas) const;
     std::string clockState() const;
 
     Workbench& bench_;
@@ -177,6 +185,9 @@ private:
     ViewOptions options_;
     atlax::Camera camera_{{0, 2}, 90};
     std::optional<atlax::Vec2> mouse_;
+    bool byKeys_ = false;  ///< keys have moved the pointer, and not the mouse since
+    bool keyDown_ = false;
+    int keyClicks_ = 0;  ///< at this place
     std::optional<atlax::Vec2> panFrom_;
     /// Size of the drawing area that all fits into, nothing once somebody has touched the view.
     std::optional<atlax::PixelSize> fitted_ = atlax::PixelSize{};

@@ -37,10 +37,17 @@ page_is_whole() {
     xdotool key "$1"
     sleep 1.5
     take_picture "page-$1.png"
-    xdotool key F8 sleep 1.5 key F8
+    local changed
+    changed=$(changed_pixels "$2-start.png" "page-$1.png")
+    ((changed > 3000)) || fail "page $1 does not open; see $PWD/page-$1.png"
+    xdotool key F8
+    sleep 1.5
+    take_picture "page-$1-diagram.png"
+    changed=$(changed_pixels "page-$1.png" "page-$1-diagram.png")
+    ((changed > 3000)) || fail "no diagram opens; see $PWD/page-$1-diagram.png"
+    xdotool key F8
     sleep 1.5
     take_picture "page-$1-anew.png"
-    local changed
     changed=$(changed_pixels "page-$1.png" "page-$1-anew.png")
     ((changed < 2000)) || fail "page $1 was not laid out: $changed pixels; see $PWD/page-$1.png"
 }
@@ -51,16 +58,21 @@ level=$3
 for page in 2 3 4 5 6; do
     start_sandbox "page$page"
     [[ $page == 2 ]] && xdotool key ctrl+a
-    page_is_whole "ctrl+$page"
+    page_is_whole "ctrl+$page" "page$page"
     end_sandbox "page$page"
 done
 start_sandbox level "$level"
-page_is_whole ctrl+7
+page_is_whole ctrl+7 level
 end_sandbox level
 
 # An empty scene is 12 m wide, with its floor in the lower fifth: fitting it anew changes nothing.
 start_sandbox view
 take_picture view.png
+xdotool key minus
+sleep 1
+take_picture view-small.png
+changed=$(changed_pixels view.png view-small.png)
+((changed > 1000)) || fail "nothing is zoomed; see $PWD/view-small.png"
 xdotool key f
 sleep 1
 take_picture view-fit.png

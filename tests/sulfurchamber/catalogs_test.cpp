@@ -43,7 +43,7 @@ const std::set<std::string> sameInGerman{
     "Radius",  "Radius {}, {}", "Pol&ygon", "{} particle", "Esc",    "Motor",     "&Motor",
     "Wind",    "&Wind",         "&Level",   "Level",       "Bronze", "Countdown", "Gold",
     "Monster", "Signal",        "Text",     "Zone",        "Sensor"};
-const std::set<std::string> sameInItalian{"Home", "Camera", "Esc", "&File", "fast"};
+const std::set<std::string> sameInItalian{"Home", "Camera", "Esc", "&File", "fast", "Ins"};
 
 /// Leaves English behind, whatever a test has done.
 class Catalogs : public testing::Test {

@@ -139,6 +139,17 @@ TEST_F(Parts, DeletingTakesOneAndWhatHoldsOnToIt) {
     EXPECT_EQ(bench_.document().world().validate(), "");
 }
 
+TEST_F(Parts, WhatHasBecomeAnotherPartIsChosenNoMore) {
+    takePart(bench_, {-0.5, 2});
+    ASSERT_TRUE(bench_.fitting());
+    auto& document = bench_.document();
+    document.edit("Erase", [&] { document.remove(document.world().joints(body())[0]); });
+    EXPECT_EQ(plan().joints.size(), 1u);
+    EXPECT_FALSE(bench_.fitting()) << "another joint has its place";
+    bench_.undo();
+    EXPECT_EQ(plan().joints.size(), 2u);
+}
+
 /// A click on the free part of what joins two bodies chooses it.
 TEST(PartsBetween, AJointOfTwoBodiesHasNumbersAndGoesAlone) {
     Workbench bench;

@@ -62,6 +62,36 @@ TEST(SceneView, AnEmptySceneIsTwelveMetresWideWithTheFloorInTheLowerFifth) {
     }
 }
 
+TEST(SceneView, KeysDoWhatTheMouseDoes) {
+    Workbench bench;
+    bench.setTool(ToolKind::box);
+    look(bench, {1280, 800}, [&](const SceneView& constView) {
+        auto& view = const_cast<SceneView&>(constView);
+        view.movePointer({0, 1});
+        const auto from = *view.pointer();
+        view.switchButton();
+        view.movePointer({1.5, 0});
+        view.movePointer({0, 0.75});
+        view.switchButton();
+        ASSERT_EQ(bench.document().scene().bodies.size(), 2u);
+        const auto& box = std::get<sulfur::shapes::BoxOptions>(
+            bench.document().scene().blueprints.back().generator);
+        EXPECT_NEAR(box.size[0], 1.5, 0.06);
+        EXPECT_NEAR(box.size[1], 0.75, 0.06);
+        // Over it, two clicks at one place take a part of it.
+        bench.setTool(ToolKind::select);
+        bench.select({});
+        view.movePointer(from - *view.pointer());
+        for (int i = 0; i < 4; ++i) view.switchButton();
+        ASSERT_TRUE(bench.fitting());
+        EXPECT_TRUE(bench.fitting()->isPart());
+        // It stays in the window.
+        view.movePointer({1000, -1000});
+        EXPECT_LT(view.mousePixels()->x, 1280);
+        EXPECT_LT(view.mousePixels()->y, 800);
+    });
+}
+
 TEST(SceneView, TheStepOfTheGridIsChosenOrFollowsTheZoom) {
     for (const float zoom : {3.0f, 20.0f, 90.0f, 700.0f}) {
         const GridSteps free = gridSteps(zoom, 1);
