@@ -259,16 +259,19 @@ void MainFrame::makePanels() {
 }
 
 // The side panel takes about a third of a small window, and no more than it needs of a large one;
-// the diagram about a third of the height, pictures of the past a twentieth.
+// the diagram about a third of the height, pictures of the past a twentieth. In a narrow window
+// hints have two lines.
 void MainFrame::arrange() {
     const wxSize size = GetClientSize();
     const int wanted = std::clamp(size.GetWidth() * 36 / 100, FromDIP(240), FromDIP(312));
     const int plot = std::clamp(size.GetHeight() * 3 / 10, FromDIP(120), FromDIP(300));
     const bool pictures =
         timeBar_->setPictureHeight(std::clamp(size.GetHeight() / 20, FromDIP(24), FromDIP(45)));
+    const int hint = hint_->GetCharHeight() * (size.GetWidth() < FromDIP(1000) ? 2 : 1);
     if (side_->GetMinSize().GetWidth() == wanted && plot_->GetMinSize().GetHeight() == plot &&
-        !pictures)
+        hint_->GetMinSize().GetHeight() == hint && !pictures)
         return;
+    hint_->SetMinSize(wxSize(-1, hint));
     side_->SetMinSize(wxSize(wanted, -1));
     plot_->SetMinSize(wxSize(-1, plot));
     centre_->Layout();

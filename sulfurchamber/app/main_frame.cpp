@@ -26,6 +26,7 @@
 #include "picture_grid.hpp"
 #include "program_files.hpp"
 #include "value_row.hpp"
+#include "wrapped_text.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -419,12 +420,18 @@ void MainFrame::setStatus(int field, const std::vector<wxString>& variants) {
     if (GetStatusBar()->GetStatusText(field) != text) SetStatusText(text, field);
 }
 
-void MainFrame::refreshStatus() {
+void MainFrame::showHint() {
     const wxString hint = wxTr(bench_.hint());
-    if (hint_->GetLabel() != hint) {
-        hint_->SetLabel(hint);
-        hint_->SetToolTip(hint);
-    }
+    const int width = centre_->GetClientSize().GetWidth() - FromDIP(8);
+    if (hint == shownHint_ && width == hintWidth_) return;
+    shownHint_ = hint;
+    hintWidth_ = width;
+    showWrapped(*hint_, hint, width);
+    hint_->SetToolTip(hint);
+}
+
+void MainFrame::refreshStatus() {
+    showHint();
     const sulfur::World& world = bench_.document().world();
     const sulfur::Statistics& s = world.statistics();
     const Totals sums = totals(world);

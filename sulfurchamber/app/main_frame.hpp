@@ -244,6 +244,7 @@ private:
     void refresh();
     void refreshActions();
     void refreshStatus();
+    void showHint();
     void refreshHistoryLabels();
     void setStatus(int field, const std::vector<wxString>& variants);
     void onStatusClick(wxMouseEvent& event);
@@ -281,6 +282,8 @@ private:
     std::optional<ToolKind> pointedTool_;  ///< on the palette
     std::int64_t pointedNs_ = 0;
     wxStaticText* hint_ = nullptr;
+    wxString shownHint_;  ///< not wrapped
+    int hintWidth_ = 0;   ///< at which it is wrapped
     wxAuiToolBar* toolBar_ = nullptr;
     wxAuiToolBar* palette_ = nullptr;
     wxAuiToolBar* secondPalette_ = nullptr;    ///< the tools of the group that is shown

@@ -95,11 +95,6 @@ Value farthestOfJoints(const World& world, BodyId body,
     return most;
 }
 
-double strainOf(const World& world, const sulfur::JointInfo& joint) {
-    const double rest = std::max(1e-9, static_cast<double>(joint.restLength));
-    return ((world.position(joint.a) - world.position(joint.b)).norm() / rest - 1) * 100;
-}
-
 // What others push on it, along and across their normals: the sum of all.
 Value contactForce(const World& world, BodyId body) {
     std::array<ContactInfo, 64> contacts;
@@ -239,6 +234,11 @@ std::string shortest(double value) {
 }
 
 }  // namespace
+
+double strainOf(const World& world, const sulfur::JointInfo& joint) {
+    const double rest = std::max(1e-9, static_cast<double>(joint.restLength));
+    return ((world.position(joint.a) - world.position(joint.b)).norm() / rest - 1) * 100;
+}
 
 std::span<const Quantity> quantities() {
     return table;

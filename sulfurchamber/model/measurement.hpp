@@ -30,6 +30,9 @@ std::span<const Quantity> quantities();
 /// Null when there is none of this key.
 const Quantity* quantity(std::string_view key);
 
+/// %, by how much a joint is longer than at rest.
+double strainOf(const sulfur::World& world, const sulfur::JointInfo& joint);
+
 struct Sample {
     double time = 0;  ///< s
     double value = 0;

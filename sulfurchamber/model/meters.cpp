@@ -31,9 +31,9 @@ constexpr std::array<Quantity, 1> ofProtractors{
 constexpr std::array<Quantity, 3> ofTracers{{{"trace-speed", "Speed", "m/s", "Of the point"},
                                              {"trace-x", "Horizontal place", "m", "Of the point"},
                                              {"trace-y", "Height", "m", "Of the point"}}};
-constexpr std::array<Quantity, 1> ofGauges{
-    {{"force", "Force", "N",
-      "Of the joint, above 0 it pulls; of mechanisms and contacts its size"}}};
+constexpr std::array<Quantity, 2> ofGauges{
+    {{"force", "Force", "N", "Of the joint, above 0 it pulls; of mechanisms and contacts its size"},
+     {"gauge-strain", "Strain", "%", "Of the joint; above 0 it is stretched"}}};
 constexpr std::array<Quantity, 1> ofGuns{{{"passing", "Speed", "m/s", "Of what is in the beam"}}};
 
 // Whether a joint is between these two, in either order.
@@ -67,6 +67,12 @@ std::span<const Quantity> readingsOf(MeterKind kind) {
     return ofRulers;
 }
 
+std::span<const Quantity> readingsOf(const Meter& meter) {
+    const auto all = readingsOf(meter.kind);
+    const bool ofJoint = !meter.ends.empty() && meter.ends[0].particle.has_value();
+    return meter.kind == MeterKind::gauge && !ofJoint ? all.first(1) : all;
+}
+
 double roundAbove(double value) {
     double power = std::pow(10, std::floor(std::log10(std::max(value, 1e-3))));
     for (const double step : {1.0, 2.0, 5.0, 10.0})
@@ -93,7 +99,7 @@ void Meters::follow() const {
         for (Entry& old : entries_)
             if (old.meter == entry.meter) entry.series = std::move(old.series);
         if (entry.series.empty())
-            for (const Quantity& reading : readingsOf(entry.meter.kind))
+            for (const Quantity& reading : readingsOf(entry.meter))
                 entry.series.push_back({BodyId{}, 0, entry.meter.id, &reading, {}});
         next.push_back(std::move(entry));
     }
@@ -178,7 +184,7 @@ std::optional<double> Meters::read(const Meter& meter, const Quantity& reading) 
                 .norm();
         }
         case MeterKind::gauge:
-            return readForce(entry);
+            return reading.key == "force" ? readForce(entry) : readStrain(entry);
         case MeterKind::gun:
             return readBeam(meter);
     }
@@ -200,10 +206,21 @@ std::optional<double> Meters::readForce(const Entry& entry) const {
         if (!body) return std::nullopt;
         return quantity("contact-force")->get(document_.world(), body);
     }
-    return meter.ends[0].particle ? jointForce(entry) : mechanismForce(entry);
+    if (!meter.ends[0].particle) return mechanismForce(entry);
+    const auto joint = jointOf(entry);
+    if (!joint) return std::nullopt;
+    return static_cast<double>(document_.world().info(*joint).force);
 }
 
-std::optional<double> Meters::jointForce(const Entry& entry) const {
+std::optional<double> Meters::readStrain(const Entry& entry) const {
+    if (entry.meter.ends.size() < 2 || !entry.meter.ends[0].particle) return std::nullopt;
+    const auto joint = jointOf(entry);
+    if (!joint) return std::nullopt;
+    const World& world = document_.world();
+    return strainOf(world, world.info(*joint));
+}
+
+std::optional<JointId> Meters::jointOf(const Entry& entry) const {
     const World& world = document_.world();
     const BodyId a = bodyOf(entry, 0), b = bodyOf(entry, 1);
     const auto from = particleOf(world, a, entry.meter.ends[0]);
@@ -225,7 +242,7 @@ std::optional<double> Meters::jointForce(const Entry& entry) const {
             return std::nullopt;
         }
     }
-    return static_cast<double>(world.info(held).force);
+    return held;
 }
 
 std::optional<double> Meters::mechanismForce(const Entry& entry) const {

@@ -16,6 +16,8 @@ namespace sulfurchamber {
 /// What a meter of a kind tells; the first is what it shows. Their `get` is null: Meters reads
 /// them.
 std::span<const Quantity> readingsOf(MeterKind kind);
+/// Those that this one has: a gauge tells a strain of joints alone.
+std::span<const Quantity> readingsOf(const Meter& meter);
 
 /// Follows the meters of a document. Each tick adds a sample of each reading; where time has been
 /// rewound, samples from there on are replaced as it goes on. One thread.
@@ -66,7 +68,8 @@ private:
     sulfur::BodyId bodyOf(const Entry& entry, std::size_t end) const;
     std::optional<double> readAngle(const Meter& meter) const;
     std::optional<double> readForce(const Entry& entry) const;
-    std::optional<double> jointForce(const Entry& entry) const;
+    std::optional<double> readStrain(const Entry& entry) const;
+    std::optional<sulfur::JointId> jointOf(const Entry& entry) const;
     std::optional<double> mechanismForce(const Entry& entry) const;
     std::optional<double> readBeam(const Meter& gun) const;
     std::optional<sulfur::CastHit> hitOf(const Meter& gun) const;

@@ -148,8 +148,14 @@ do theme-system
 do grid-half
 ")
   run_window(0 --language ${language} --script ${WORK}/${language}.txt)
-  # In the smallest window too.
+  # In the smallest window too, with each hint.
+  set(hints)
+  foreach(tool select box ball wheel polygon wall ground jelly draw cloth rope chain bridge particle joint hinge motor
+      weld spring cable winch slider axle pulley gear thruster wind gravity conveyor liquid pin cut erase measure)
+    string(APPEND hints "tool ${tool}\nwhole\n")
+  endforeach()
   file(WRITE ${WORK}/${language}-small.txt "
+${hints}
 open ${SCENES}/car.json
 do select-all
 do page-object

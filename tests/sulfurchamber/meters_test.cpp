@@ -156,6 +156,36 @@ TEST(Meters, AGaugeTellsThePullOfAJoint) {
     EXPECT_TRUE(std::isnan(readFirst(bench)));
 }
 
+/// A spring of 250 N/m on which 2.5 kg hang.
+TEST(Meters, AGaugeTellsTheStrainOfItsJoint) {
+    Workbench bench;
+    bench.setTool(ToolKind::particle);
+    bench.press({.position = {0, 4}, .shift = true});
+    bench.release({.position = {0, 4}, .shift = true});
+    bench.press({.position = {0, 3}});
+    bench.release({.position = {0, 3}});
+    dragTool(bench, ToolKind::joint, {0, 4}, {0, 3});
+    auto& document = bench.document();
+    const std::string id = document.scene().bodies.back().id;
+    document.edit("Soften", [&] {
+        const auto body = document.bodyOf(id);
+        document.change({&body, 1}, [](sulfur::scene::Prefab& prefab) {
+            prefab.blueprint.joints[0].stiffness = 250;
+            prefab.blueprint.joints[0].damping = 40;
+            prefab.blueprint.particles[1].mass = 2.5f;
+        });
+    });
+    clickTool(bench, ToolKind::gauge, {0, 3.5});
+    ASSERT_EQ(bench.meters().all().size(), 1u);
+    const Meter meter = bench.meters().all()[0];
+    ASSERT_EQ(readingsOf(meter).size(), 2u);
+    letPass(bench, 3);
+    EXPECT_NEAR(bench.meters().read(meter, readingsOf(meter)[1]).value_or(0), 9.81, 0.05);
+    const auto record = bench.meters().record(meter.id);
+    ASSERT_EQ(record.size(), 2u) << "both are plotted";
+    EXPECT_GT(record[1].samples.size(), 100u);
+}
+
 TEST(Meters, AGaugeTellsWhatAHingeBears) {
     Workbench bench;
     bench.document().adopt(sulfur::scene::parse(R"({
