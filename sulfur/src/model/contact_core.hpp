@@ -195,7 +195,7 @@ struct ContactCore {
     std::vector<std::uint32_t> awakeChunks, awakeStrips;
     std::vector<std::uint32_t> newChunks;  // in no grid yet
 
-    // Scratch of a tick.
+    // Scratch of a tick, but the next one begins with what was unbalanced, and compares the ways.
     std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
     std::vector<Unbalanced> unbalanced;  // by the step before
