@@ -57,15 +57,13 @@ bool Script::moveMouseTo(const atlax::Vec2& pixels, std::function<void()> then) 
                          static_cast<int>(std::lround(static_cast<double>(pixels.y) / scale)));
     if (!frame_.canvas().GetClientRect().Contains(target)) return false;
     const wxPoint screen = frame_.canvas().ClientToScreen(target);
-    // The pointer may be there already, then no event comes: it goes beside first.
+    // The pointer may be there already, then no event comes: it goes beside first. Of two motions
+    // close after each other the server may keep one to itself, each time anew: what is lost is
+    // asked for again by one motion at a time.
     simulator_.MouseMove(screen.x + 1, screen.y);
     simulator_.MouseMove(screen.x, screen.y);
     const auto arrived = [this, target, scale, screen, calls = 0]() mutable {
-        // Motion events are hints that the server may merge: a lost one is asked for again.
-        if (++calls % 20 == 0) {
-            simulator_.MouseMove(screen.x + 1, screen.y);
-            simulator_.MouseMove(screen.x, screen.y);
-        }
+        if (++calls % 10 == 0) simulator_.MouseMove(screen.x + (calls / 10) % 2, screen.y);
         const auto seen = frame_.sceneView().mousePixels();
         return seen && std::lround(static_cast<double>(seen->x) / scale) == target.x &&
                std::lround(static_cast<double>(seen->y) / scale) == target.y;
