@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "icons.hpp"
 #include "level_panel.hpp"
@@ -54,6 +55,46 @@ wxString keyText(int key) {
     }
 }
 
+wxUniChar mnemonicOf(const wxString& label) {
+    for (std::size_t i = 0; i + 1 < label.length(); ++i) {
+        if (label[i] != '&') continue;
+        if (label[i + 1] != '&') return wxTolower(label[i + 1]);
+        ++i;
+    }
+    return 0;
+}
+
+// Each entry of a menu has a letter of its own, in every language: of two with the same letter GTK
+// opens neither. Who comes second takes the first free letter, at the beginning of a word if it can.
+void giveMnemonics(const wxMenu& menu) {
+    std::set<wxUniChar> taken;
+    std::vector<wxMenuItem*> without;
+    for (wxMenuItem* item : menu.GetMenuItems()) {
+        if (item->IsSubMenu()) giveMnemonics(*item->GetSubMenu());
+        if (item->IsSeparator()) continue;
+        const wxUniChar letter = mnemonicOf(item->GetItemLabel());
+        if (letter == 0 || !taken.insert(letter).second) without.push_back(item);
+    }
+    for (wxMenuItem* item : without) {
+        const wxString keys = item->GetItemLabel().AfterFirst('\t');
+        wxString text = item->GetItemLabelText();
+        const auto find = [&](bool atWord) {
+            for (std::size_t i = 0; i < text.length() && text[i] != '('; ++i)
+                if (wxIsalnum(text[i]) && (!atWord || i == 0 || text[i - 1] == ' ') &&
+                    !taken.contains(wxTolower(text[i])))
+                    return i;
+            return text.length();
+        };
+        std::size_t place = find(true);
+        if (place == text.length()) place = find(false);
+        if (place < text.length()) {
+            taken.insert(wxTolower(text[place]));
+            text.insert(place, "&");
+        }
+        item->SetItemLabel(keys.empty() ? text : text + "\t" + keys);
+    }
+}
+
 }  // namespace
 
 wxString MainFrame::tooltip(const Action& action) const {
@@ -93,9 +134,18 @@ void MainFrame::makeMenus() {
                 recent_.UseMenu(recentMenu_);
             }
         }
+        giveMnemonics(*menu);
         bar->Append(menu, wxTr(titles[i]));
     }
     SetMenuBar(bar);
+    Bind(wxEVT_MENU_OPEN, [this](wxMenuEvent& event) {
+        openMenu_ = event.GetMenu();
+        event.Skip();
+    });
+    Bind(wxEVT_MENU_CLOSE, [this](wxMenuEvent& event) {
+        if (event.GetMenu() == openMenu_) openMenu_ = nullptr;  // else the next one is open already
+        event.Skip();
+    });
     Bind(wxEVT_MENU, [this](wxCommandEvent& event) {
         const int recent = event.GetId() - recent_.GetBaseId();
         if (recent >= 0 && recent < static_cast<int>(recent_.GetCount())) {

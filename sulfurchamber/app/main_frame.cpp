@@ -160,8 +160,9 @@ void MainFrame::bindControls() {
 
 void MainFrame::onKey(wxKeyEvent& event) {
     const wxWindow* focus = wxWindow::FindFocus();
-    // Fields and grids have keys of their own.
-    const bool typing = dynamic_cast<const wxTextEntry*>(focus) != nullptr ||
+    // Fields, grids and open menus have keys of their own.
+    const bool typing = openMenu_ != nullptr ||
+                        dynamic_cast<const wxTextEntry*>(focus) != nullptr ||
                         dynamic_cast<const PictureGrid*>(focus) != nullptr;
     // While a level is played its keys are the game's, but for the one that ends it.
     if (stage_->playing() && !typing && !event.ControlDown() && !event.AltDown()) {

@@ -292,6 +292,7 @@ private:
     std::optional<ToolGroup> shownGroup_;
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
+    const wxMenu* openMenu_ = nullptr;  // of the menu bar
     std::optional<Preferences> preferences_;  ///< none while unattended
     std::optional<Recovery> recovery_;        ///< none while unattended
     std::int64_t nextKeepNs_ = 0;

@@ -112,7 +112,7 @@ bool MainFrame::mayDiscard() {
     if (!bench_.document().modified() || options_.unattended()) return true;
     wxMessageDialog dialog(this, wxTr("Save the changes to “{}”?", {tr(bench_.document().name())}),
                            "SulfurChamber", wxYES_NO | wxCANCEL | wxICON_QUESTION);
-    dialog.SetYesNoCancelLabels(wxTr("Save"), wxTr("Discard"), wxTr("Cancel"));
+    dialog.SetYesNoCancelLabels(wxTr("&Save"), wxTr("&Discard"), wxTr("&Cancel"));
     switch (dialog.ShowModal()) {
         case wxID_YES:
             return save();
@@ -142,7 +142,7 @@ void MainFrame::offerRecovery() {
     wxMessageDialog dialog(this, wxTr("SulfurChamber ended before {} was saved.", {name}),
                            "SulfurChamber", wxYES_NO | wxCANCEL | wxICON_QUESTION);
     dialog.SetExtendedMessage(wxTr("What was built had been kept. It can be opened now."));
-    dialog.SetYesNoCancelLabels(wxTr("Open it"), wxTr("Delete it"), wxTr("Later"));
+    dialog.SetYesNoCancelLabels(wxTr("&Open it"), wxTr("&Delete it"), wxTr("&Later"));
     const int answer = dialog.ShowModal();
     if (answer == wxID_CANCEL) return;
     if (answer == wxID_YES) {

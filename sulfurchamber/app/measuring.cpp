@@ -116,8 +116,12 @@ void MainFrame::showTable4() {
         return;
     }
     const auto choose = [this](const std::string& name, const std::string& kind) {
+        const bool table = kind == "csv";
         return canvas_->platform().chooseFile(
-            {.title = "Save the table", .save = true, .name = name, .kinds = {{"Tables", {kind}}}});
+            {.title = table ? tr("Save the table") : tr("Save the diagram"),
+             .save = true,
+             .name = name,
+             .kinds = {{table ? tr("Tables") : tr("Pictures"), {kind}}}});
     };
     auto* window = new Table4Window(this, choose, [this](const std::string& problem) {
         tellInDialog(problem, "The table cannot be made");

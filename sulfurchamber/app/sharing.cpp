@@ -46,11 +46,11 @@ bool MainFrame::exportCpp(const std::filesystem::path& file) {
 void MainFrame::exportCppDialog() {
     const auto& file = bench_.document().file();
     const auto chosen = canvas_->platform().chooseFile(
-        {.title = "Export as C++ source",
+        {.title = tr("Export as C++ source"),
          .save = true,
          .folder = file.parent_path(),
          .name = (file.empty() ? "scene" : file.stem().string()) + ".cpp",
-         .kinds = {{"C++ source", {"cpp"}}}});
+         .kinds = {{tr("C++ source"), {"cpp"}}}});
     if (chosen) exportCpp(*chosen);
 }
 
@@ -61,11 +61,11 @@ void MainFrame::makeFilm(const std::filesystem::path& file) {
 void MainFrame::filmDialog() {
     const auto& file = bench_.document().file();
     const auto chosen = canvas_->platform().chooseFile(
-        {.title = "Film of the last 10 s",
+        {.title = tr("Film of the last 10 s"),
          .save = true,
          .folder = file.parent_path(),
          .name = (file.empty() ? "scene" : file.stem().string()) + "-film.png",
-         .kinds = {{"Animated pictures", {"png"}}}});
+         .kinds = {{tr("Animated pictures"), {"png"}}}});
     if (chosen) makeFilm(*chosen);
 }
 

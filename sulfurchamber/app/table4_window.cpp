@@ -155,8 +155,8 @@ Table4Window::Table4Window(wxWindow* parent, Choose choose,
     makeTable();
     progress_ = new wxGauge(panel, wxID_ANY, 1000);
     run_ = new wxButton(panel, wxID_ANY, wxTr("Run again"));
-    csv_ = new wxButton(panel, wxID_ANY, wxTr("Table as CSV\xE2\x80\xA6"));
-    png_ = new wxButton(panel, wxID_ANY, wxTr("Picture as PNG\xE2\x80\xA6"));
+    csv_ = new wxButton(panel, wxID_ANY, wxTr("&Table as CSV\xE2\x80\xA6"));
+    png_ = new wxButton(panel, wxID_ANY, wxTr("&Picture as PNG\xE2\x80\xA6"));
     auto* row = new wxBoxSizer(wxHORIZONTAL);
     row->Add(progress_, wxSizerFlags(1).CentreVertical().Border(wxRIGHT, FromDIP(8)));
     for (wxButton* button : {run_, csv_, png_})
@@ -179,6 +179,12 @@ Table4Window::Table4Window(wxWindow* parent, Choose choose,
         else
             begin();
         refresh();
+    });
+    Bind(wxEVT_CHAR_HOOK, [this](wxKeyEvent& event) {
+        if (event.GetKeyCode() == WXK_ESCAPE)
+            Close();
+        else
+            event.Skip();
     });
     csv_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { saveAs("table4.csv", "csv"); });
     png_->Bind(wxEVT_BUTTON, [this](wxCommandEvent&) { saveAs("table4.png", "png"); });

@@ -162,7 +162,7 @@ void View::bindEvents() {
     handlers_->timer.Bind(wxEVT_TIMER, [](wxTimerEvent&) { wxWakeUpIdle(); });
 }
 
-View::DialogGuard::DialogGuard(View& view) : view_(view) {
+View::DialogGuard::DialogGuard(View& view) : view_(view), focus_(wxWindow::FindFocus()) {
     if (view_.handlers_->inDialog) throw Error("a dialog is open already");
     view_.handlers_->inDialog = true;
 }
@@ -173,7 +173,14 @@ View::DialogGuard::~DialogGuard() {
     handlers.keysDown.reset();
     handlers.buttonsDown.reset();
     handlers.dialogClosed = true;
-    view_.CallAfter([view = &view_] { view->SetFocus(); });  // GTK gives it back to nobody
+    // GTK gives the focus back to nobody. Another window of the program gets it as it had it.
+    view_.CallAfter([view = &view_, before = focus_] {
+        wxWindow* const window = before.get();
+        if (window != nullptr && wxGetTopLevelParent(window) != wxGetTopLevelParent(view))
+            window->SetFocus();
+        else
+            view->SetFocus();
+    });
 }
 
 Platform& View::platform() {

@@ -102,7 +102,10 @@ std::optional<std::filesystem::path> View::ViewPlatform::chooseFile(const FileDi
     const View::DialogGuard nothingElse(view_);
     const long style =
         dialog.save ? wxFD_SAVE | wxFD_OVERWRITE_PROMPT : wxFD_OPEN | wxFD_FILE_MUST_EXIST;
-    wxFileDialog window(wxGetTopLevelParent(&view_), wxString::FromUTF8(dialog.title),
+    // The window that has the focus gets it back.
+    wxWindow* const focus = wxWindow::FindFocus();
+    wxWindow* const parent = wxGetTopLevelParent(focus != nullptr ? focus : &view_);
+    wxFileDialog window(parent, wxString::FromUTF8(dialog.title),
                         wxString::FromUTF8(dialog.folder.string()), wxString::FromUTF8(dialog.name),
                         wildcards(dialog.kinds), style);
     if (window.ShowModal() != wxID_OK) return {};

@@ -1,6 +1,8 @@
 // The platform of a View: the window's side of atlax::Platform.
 #pragma once
 
+#include <wx/weakref.h>
+
 #include <atlax/backend.hpp>
 #include <atlax/wx/view.hpp>
 
@@ -60,6 +62,7 @@ public:
 
 private:
     View& view_;
+    wxWeakRef<wxWindow> focus_;  // where it was
 };
 
 }  // namespace atlax::wx
