@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atlax/files.hpp>
 #include <cmath>
 #include <filesystem>
 
@@ -32,6 +33,15 @@ TEST_P(Gallery, ReadsAndPlaysTwoSeconds) {
     // What is on screen at the start is still about there.
     for (const auto body : document.world().bodies())
         EXPECT_LT(document.world().centreOfMass(body).norm(), 60) << document.world().name(body);
+}
+
+// Byte for byte: examples are what the program makes.
+TEST_P(Gallery, IsAsTheProgramSavesIt) {
+    const auto file =
+        std::filesystem::path(SULFURCHAMBER_SCENES) / (std::string(GetParam()) + ".json");
+    Document document;
+    document.open(file);
+    EXPECT_EQ(document.text(), atlax::readFile(file, 1 << 22));
 }
 
 INSTANTIATE_TEST_SUITE_P(

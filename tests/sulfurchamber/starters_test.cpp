@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atlax/files.hpp>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -93,6 +94,14 @@ TEST_P(Starters, StandsForTenSeconds) {
         EXPECT_GT(stage.world().bounds(body).low.y(), -0.05) << part << " is in the floor";
         EXPECT_LT(std::abs(stage.world().centreOfMass(body).x()), 30) << part;
     }
+}
+
+// Byte for byte, when its file is edited.
+TEST_P(Starters, IsAsTheProgramSavesIt) {
+    const auto file = std::filesystem::path(SULFURCHAMBER_TEMPLATES) / (GetParam() + ".json");
+    Document document;
+    document.open(file);
+    EXPECT_EQ(document.text(), atlax::readFile(file, 1 << 22));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Starters, testing::ValuesIn(starterNames()), [](const auto& one) {
