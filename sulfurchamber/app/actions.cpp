@@ -229,10 +229,22 @@ void MainFrame::addPointerActions() {
              "Move the pointer by a line of the fine grid", "",
              [this, way] { view_.movePointer(sulfur::Point(way.x, way.y) * view_.fineStep()); }})
             .under = "Pointer";
-    add({"pointer-button", MenuId::tools, "Press or let go", WXK_INSERT,
-         "Press the button of the mouse where the pointer is, or let it go", "",
-         [this] { view_.switchButton(); }})
-        .under = "Pointer";
+    struct Press {
+        const char* name;
+        const char* label;
+        int held;
+        atlax::Modifiers modifiers;
+    };
+    static constexpr Press presses[] = {
+        {"pointer-button", "Press or let go", 0, atlax::Modifiers::None},
+        {"pointer-shift", "Press with Shift", withShift, atlax::Modifiers::Shift},
+        {"pointer-control", "Press with Ctrl", withControl, atlax::Modifiers::Control},
+        {"pointer-alt", "Press with Alt", withAlt, atlax::Modifiers::Alt}};
+    for (const Press& press : presses)
+        add({press.name, MenuId::tools, press.label, WXK_INSERT | press.held,
+             "Press the button of the mouse where the pointer is, or let it go", "",
+             [this, press] { view_.switchButton(press.modifiers); }})
+            .under = "Pointer";
 }
 
 void MainFrame::addViewActions() {

@@ -20,7 +20,9 @@ namespace sulfurchamber {
 namespace {
 
 wxString keyText(int key) {
-    if ((key & withShift) != 0) return wxTr("Shift") + "+" + keyText(key & ~withShift);
+    for (const auto& [held, name] :
+         {std::pair(withShift, "Shift"), {withControl, "Ctrl"}, {withAlt, "Alt"}})
+        if ((key & held) != 0) return wxTr(name) + "+" + keyText(key & ~held);
     switch (key) {
         case WXK_INSERT:
             return wxTr("Ins");

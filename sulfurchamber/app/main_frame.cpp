@@ -173,18 +173,23 @@ void MainFrame::onKey(wxKeyEvent& event) {
         return;
     }
     const bool own = focus != nullptr && wxGetTopLevelParent(const_cast<wxWindow*>(focus)) == this;
-    if (typing || !own || event.ControlDown() || event.AltDown()) {
+    const bool command = event.ControlDown() || event.AltDown();
+    if (typing || !own) {
         event.Skip();
         return;
     }
-    if (holdControl(event)) return;
+    if (!command && holdControl(event)) return;
     int key =
         event.GetUnicodeKey() != 0 ? static_cast<int>(event.GetUnicodeKey()) : event.GetKeyCode();
     if (key < 128) key = std::toupper(key);
     if (key == '=' || event.GetKeyCode() == WXK_NUMPAD_ADD) key = '+';
     if (event.GetKeyCode() == WXK_NUMPAD_SUBTRACT) key = '-';
-    const bool arrow = key == WXK_LEFT || key == WXK_RIGHT || key == WXK_UP || key == WXK_DOWN;
-    if (arrow && event.ShiftDown()) key |= withShift;
+    // What Shift makes of a letter or a sign is a key of its own.
+    const bool same = key == WXK_LEFT || key == WXK_RIGHT || key == WXK_UP || key == WXK_DOWN ||
+                      key == WXK_INSERT;
+    if (same && event.ShiftDown()) key |= withShift;
+    if (event.ControlDown()) key |= withControl;
+    if (event.AltDown()) key |= withAlt;
     for (const Action& action : actions_)
         if (action.plainKey != 0 && action.plainKey == key) {
             runAction(action);

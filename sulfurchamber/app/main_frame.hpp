@@ -41,15 +41,17 @@ class LevelPanel;
 
 enum class MenuId : std::uint8_t { file, edit, tools, view, simulation, measure, level, help };
 
-/// In a key of an action: it is held together with Shift.
+/// In a key of an action: it is held together with these.
 inline constexpr int withShift = 1 << 16;
+inline constexpr int withControl = 1 << 17;
+inline constexpr int withAlt = 1 << 18;
 
 /// Something that one can do from a menu, with a key, on a bar, or from a script.
 struct Action {
     std::string name;  ///< for scripts: "play", "tool-box"
     MenuId menu = MenuId::file;
     wxString label;    ///< with '&', and '\t' before an accelerator with modifiers
-    /// A key without modifiers but `withShift`, handled only outside of text fields.
+    /// A key with `withShift` and the like, handled only outside of text fields and menus.
     int plainKey = 0;
     std::string help;  ///< one line for the tooltip
     std::string icon;  ///< on a bar when not empty

@@ -27,8 +27,10 @@ struct KeyPress {
 };
 KeyPress keyOf(const Action& action) {
     if (action.plainKey != 0)
-        return {action.plainKey & ~withShift,
-                (action.plainKey & withShift) != 0 ? wxMOD_SHIFT : wxMOD_NONE};
+        return {action.plainKey & ~(withShift | withControl | withAlt),
+                ((action.plainKey & withShift) != 0 ? wxMOD_SHIFT : 0) |
+                    ((action.plainKey & withControl) != 0 ? wxMOD_CONTROL : 0) |
+                    ((action.plainKey & withAlt) != 0 ? wxMOD_ALT : 0)};
     const std::unique_ptr<wxAcceleratorEntry> entry(wxAcceleratorEntry::Create(action.label));
     if (!entry) return {};
     static_assert(int{wxACCEL_ALT} == int{wxMOD_ALT} && int{wxACCEL_CTRL} == int{wxMOD_CONTROL} &&

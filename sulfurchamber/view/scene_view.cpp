@@ -246,18 +246,20 @@ void SceneView::movePointer(const sulfur::Point& by) {
     const atlax::Vec2 to = toPixels(toWorld(from) + by);
     byKeys_ = true;
     keyClicks_ = 0;
-    mouseMoved({std::clamp(to.x, 0.0f, size.x - 1), std::clamp(to.y, 0.0f, size.y - 1)},
-               atlax::Modifiers::None);
+    mouseMoved({std::clamp(to.x, 0.0f, size.x - 1), std::clamp(to.y, 0.0f, size.y - 1)}, keysHeld_);
 }
 
-void SceneView::switchButton() {
+void SceneView::switchButton(atlax::Modifiers held) {
     if (!mouse_) movePointer({0, 0});
     if (!mouse_ || guest_ != nullptr) return;
     byKeys_ = true;
     keyDown_ = !keyDown_;
-    if (keyDown_) ++keyClicks_;
-    mouseButton({atlax::MouseButton::Left, keyDown_, *mouse_, keyClicks_ > 1 ? 2 : 1,
-                 atlax::Modifiers::None});
+    if (keyDown_) {
+        ++keyClicks_;
+        keysHeld_ = held;
+    }
+    mouseButton({atlax::MouseButton::Left, keyDown_, *mouse_, keyClicks_ > 1 ? 2 : 1, keysHeld_});
+    if (!keyDown_) keysHeld_ = atlax::Modifiers::None;
 }
 
 // A cross where keys have moved the pointer, and a disc in it while its button is down.

@@ -71,12 +71,13 @@ public:
     /// The same, nothing where it is not over the drawing area.
     std::optional<sulfur::Point> pointerInView() const;
 
-    /// As the mouse: moves the pointer by metres, and presses the left button or lets it go. Twice at
-    /// one place is a double click.
+    /// As the mouse: moves the pointer by metres, and presses the left button or lets it go. Twice
+    /// at one place is a double click. What is held with the press is held until the button goes
+    /// up.
     void movePointer(const sulfur::Point& by);
-    void switchButton();
+    void switchButton(atlax::Modifiers held = atlax::Modifiers::None);
     /// Forgets a button that keys hold down; its tool must have been cancelled.
-    void letGoOfKeys() { keyDown_ = false, keyClicks_ = 0; }
+    void letGoOfKeys() { keyDown_ = false, keyClicks_ = 0, keysHeld_ = atlax::Modifiers::None; }
 
     /// Buttons of the mouse that went down or up so far; for scripts that wait for their clicks.
     std::uint64_t buttonEvents() const { return buttonEvents_; }
@@ -187,6 +188,7 @@ private:
     std::optional<atlax::Vec2> mouse_;
     bool byKeys_ = false;  ///< keys have moved the pointer, and not the mouse since
     bool keyDown_ = false;
+    atlax::Modifiers keysHeld_ = atlax::Modifiers::None;  ///< with the button that keys hold down
     int keyClicks_ = 0;  ///< at this place
     std::optional<atlax::Vec2> panFrom_;
     /// Size of the drawing area that all fits into, nothing once somebody has touched the view.

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 
 /// Names, and words that are the same in another language.
 const std::set<std::string> sameWords{"SulfurChamber",
+                                      "Alt",
                                       "English",
                                       "Deutsch",
                                       "Italiano",
@@ -43,7 +44,7 @@ const std::set<std::string> sameInGerman{
     "Radius",  "Radius {}, {}", "Pol&ygon", "{} particle", "Esc",    "Motor",     "&Motor",
     "Wind",    "&Wind",         "&Level",   "Level",       "Bronze", "Countdown", "Gold",
     "Monster", "Signal",        "Text",     "Zone",        "Sensor"};
-const std::set<std::string> sameInItalian{"Home", "Camera", "Esc", "&File", "fast", "Ins"};
+const std::set<std::string> sameInItalian{"Home", "Ctrl", "Camera", "Esc", "&File", "fast", "Ins"};
 
 /// Leaves English behind, whatever a test has done.
 class Catalogs : public testing::Test {

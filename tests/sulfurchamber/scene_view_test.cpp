@@ -85,6 +85,20 @@ TEST(SceneView, KeysDoWhatTheMouseDoes) {
         for (int i = 0; i < 4; ++i) view.switchButton();
         ASSERT_TRUE(bench.fitting());
         EXPECT_TRUE(bench.fitting()->isPart());
+        // Held with Alt it drags a copy, with Shift it takes more.
+        const std::size_t bodies = bench.document().scene().bodies.size();
+        bench.select({});
+        view.movePointer({0.4, 0.4});
+        view.switchButton(atlax::Modifiers::Alt);
+        view.movePointer({2, 1});
+        view.movePointer({1, 0});
+        view.switchButton();
+        EXPECT_EQ(bench.document().scene().bodies.size(), bodies + 1);
+        EXPECT_EQ(bench.selection().size(), 1u);
+        view.movePointer({-3, -1});
+        view.switchButton(atlax::Modifiers::Shift);
+        view.switchButton();
+        EXPECT_EQ(bench.selection().size(), 2u);
         // It stays in the window.
         view.movePointer({1000, -1000});
         EXPECT_LT(view.mousePixels()->x, 1280);
