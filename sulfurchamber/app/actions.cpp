@@ -353,7 +353,7 @@ void MainFrame::addThemeActions() {
              MenuId::view,
              entry.label,
              0,
-             "How light the panels are, from the next start on",
+             "How light the scene and the panels are, from the next start on",
              "",
              [this, entry] { chooseTheme(entry.name); },
              {},

@@ -2,9 +2,11 @@
 
 #include <wx/image.h>
 #include <wx/log.h>
+#include <wx/settings.h>
 
 #include <atlax/log.hpp>
 
+#include "../view/palette.hpp"
 #include "main_frame.hpp"
 #include "script.hpp"
 
@@ -23,6 +25,7 @@ bool ChamberApp::OnInit() {
     SetAppDisplayName("SulfurChamber");
     wxInitAllImageHandlers();
     delete wxLog::SetActiveTarget(new wxLogStderr);
+    if (!wxSystemSettings::GetAppearance().IsUsingDarkBackground()) palette::choose(palette::light);
     try {
         auto* frame = new MainFrame(bench_, options_);
         if (options_.unattended()) script_ = std::make_unique<Script>(*frame, options_);

@@ -33,9 +33,10 @@ Parsed parseCommandLine(int argc, char** argv) {
     app.add_option("--autosave", options.autosave,
                    "Seconds after which unsaved work is kept for a crash (default 30)")
         ->check(CLI::Range(1, 3600));
-    const auto* theme = app.add_option("--theme", options.theme,
-                                       "Panels: dark (default), light, or as the system has them")
-                            ->check(CLI::IsMember({"dark", "light", "system"}));
+    const auto* theme =
+        app.add_option("--theme", options.theme,
+                       "Scene and panels: dark (default), light, or as the system has it")
+            ->check(CLI::IsMember({"dark", "light", "system"}));
     std::vector<std::string> spoken = languages();
     spoken.emplace_back("system");
     const auto* language =

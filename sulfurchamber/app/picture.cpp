@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "../view/palette.hpp"
 #include "../view/scene_view.hpp"
 #include "program_files.hpp"
 
@@ -17,6 +18,7 @@ class PictureApp final : public atlax::Application {
 public:
     PictureApp(Workbench& bench, const Options& options)
         : bench_(bench), options_(options), view_(bench) {
+        if (options.theme == "light") palette::choose(palette::light);
         view_.setSkins(skinStore());
     }
 

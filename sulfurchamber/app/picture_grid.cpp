@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "wx_colour.hpp"
+
 namespace sulfurchamber {
 namespace {
 
@@ -153,19 +155,19 @@ void PictureGrid::paintCell(wxDC& dc, std::size_t item) {
         dc.DrawBitmap(*bitmap, cell.x, cell.y);
     } else {
         dc.SetPen(*wxTRANSPARENT_PEN);
-        dc.SetBrush(wxBrush(wxColour(0x13, 0x1D, 0x42)));
+        dc.SetBrush(wxBrush(wxOf(palette::above)));
         dc.DrawRectangle(cell.x, cell.y, size.GetWidth(), size.GetHeight());
     }
     if (chosen || hovered_ == item) {
-        const wxColour mark = chosen ? wxSystemSettings::GetColour(wxSYS_COLOUR_HIGHLIGHT)
-                                     : wxColour(0x6F, 0xA8, 0xDC);
+        const wxColour mark =
+            chosen ? wxSystemSettings::GetColour(wxSYS_COLOUR_HIGHLIGHT) : wxOf(palette::sky);
         dc.SetPen(wxPen(mark, chosen ? FromDIP(3) : FromDIP(1)));
         dc.SetBrush(*wxTRANSPARENT_BRUSH);
         dc.DrawRectangle(cell.x, cell.y, size.GetWidth(), size.GetHeight());
     }
     if (items_[item].marked) {
         dc.SetPen(*wxTRANSPARENT_PEN);
-        dc.SetBrush(wxBrush(wxColour(0xFF, 0xB3, 0x47)));
+        dc.SetBrush(wxBrush(wxOf(palette::amber)));
         dc.DrawCircle(cell.x + size.GetWidth() - FromDIP(8), cell.y + FromDIP(8), FromDIP(4));
     }
     paintName(dc, items_[item], cell);

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-#include "../view/palette.hpp"
 #include "picture_grid.hpp"
+#include "wx_colour.hpp"
 #include "wx_words.hpp"
 
 namespace sulfurchamber {
@@ -26,13 +26,6 @@ constexpr int lineBelow = 11;  // from the lower edge to the line
 constexpr int laneStep = 6;
 constexpr double reach = 4;
 
-wxColour wxOf(const atlax::Color& color) {
-    const auto byte = [](float value) {
-        return static_cast<unsigned char>(std::clamp(value, 0.0f, 1.0f) * 255);
-    };
-    return {byte(color.r), byte(color.g), byte(color.b), byte(color.a)};
-}
-
 bool isDark() {
     return wxSystemSettings::GetAppearance().IsUsingDarkBackground();
 }
@@ -42,7 +35,7 @@ wxColour colourOf(Mark::Kind kind) {
         case Mark::Kind::breakage:
             return wxOf(palette::hot);
         case Mark::Kind::contact:
-            return isDark() ? wxOf(palette::cold) : wxColour(0, 120, 140);
+            return wxOf(palette::cold);
         case Mark::Kind::edit:
             break;
     }
@@ -154,7 +147,7 @@ private:
             paintHint(*g, width);
             return;
         }
-        const wxColour sky = isDark() ? wxOf(palette::sky) : wxColour(47, 111, 176);
+        const wxColour sky = wxOf(palette::sky);
         for (const auto& lane : now.lanes()) paintLane(*g, lane, y, sky);
         stroke(*g, wxColour(sky.Red(), sky.Green(), sky.Blue(), 110), 4, now.from(), y, now.to(),
                y);

@@ -1,17 +1,47 @@
-// The colours of the sandbox: light on a deep sea, amber for what is soft or wants attention.
+// The colours of the scene: light on a deep sea, or ink on paper; amber for what is soft or wants
+// attention.
 #pragma once
 
 #include <atlax/color.hpp>
 
 namespace sulfurchamber::palette {
 
-inline constexpr atlax::Color deep = atlax::Color::hex(0x0B1026);
-inline constexpr atlax::Color above = atlax::Color::hex(0x131D42);
-inline constexpr atlax::Color steel = atlax::Color::hex(0x1F3A5F);
-inline constexpr atlax::Color sky = atlax::Color::hex(0x6FA8DC);
-inline constexpr atlax::Color ice = atlax::Color::hex(0xE8F4FF);
-inline constexpr atlax::Color amber = atlax::Color::hex(0xFFB347);
-inline constexpr atlax::Color hot = atlax::Color::hex(0xFF5E57);
-inline constexpr atlax::Color cold = atlax::Color::hex(0x43D9E8);
+struct Colours {
+    atlax::Color deep, above;  ///< the scene's ground, below and above
+    atlax::Color steel;        ///< what fills bodies
+    atlax::Color sky;          ///< lines of bodies and texts
+    atlax::Color ice;          ///< what stands out most
+    atlax::Color amber, hot, cold;
+};
+
+inline constexpr Colours dark{atlax::Color::hex(0x0B1026), atlax::Color::hex(0x131D42),
+                              atlax::Color::hex(0x1F3A5F), atlax::Color::hex(0x6FA8DC),
+                              atlax::Color::hex(0xE8F4FF), atlax::Color::hex(0xFFB347),
+                              atlax::Color::hex(0xFF5E57), atlax::Color::hex(0x43D9E8)};
+inline constexpr Colours light{atlax::Color::hex(0xE3EAF3), atlax::Color::hex(0xF7FAFD),
+                               atlax::Color::hex(0xA9C4E2), atlax::Color::hex(0x2F6FB0),
+                               atlax::Color::hex(0x0E2138), atlax::Color::hex(0xB96A00),
+                               atlax::Color::hex(0xCF2F28), atlax::Color::hex(0x007C93)};
+
+// Those of the theme, which is chosen once, before anything is drawn.
+inline atlax::Color deep = dark.deep;
+inline atlax::Color above = dark.above;
+inline atlax::Color steel = dark.steel;
+inline atlax::Color sky = dark.sky;
+inline atlax::Color ice = dark.ice;
+inline atlax::Color amber = dark.amber;
+inline atlax::Color hot = dark.hot;
+inline atlax::Color cold = dark.cold;
+
+inline void choose(const Colours& colours) {
+    deep = colours.deep;
+    above = colours.above;
+    steel = colours.steel;
+    sky = colours.sky;
+    ice = colours.ice;
+    amber = colours.amber;
+    hot = colours.hot;
+    cold = colours.cold;
+}
 
 }  // namespace sulfurchamber::palette

@@ -1,5 +1,5 @@
-// Questions about PNG files, for scripts: `colourful FILE`, `same A B`, `differ A B`. Exit 0 means
-// yes.
+// Questions about PNG files, for scripts: `colourful FILE`, `light FILE`, `same A B`, `differ A B`.
+// Exit 0 means yes.
 #include <algorithm>
 #include <atlax/image.hpp>
 #include <cstdio>
@@ -34,10 +34,22 @@ bool colourful(const atlax::Image& image) {
     return colours.size() > 60 && light > all / 400 && dark > all / 10;
 }
 
+// Most of it is nearly white.
+bool light(const atlax::Image& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const auto pixel = image.pixel(x, y);
+            count += pixel[0] + pixel[1] + pixel[2] > 600 ? 1 : 0;
+        }
+    return count > image.width() * image.height() / 2;
+}
+
 bool ask(const std::vector<std::string>& words) {
+    if (words.size() == 2 && words[0] == "light") return light(atlax::loadImage(words[1]));
     if (words.size() == 2 && words[0] == "colourful") return colourful(atlax::loadImage(words[1]));
     if (words.size() != 3)
-        throw std::runtime_error("usage: colourful FILE | same A B | differ A B");
+        throw std::runtime_error("usage: colourful FILE | light FILE | same A B | differ A B");
     const bool same = bytesOf(atlax::loadImage(words[1])) == bytesOf(atlax::loadImage(words[2]));
     return words[0] == "same" ? same : !same;
 }
