@@ -17,6 +17,7 @@
 #include <atlax/files.hpp>
 #include <atlax/log.hpp>
 #include <cctype>
+#include <set>
 
 #include "../model/geometry.hpp"
 #include "../model/refusals.hpp"
@@ -158,6 +159,35 @@ void MainFrame::bindControls() {
     });
 }
 
+// Tab goes from the scene to the side panel and on through it, where the keys of what has the focus
+// are its own; Escape goes back. Who has clicked there goes on with the keys of the scene.
+bool MainFrame::walkPanel(wxKeyEvent& event, const wxWindow* focus) {
+    if (focus == nullptr || event.ControlDown() || event.AltDown()) return false;
+    const int key = event.GetKeyCode();
+    const bool inPanel = side_->IsDescendant(const_cast<wxWindow*>(focus));
+    if (!inPanel) walksPanel_ = false;
+    if (key == WXK_TAB && openMenu_ == nullptr && (inPanel || focus == canvas_)) {
+        walksPanel_ = true;
+        if (inPanel || !side_->IsShown())
+            event.Skip();
+        else
+            side_->SetFocus();
+        return true;
+    }
+    if (!walksPanel_ || !inPanel) return false;
+    const bool isText = dynamic_cast<const wxTextEntry*>(focus) != nullptr;
+    const auto* field = dynamic_cast<const wxTextCtrl*>(focus);
+    if (key == WXK_ESCAPE && (!isText || (field != nullptr && !field->IsModified()))) {
+        canvas_->SetFocus();
+        return true;
+    }
+    static const std::set<int> ofWidgets{WXK_SPACE, WXK_RETURN, WXK_LEFT, WXK_RIGHT,  WXK_UP,
+                                         WXK_DOWN,  WXK_HOME,   WXK_END,  WXK_PAGEUP, WXK_PAGEDOWN};
+    if (isText || !ofWidgets.contains(key)) return false;
+    event.Skip();
+    return true;
+}
+
 void MainFrame::onKey(wxKeyEvent& event) {
     const wxWindow* focus = wxWindow::FindFocus();
     // Fields, grids and open menus have keys of their own.
@@ -172,6 +202,7 @@ void MainFrame::onKey(wxKeyEvent& event) {
             event.Skip();
         return;
     }
+    if (walkPanel(event, focus)) return;
     const bool own = focus != nullptr && wxGetTopLevelParent(const_cast<wxWindow*>(focus)) == this;
     const bool command = event.ControlDown() || event.AltDown();
     if (typing || !own) {

@@ -230,6 +230,7 @@ private:
     // main_frame.cpp
     void onClose(wxCloseEvent& event);
     void onKey(wxKeyEvent& event);
+    bool walkPanel(wxKeyEvent& event, const wxWindow* focus);
     void onFrame();
     bool holdControl(const wxKeyEvent& event);
     void bindControls();
@@ -295,6 +296,7 @@ private:
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
     const wxMenu* openMenu_ = nullptr;  // of the menu bar
+    bool walksPanel_ = false;           // with Tab, through the side panel
     std::optional<Preferences> preferences_;  ///< none while unattended
     std::optional<Recovery> recovery_;        ///< none while unattended
     std::int64_t nextKeepNs_ = 0;

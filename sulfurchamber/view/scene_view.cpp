@@ -22,6 +22,8 @@
 namespace sulfurchamber {
 namespace {
 
+constexpr std::int64_t keyDoubleClickNs = 1'000'000'000;
+
 constexpr float minZoom = 0.5f;  // pixels per metre
 constexpr float maxZoom = 20000;
 constexpr float zoomPerNotch = 1.18f;
@@ -255,7 +257,9 @@ void SceneView::switchButton(atlax::Modifiers held) {
     byKeys_ = true;
     keyDown_ = !keyDown_;
     if (keyDown_) {
-        ++keyClicks_;
+        const std::int64_t now = atlax::monotonicNs();
+        const bool follows = now - std::exchange(keyPressedNs_, now) < keyDoubleClickNs;
+        keyClicks_ = follows && held == atlax::Modifiers::None ? keyClicks_ + 1 : 1;
         keysHeld_ = held;
     }
     mouseButton({atlax::MouseButton::Left, keyDown_, *mouse_, keyClicks_ > 1 ? 2 : 1, keysHeld_});

@@ -72,8 +72,8 @@ public:
     std::optional<sulfur::Point> pointerInView() const;
 
     /// As the mouse: moves the pointer by metres, and presses the left button or lets it go. Twice
-    /// at one place is a double click. What is held with the press is held until the button goes
-    /// up.
+    /// at one place, within a second, is a double click. What is held with the press is held until
+    /// the button goes up.
     void movePointer(const sulfur::Point& by);
     void switchButton(atlax::Modifiers held = atlax::Modifiers::None);
     /// Forgets a button that keys hold down; its tool must have been cancelled.
@@ -190,6 +190,7 @@ private:
     bool keyDown_ = false;
     atlax::Modifiers keysHeld_ = atlax::Modifiers::None;  ///< with the button that keys hold down
     int keyClicks_ = 0;  ///< at this place
+    std::int64_t keyPressedNs_ = 0;
     std::optional<atlax::Vec2> panFrom_;
     /// Size of the drawing area that all fits into, nothing once somebody has touched the view.
     std::optional<atlax::PixelSize> fitted_ = atlax::PixelSize{};

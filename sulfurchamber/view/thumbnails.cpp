@@ -35,7 +35,8 @@ std::uint64_t stampOf(const fs::path& file) {
     if (error) return 0;
     std::uint64_t hash = mixedIn(14695981039346656037ull,
                                  static_cast<std::uint64_t>(time.time_since_epoch().count()));
-    return mixedIn(mixedIn(hash, size), pictureStyle) | 1u;
+    const bool isLight = palette::deep == palette::light.deep;
+    return mixedIn(mixedIn(hash, size), pictureStyle + (isLight ? 1u << 16 : 0u)) | 1u;
 }
 
 void removeOldest(const fs::path& folder) {

@@ -124,6 +124,14 @@ take_picture menu.png
 press Right
 [[ $(box_x) != "$before" ]] || complain "after a menu keys do nothing"
 
+# Tab goes on to the fields of the side panel, and Escape back to the scene.
+press "ctrl+1 Tab Tab"
+xdotool type 3
+press "Return Escape"
+saved_has '"gravity": \[0, -3\]' scene.json || complain "Tab does not lead to the first field"
+press "ctrl+a Left ctrl+s"
+saved_has '"gravity": \[0, -3\]' scene.json || complain "keys go on to the field"
+
 # What is not saved is asked about, before another scene is opened and at the end.
 press "ctrl+a ctrl+d"
 asks "ctrl+n" "SulfurChamber"
