@@ -174,16 +174,16 @@ bool MainFrame::walkPanel(wxKeyEvent& event, const wxWindow* focus) {
             side_->SetFocus();
         return true;
     }
-    if (!walksPanel_ || !inPanel) return false;
     const bool isText = dynamic_cast<const wxTextEntry*>(focus) != nullptr;
     const auto* field = dynamic_cast<const wxTextCtrl*>(focus);
-    if (key == WXK_ESCAPE && (!isText || (field != nullptr && !field->IsModified()))) {
+    const bool mayLeave = isText ? field != nullptr && !field->IsModified() : walksPanel_;
+    if (inPanel && key == WXK_ESCAPE && mayLeave) {
         canvas_->SetFocus();
         return true;
     }
     static const std::set<int> ofWidgets{WXK_SPACE, WXK_RETURN, WXK_LEFT, WXK_RIGHT,  WXK_UP,
                                          WXK_DOWN,  WXK_HOME,   WXK_END,  WXK_PAGEUP, WXK_PAGEDOWN};
-    if (isText || !ofWidgets.contains(key)) return false;
+    if (!walksPanel_ || !inPanel || isText || !ofWidgets.contains(key)) return false;
     event.Skip();
     return true;
 }

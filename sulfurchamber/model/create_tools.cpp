@@ -68,18 +68,25 @@ private:
     }
 
     // Springs that let the body sag by two parts in a hundred under its weight, and large ones,
-    // which fall faster, by less.
+    // which fall faster, by less. A strip bends with the square of its slenderness, and has springs
+    // that are as much stiffer.
     static sulfur::shapes::JellyOptions jelly(const Point& size, double mass) {
         const auto cells = [](double side) {
             return std::clamp(static_cast<int>(std::lround(side / 0.2)) + 1, 3, 12);
         };
         sulfur::shapes::JellyOptions options;
         options.size = size.cast<Real>();
-        options.columns = cells(size.x());
-        options.rows = cells(size.y());
+        // Cells are three times as long as they are wide at most, else they fold.
+        const auto along = [&](double side, double other) {
+            const double widest = 3 * other / (cells(other) - 1);
+            return std::max(cells(side), static_cast<int>(std::ceil(side / widest)) + 1);
+        };
+        options.columns = along(size.x(), size.y());
+        options.rows = along(size.y(), size.x());
         options.mass = real(mass);
         options.radius = real(std::min(0.03, size.minCoeff() / 8));
-        options.stiffness = real(260 * mass * std::max(size.y(), 1 / size.y()));
+        const double slender = std::max(1.0, size.maxCoeff() / size.minCoeff() / 2);
+        options.stiffness = real(260 * mass * std::max(size.y(), 1 / size.y()) * slender * slender);
         options.damping = real(1.2 * mass);
         return options;
     }

@@ -241,14 +241,22 @@ void SceneView::mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers) {
     guarded([&] { bench_.move(pointerAt(position, modifiers)); });
 }
 
+// It begins on a line of the grid, and the view follows it beyond its edges.
 void SceneView::movePointer(const sulfur::Point& by) {
     if (platform_ == nullptr || guest_ != nullptr) return;
+    constexpr float edge = 12;
     const atlax::Vec2 size = platform_->size().toVec();
-    const atlax::Vec2 from = mouse_.value_or(size * 0.5f);
-    const atlax::Vec2 to = toPixels(toWorld(from) + by);
+    sulfur::Point place = toWorld(mouse_.value_or(size * 0.5f));
+    if (!byKeys_) place = (place / fineStep()).array().round().matrix() * fineStep();
+    const atlax::Vec2 wanted = toPixels(place + by);
+    const atlax::Vec2 to{std::clamp(wanted.x, std::min(edge, size.x / 2), size.x - edge),
+                         std::clamp(wanted.y, std::min(edge, size.y / 2), size.y - edge)};
+    const atlax::Vec2 beyond = (wanted - to) / camera_.pixelsPerMetre;
+    camera_.centre += {beyond.x, -beyond.y};
+    if (beyond.x != 0 || beyond.y != 0) fitted_.reset();
     byKeys_ = true;
     keyClicks_ = 0;
-    mouseMoved({std::clamp(to.x, 0.0f, size.x - 1), std::clamp(to.y, 0.0f, size.y - 1)}, keysHeld_);
+    mouseMoved(to, keysHeld_);
 }
 
 void SceneView::switchButton(atlax::Modifiers held) {

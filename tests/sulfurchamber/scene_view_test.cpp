@@ -69,6 +69,9 @@ TEST(SceneView, KeysDoWhatTheMouseDoes) {
         auto& view = const_cast<SceneView&>(constView);
         view.movePointer({0, 1});
         const auto from = *view.pointer();
+        const double step = view.fineStep();
+        EXPECT_NEAR(std::remainder(from.x(), step), 0, 1e-3) << "it begins on the grid";
+        EXPECT_NEAR(std::remainder(from.y(), step), 0, 1e-3);
         view.switchButton();
         view.movePointer({1.5, 0});
         view.movePointer({0, 0.75});
@@ -99,10 +102,12 @@ TEST(SceneView, KeysDoWhatTheMouseDoes) {
         view.switchButton(atlax::Modifiers::Shift);
         view.switchButton();
         EXPECT_EQ(bench.selection().size(), 2u);
-        // It stays in the window.
+        // It stays in the window, which follows it.
+        const auto before = *view.pointer();
         view.movePointer({1000, -1000});
         EXPECT_LT(view.mousePixels()->x, 1280);
         EXPECT_LT(view.mousePixels()->y, 800);
+        EXPECT_NEAR((*view.pointer() - before - sulfur::Point(1000, -1000)).norm(), 0, 0.01);
     });
 }
 

@@ -126,8 +126,9 @@ struct Jelly {
 };
 
 const std::vector<Point>& jellySizes() {
-    static const std::vector<Point> sizes{Point(0.1, 0.1), Point(0.1, 0.05), Point(0.4, 0.3),
-                                          Point(0.8, 0.8), Point(2, 1),      Point(5, 4)};
+    static const std::vector<Point> sizes{
+        Point(0.1, 0.1), Point(0.1, 0.05), Point(0.4, 0.3),  Point(0.8, 0.8),  Point(2, 1),
+        Point(5, 4),     Point(0.1, 1),    Point(0.15, 2.5), Point(2.5, 0.15), Point(5, 0.5)};
     return sizes;
 }
 

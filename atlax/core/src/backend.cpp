@@ -14,9 +14,9 @@ namespace atlax {
 
 namespace {
 
-/// An overloaded program draws about 30 frames a second all the same: ticks have what drawing
-/// leaves of such a frame, and a little in any case. What remains is given up, so that time slows
-/// down instead.
+/// An overloaded program draws about 30 frames a second all the same: ticks have what all else
+/// leaves of such a frame (drawing, the display, the toolkit), and a little in any case. What
+/// remains is given up, so that time slows down instead.
 constexpr double wantedFrameMs = 31;
 constexpr double leastTicksMs = 8;
 constexpr std::int64_t statisticsWindowNs = 500'000'000;
@@ -106,7 +106,7 @@ void BackendPlatform::frame(bool visible) {
 }
 
 void BackendPlatform::runTicks() {
-    const double budgetMs = std::max(leastTicksMs, wantedFrameMs - statistics_.drawMilliseconds);
+    const double budgetMs = std::max(leastTicksMs, wantedFrameMs - otherMilliseconds_);
     const std::int64_t deadline = now_() + static_cast<std::int64_t>(budgetMs * 1e6);
     const std::int64_t due = clock_.due();
     statistics_.ticksLastFrame = 0;
@@ -183,6 +183,7 @@ void BackendPlatform::measure(std::int64_t frameStart, std::int64_t ticksEnd,
     statistics_.framesPerSecond = window_.frames * 1e9 / static_cast<double>(length);
     statistics_.tickMilliseconds =
         static_cast<double>(window_.tickNs) / nsPerMs / std::max(window_.ticks, 1);
+    otherMilliseconds_ = static_cast<double>(length - window_.tickNs) / nsPerMs / window_.frames;
     statistics_.drawMilliseconds = static_cast<double>(window_.drawNs) / nsPerMs / window_.frames;
     window_ = {.start = drawEnd};
 }

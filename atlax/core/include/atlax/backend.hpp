@@ -106,6 +106,7 @@ private:
         int frames = 0;
         int ticks = 0;
     } window_;
+    double otherMilliseconds_ = 0;  // of a frame, on average: what is no tick
 };
 
 /// Runs an application without window and display, as WindowOptions::offscreen says: what run() of
