@@ -45,6 +45,12 @@ int ChamberApp::OnRun() {
     return exitCode_ != 0 ? exitCode_ : code;
 }
 
+int ChamberApp::FilterEvent(wxEvent& event) {
+    if (event.GetEventType() == wxEVT_LEFT_DOWN)
+        if (auto* frame = dynamic_cast<MainFrame*>(GetTopWindow())) frame->leaveKeys();
+    return Event_Skip;
+}
+
 bool ChamberApp::OnExceptionInMainLoop() {
     try {
         throw;

@@ -21,6 +21,7 @@ public:
 
     bool OnInit() override;
     int OnRun() override;
+    int FilterEvent(wxEvent& event) override;
     bool OnExceptionInMainLoop() override;
     void OnAssertFailure(const wxChar* file, int line, const wxChar* function,
                          const wxChar* condition, const wxChar* message) override;

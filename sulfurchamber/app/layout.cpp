@@ -141,11 +141,11 @@ void MainFrame::makeMenus() {
     }
     SetMenuBar(bar);
     Bind(wxEVT_MENU_OPEN, [this](wxMenuEvent& event) {
-        openMenu_ = event.GetMenu();
+        openMenus_.insert(event.GetMenu());
         event.Skip();
     });
     Bind(wxEVT_MENU_CLOSE, [this](wxMenuEvent& event) {
-        if (event.GetMenu() == openMenu_) openMenu_ = nullptr;  // else the next one is open already
+        openMenus_.erase(event.GetMenu());
         event.Skip();
     });
     Bind(wxEVT_MENU, [this](wxCommandEvent& event) {

@@ -166,7 +166,7 @@ bool MainFrame::walkPanel(wxKeyEvent& event, const wxWindow* focus) {
     const int key = event.GetKeyCode();
     const bool inPanel = side_->IsDescendant(const_cast<wxWindow*>(focus));
     if (!inPanel) walksPanel_ = false;
-    if (key == WXK_TAB && openMenu_ == nullptr && (inPanel || focus == canvas_)) {
+    if (key == WXK_TAB && openMenus_.empty() && (inPanel || focus == canvas_)) {
         walksPanel_ = true;
         if (inPanel || !side_->IsShown())
             event.Skip();
@@ -174,9 +174,11 @@ bool MainFrame::walkPanel(wxKeyEvent& event, const wxWindow* focus) {
             side_->SetFocus();
         return true;
     }
-    const bool isText = dynamic_cast<const wxTextEntry*>(focus) != nullptr;
+    const auto* text = dynamic_cast<const wxTextEntry*>(focus);
     const auto* field = dynamic_cast<const wxTextCtrl*>(focus);
-    const bool mayLeave = isText ? field != nullptr && !field->IsModified() : walksPanel_;
+    const bool isText = text != nullptr;
+    const bool isAsItWas = isText && (field != nullptr ? !field->IsModified() : text->IsEmpty());
+    const bool mayLeave = isText ? isAsItWas : walksPanel_;
     if (inPanel && key == WXK_ESCAPE && mayLeave) {
         canvas_->SetFocus();
         return true;
@@ -191,8 +193,7 @@ bool MainFrame::walkPanel(wxKeyEvent& event, const wxWindow* focus) {
 void MainFrame::onKey(wxKeyEvent& event) {
     const wxWindow* focus = wxWindow::FindFocus();
     // Fields, grids and open menus have keys of their own.
-    const bool typing = openMenu_ != nullptr ||
-                        dynamic_cast<const wxTextEntry*>(focus) != nullptr ||
+    const bool typing = !openMenus_.empty() || dynamic_cast<const wxTextEntry*>(focus) != nullptr ||
                         dynamic_cast<const PictureGrid*>(focus) != nullptr;
     // While a level is played its keys are the game's, but for the one that ends it.
     if (stage_->playing() && !typing && !event.ControlDown() && !event.AltDown()) {

@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,8 @@ public:
     PlotPanel& plot() { return *plot_; }
     LevelStage& stage() { return *stage_; }
     SidePanel& side() { return *side_; }
+    /// The mouse was pressed: no menu is open, and nobody walks through the side panel with keys.
+    void leaveKeys() { openMenus_.clear(), walksPanel_ = false; }
     /// The experiment that is open, or null.
     Table4Window* table4() { return table4_.get(); }
     OutlinePanel& outline() { return side_->outline(); }
@@ -295,8 +298,8 @@ private:
     std::optional<ToolGroup> shownGroup_;
     wxFileHistory recent_;
     wxMenu* recentMenu_ = nullptr;
-    const wxMenu* openMenu_ = nullptr;  // of the menu bar
-    bool walksPanel_ = false;           // with Tab, through the side panel
+    std::set<const wxMenu*> openMenus_;       // of the menu bar, and what opens out of these
+    bool walksPanel_ = false;                 // with Tab, through the side panel
     std::optional<Preferences> preferences_;  ///< none while unattended
     std::optional<Recovery> recovery_;        ///< none while unattended
     std::int64_t nextKeepNs_ = 0;

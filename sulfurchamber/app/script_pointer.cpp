@@ -63,10 +63,12 @@ bool Script::moveMouseTo(const atlax::Vec2& pixels, std::function<void()> then) 
     simulator_.MouseMove(screen.x + 1, screen.y);
     simulator_.MouseMove(screen.x, screen.y);
     const auto arrived = [this, target, scale, screen, calls = 0]() mutable {
-        if (++calls % 10 == 0) simulator_.MouseMove(screen.x + (calls / 10) % 2, screen.y);
         const auto seen = frame_.sceneView().mousePixels();
-        return seen && std::lround(static_cast<double>(seen->x) / scale) == target.x &&
-               std::lround(static_cast<double>(seen->y) / scale) == target.y;
+        if (seen && std::lround(static_cast<double>(seen->x) / scale) == target.x &&
+            std::lround(static_cast<double>(seen->y) / scale) == target.y)
+            return true;
+        if (++calls % 10 == 0) simulator_.MouseMove(screen.x + (calls / 10) % 2, screen.y);
+        return false;
     };
     waitFor(arrived, std::move(then));
     return true;

@@ -156,7 +156,7 @@ private:
         if (now.now()) {
             stroke(*g, sky, 1, *now.now(), 0, *now.now(), y);
             g->SetPen(*wxTRANSPARENT_PEN);
-            g->SetBrush(wxBrush(isDark() ? wxOf(palette::ice) : wxOf(palette::steel)));
+            g->SetBrush(wxBrush(wxOf(palette::ice)));
             const double r = FromDIP(6);
             g->DrawEllipse(*now.now() - r, y - r, 2 * r, 2 * r);
         }

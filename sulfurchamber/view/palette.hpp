@@ -23,7 +23,7 @@ inline constexpr Colours light{atlax::Color::hex(0xE3EAF3), atlax::Color::hex(0x
                                atlax::Color::hex(0x0E2138), atlax::Color::hex(0xB96A00),
                                atlax::Color::hex(0xCF2F28), atlax::Color::hex(0x007C93)};
 
-// Those of the theme, which is chosen once, before anything is drawn.
+// Those of the theme, which is chosen before anything is drawn.
 inline atlax::Color deep = dark.deep;
 inline atlax::Color above = dark.above;
 inline atlax::Color steel = dark.steel;
@@ -43,5 +43,20 @@ inline void choose(const Colours& colours) {
     hot = colours.hot;
     cold = colours.cold;
 }
+
+/// Other colours for a while: a level has the game's night behind it in every theme.
+class During {
+public:
+    explicit During(const Colours& colours)
+        : before_{deep, above, steel, sky, ice, amber, hot, cold} {
+        choose(colours);
+    }
+    ~During() { choose(before_); }
+    During(const During&) = delete;
+    During& operator=(const During&) = delete;
+
+private:
+    Colours before_;
+};
 
 }  // namespace sulfurchamber::palette

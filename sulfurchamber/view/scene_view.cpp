@@ -244,13 +244,15 @@ void SceneView::mouseMoved(atlax::Vec2 position, atlax::Modifiers modifiers) {
 // It begins on a line of the grid, and the view follows it beyond its edges.
 void SceneView::movePointer(const sulfur::Point& by) {
     if (platform_ == nullptr || guest_ != nullptr) return;
-    constexpr float edge = 12;
     const atlax::Vec2 size = platform_->size().toVec();
-    sulfur::Point place = toWorld(mouse_.value_or(size * 0.5f));
+    const auto inside = [&](atlax::Vec2 pixels) {
+        const float edge = std::min({12.0f, size.x / 2, size.y / 2});
+        return atlax::Vec2{std::clamp(pixels.x, edge, size.x - edge),
+                           std::clamp(pixels.y, edge, size.y - edge)};
+    };
+    sulfur::Point place = toWorld(inside(mouse_.value_or(size * 0.5f)));
     if (!byKeys_) place = (place / fineStep()).array().round().matrix() * fineStep();
-    const atlax::Vec2 wanted = toPixels(place + by);
-    const atlax::Vec2 to{std::clamp(wanted.x, std::min(edge, size.x / 2), size.x - edge),
-                         std::clamp(wanted.y, std::min(edge, size.y / 2), size.y - edge)};
+    const atlax::Vec2 wanted = toPixels(place + by), to = inside(wanted);
     const atlax::Vec2 beyond = (wanted - to) / camera_.pixelsPerMetre;
     camera_.centre += {beyond.x, -beyond.y};
     if (beyond.x != 0 || beyond.y != 0) fitted_.reset();
@@ -383,6 +385,8 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     stepFilm(canvas);
     takePast(canvas);
     options_.bodies = !(scenery && scenery(canvas, camera_));
+    std::optional<palette::During> night;
+    if (!options_.bodies) night.emplace(palette::dark);
     // Paused, the state itself is shown: a single tick is seen at once.
     paintWorld(canvas, camera_, painter_, options_, bench_.document().playing() ? alpha : 1.0);
     if (overlay) overlay(canvas, camera_, *font_);
@@ -395,6 +399,7 @@ void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     paintClock(canvas);
     paintGuide(canvas);
     paintPointer(canvas);
+    night.reset();
     pastCard_.paint(canvas, past_, bench_.document());
     if (whileDrawing) whileDrawing(canvas);
 }
@@ -487,7 +492,7 @@ void SceneView::paintRulerText(atlax::Canvas& canvas) {
     canvas.text(*font_, text, {at.x + 12, at.y - 8}, {16, palette::ice});
 }
 
-// How large what one draws is: on dark plates, so that they are read before anything.
+// How large what one draws is: on plates, so that they are read before anything.
 void SceneView::paintLabels(atlax::Canvas& canvas) {
     constexpr float size = 14;
     const float scale = canvas.scaleFactor();

@@ -19,6 +19,7 @@ namespace {
 /// remains is given up, so that time slows down instead.
 constexpr double wantedFrameMs = 31;
 constexpr double leastTicksMs = 8;
+constexpr double mostBesidesDrawingMs = 10;
 constexpr std::int64_t statisticsWindowNs = 500'000'000;
 /// What seems to last longer is no frame: the clock has leapt, or the machine has slept.
 constexpr std::int64_t longestWindowNs = 10'000'000'000;
@@ -183,8 +184,10 @@ void BackendPlatform::measure(std::int64_t frameStart, std::int64_t ticksEnd,
     statistics_.framesPerSecond = window_.frames * 1e9 / static_cast<double>(length);
     statistics_.tickMilliseconds =
         static_cast<double>(window_.tickNs) / nsPerMs / std::max(window_.ticks, 1);
-    otherMilliseconds_ = static_cast<double>(length - window_.tickNs) / nsPerMs / window_.frames;
     statistics_.drawMilliseconds = static_cast<double>(window_.drawNs) / nsPerMs / window_.frames;
+    // What is longer is waiting: for the display, for a dialog, or for the next frame.
+    const double other = static_cast<double>(length - window_.tickNs) / nsPerMs / window_.frames;
+    otherMilliseconds_ = std::min(other, statistics_.drawMilliseconds + mostBesidesDrawingMs);
     window_ = {.start = drawEnd};
 }
 
