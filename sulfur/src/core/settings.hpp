@@ -270,7 +270,7 @@ inline constexpr double redundantPivot = 1e-13;
 inline constexpr std::uint32_t mostFallbacks = rounds, coarseSteps = rounds;
 /// Times in a sweep that contacts of a tree which would have to pull are let go.
 inline constexpr int mostReleases = 4;
-/// Of the contacts of a network: how many are solved together, and passes over these.
+/// Of the contacts of networks that touch: how many are solved together, and passes over these.
 inline constexpr std::size_t networkContacts = 4 * rounds;
 inline constexpr int networkContactPasses = 8 * rounds;
 /// What wedges of contacts, and links beside them, may multiply a push by.

@@ -65,9 +65,10 @@ struct NetworkRow {
 
 /// A contact that pushes on points of a network.
 struct NetworkTouch {
-    std::uint32_t network = none, touch = none;  // Tree::network, number of the touch
-    /// From Tree::first: which nodes its corner and the ends of its side are, or none.
-    std::array<std::uint32_t, 3> nodes{none, none, none};
+    std::uint32_t group = none, touch = none;  // Trees::networkGroups, number of the touch
+    /// Of its corner and of the ends of its side: the network, or none, and the node from its
+    /// Tree::first.
+    std::array<std::uint32_t, 3> trees{none, none, none}, nodes{none, none, none};
     Real pressing = 0;  // kg m, when the step begins
 };
 
@@ -81,8 +82,9 @@ struct TouchMasses {
 struct PressedRow {
     using Vector = Eigen::Vector3d;
     std::uint32_t touch = none;
-    std::array<std::uint32_t, 3> nodes{none, none, none};
-    std::array<std::uint32_t, 3> bodies{none, none, none};  // NetworkSweep::bodies
+    std::array<std::uint32_t, 3> members{none, none, none};  // NetworkSweep::members
+    std::array<std::uint32_t, 3> nodes{none, none, none};    // of these
+    std::array<std::uint32_t, 3> bodies{none, none, none};   // NetworkSweep::bodies
     std::array<Vector, 3> along{Vector::Zero(), Vector::Zero(), Vector::Zero()};  // of either
     double value = 0;                          // m, gap or slide before anything has moved
     double overlap = 0;                        // m, when the step began, beyond what stays
@@ -101,12 +103,28 @@ struct PressingBody {
 };
 
 /// Work space of a sweep over a network. Vectors of three are places and angles of nodes.
-struct NetworkSweep {
+struct NetworkMember {
     std::vector<NetworkRow> rows;  // at the present places
-    std::vector<PressedRow> contacts;
-    std::vector<PressingBody> bodies;
     std::vector<Eigen::Vector3d> inverseMass, moved, bestMoved, residual, nodes;
     std::vector<std::array<double, 2>> lambda, bestLambda, wanted, values;  // of links
+};
+/// Of networks that touch each other, which are swept together.
+struct NetworkSweep {
+    std::vector<NetworkMember> members;
+    std::vector<PressedRow> contacts;
+    std::vector<PressingBody> bodies;
+};
+
+/// Networks that touch each other, in this step.
+struct NetworkGroup {
+    std::vector<std::uint32_t> trees;  // in order
+    /// How rows of contacts answer to a push at each of them, 1/kg (the Delassus operator), push by
+    /// push; empty where that is not known.
+    std::vector<double> answers;
+    std::uint64_t work = 0;   // products of blocks, in the sweeps of this step
+    bool waits = false;       // for the last sweep, because there is no work left
+    double error = 0;         // that the last sweep has left
+    double mostPressing = 0;  // kg m, of a contact in this step
 };
 
 /// A system of equations of a network that is factorised.
@@ -132,16 +150,12 @@ struct NetworkFactor {
     /// In the sweeps of a tick: with contacts that press, along the directions of their own time.
     NetworkSystem swept;
     std::vector<NetworkRow> rows;
-    /// How rows of contacts answer to a push at each of them, 1/kg (the Delassus operator), push by
-    /// push; empty where that is not known.
-    std::vector<double> answers;
     std::uint64_t tick = 0;
-    std::uint64_t work = 0;   // products of blocks, in the sweeps of this step
-    bool waits = false;       // for the last sweep, because there is no work left
-    double error = 0;         // that the last sweep has left
-    double mostPressing = 0;  // kg m, of a contact in this step
     /// Of each node: the sum of what the links have given in the sweeps, kg m and kg m^2.
     std::vector<Eigen::Vector3d> given;
+    /// Of each node: its motion in this step as the passes have left it, m and rad, with which its
+    /// links keep their lengths.
+    std::vector<Eigen::Vector3d> settled;
 };
 
 }  // namespace sulfur::detail

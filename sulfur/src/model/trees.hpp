@@ -95,8 +95,11 @@ struct Trees {
     /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
     std::vector<std::uint32_t> contact;
     std::vector<std::uint32_t> nodeOfParticle;
-    std::vector<NetworkTouch> networkTouches;  // by networks
+    std::vector<NetworkTouch> networkTouches;  // by groups
     std::vector<TouchMasses> heldRows;         // of these, while only networks solve them
+    std::vector<NetworkGroup> networkGroups;   // of this step, and what later steps use again
+    std::uint32_t groupCount = 0;
+    std::vector<std::uint32_t> groupOf;  // of a tree, or none
     NetworkSweep networkSweep;
     TreeScratch scratch;
 

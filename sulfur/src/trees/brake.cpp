@@ -19,11 +19,11 @@ struct Part {
 using Parts = std::pmr::vector<Part>;
 
 /// Movers that press on a tree and are no nodes of it, in order.
-std::pmr::vector<std::uint32_t> pressing(State& state, const Tree& tree,
+std::pmr::vector<std::uint32_t> pressing(State& state, std::span<const std::uint32_t> trees,
                                          std::span<const std::uint32_t> touches) {
     const auto isNode = [&](std::uint32_t particle) {
         const auto of = state.trees.of(state.particles.cluster[particle], particle);
-        return of != none && &state.trees.list[of] == &tree;
+        return of != none && std::find(trees.begin(), trees.end(), of) != trees.end();
     };
     std::pmr::vector<std::uint32_t> movers(&state.arena);
     for (const auto touch : touches) {
@@ -39,14 +39,16 @@ std::pmr::vector<std::uint32_t> pressing(State& state, const Tree& tree,
 }
 
 /// Nodes of a tree, and what presses on them.
-Parts partsOf(State& state, const Tree& tree, std::span<const std::uint32_t> touches) {
+Parts partsOf(State& state, std::span<const std::uint32_t> trees,
+              std::span<const std::uint32_t> touches) {
     Parts parts(&state.arena);
-    for (auto i = tree.first; i < tree.last; ++i) {
-        const TreeNode& n = state.trees.nodes[i];
-        parts.push_back({n.cluster, n.particle, state.trees.predicted[i]});
-    }
+    for (const auto t : trees)
+        for (auto i = state.trees.list[t].first; i < state.trees.list[t].last; ++i) {
+            const TreeNode& n = state.trees.nodes[i];
+            parts.push_back({n.cluster, n.particle, state.trees.predicted[i]});
+        }
     const double h = static_cast<double>(state.h);
-    for (const auto m : pressing(state, tree, touches)) {
+    for (const auto m : pressing(state, trees, touches)) {
         const auto dense = state.core.denseOfMover[m];
         if (state.core.moverIsCluster[m] != 0)
             parts.push_back({dense, none});
@@ -100,8 +102,9 @@ Vec2 commonWay(const State& state, const Parts& parts) {
 
 }  // namespace
 
-bool brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches, Brake when) {
-    const Parts parts = partsOf(state, tree, touches);
+bool brake(State& state, std::span<const std::uint32_t> trees,
+           std::span<const std::uint32_t> touches, Brake when) {
+    const Parts parts = partsOf(state, trees, touches);
     if (when == Brake::ifItGains && !gain(state, parts)) return false;
     const Vec2 way = commonWay(state, parts);
     for (const auto& [cluster, particle, predicted] : parts) {
@@ -116,6 +119,16 @@ bool brake(State& state, const Tree& tree, std::span<const std::uint32_t> touche
     for (const auto touch : touches) {
         const TouchView t = viewOfTouch(state, touch);
         pressFromOutside(state, touch, -t.pressing, -t.rubbing, {true, true, true});
+    }
+    // What other rows have pushed and not moved yet is not to come on top of it.
+    Movers& movers = state.core.movers;
+    for (const auto& [cluster, particle, predicted] : parts) {
+        if (cluster == none && particle == none) continue;
+        const auto m =
+            cluster != none ? moverOfCluster(state, cluster) : moverOfParticle(state, particle);
+        if (m == none) continue;
+        const SolverBody& body = movers.bodies[m];
+        movers.given[m] = {body.vx, body.vy, body.spin};
     }
     return true;
 }

@@ -37,37 +37,39 @@ std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& pa
     return none;
 }
 
-/// The network that a touch is of, with its nodes: that of its corner, else of its side.
+/// The networks that a touch is of, with its nodes.
 NetworkTouch networkTouchOf(const State& state, std::uint32_t touch) {
     const Trees& trees = state.trees;
     const auto particles = particlesOfTouch(state, touch);
-    const auto networkOf = [&](std::uint32_t i) {
-        if (state.particles.cluster[i] != none || trees.nodeOfParticle[i] == none) return none;
-        return trees.list[trees.ofParticle[i]].network;
-    };
-    NetworkTouch held{none, touch, {none, none, none}, pressingOf(state, touch)};
+    NetworkTouch held{
+        none, touch, {none, none, none}, {none, none, none}, pressingOf(state, touch)};
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto network = networkOf(particles[k]);
-        if (held.network == none) held.network = network;
-        if (network == none || network != held.network) continue;
-        const Tree& tree = trees.list[trees.ofParticle[particles[k]]];
-        held.nodes[k] = trees.nodeOfParticle[particles[k]] - tree.first;
+        const auto i = particles[k];
+        if (state.particles.cluster[i] != none || trees.nodeOfParticle[i] == none) continue;
+        const auto tree = trees.ofParticle[i];
+        if (trees.list[tree].network == none) continue;
+        held.trees[k] = tree;
+        held.nodes[k] = trees.nodeOfParticle[i] - trees.list[tree].first;
     }
     return held;
 }
+bool isOfNetwork(const NetworkTouch& held) {
+    return std::any_of(held.trees.begin(), held.trees.end(),
+                       [](std::uint32_t tree) { return tree != none; });
+}
 
-/// Of each network those that press most, as many as it solves as a whole.
+/// Of each group those that press most, as many as it solves as a whole.
 void choosePressing(std::vector<NetworkTouch>& touches) {
     std::sort(touches.begin(), touches.end(), [](const NetworkTouch& a, const NetworkTouch& b) {
-        return std::tuple(a.network, -a.pressing, a.touch) <
-               std::tuple(b.network, -b.pressing, b.touch);
+        return std::tuple(a.group, -a.pressing, a.touch) <
+               std::tuple(b.group, -b.pressing, b.touch);
     });
-    std::uint32_t network = none;
-    std::size_t kept = 0, ofNetwork = 0;
+    std::uint32_t group = none;
+    std::size_t kept = 0, ofGroup = 0;
     for (const NetworkTouch& t : touches) {
-        ofNetwork = t.network == network ? ofNetwork + 1 : 0;
-        network = t.network;
-        if (ofNetwork < tuned::networkContacts) touches[kept++] = t;
+        ofGroup = t.group == group ? ofGroup + 1 : 0;
+        group = t.group;
+        if (ofGroup < tuned::networkContacts) touches[kept++] = t;
     }
     touches.resize(kept);
 }
@@ -78,7 +80,7 @@ void giveTouches(State& state) {
     for (std::uint32_t i = 0; i < touches.size(); ++i) {
         if (touches[i].pair == none || !touches[i].row) continue;
         if (!state.trees.factors.empty())
-            if (const auto held = networkTouchOf(state, i); held.network != none) {
+            if (const auto held = networkTouchOf(state, i); isOfNetwork(held)) {
                 state.trees.networkTouches.push_back(held);
                 continue;
             }
@@ -103,6 +105,52 @@ void giveContacts(State& state) {
         if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
             trees.nodeOfParticle[trees.nodes[k].particle] = k;
     giveTouches(state);
+}
+
+void groupNetworks(State& state) {
+    Trees& trees = state.trees;
+    std::pmr::vector<std::uint32_t> root(trees.list.size(), none, &state.arena);
+    for (const auto i : trees.touchedAlone)
+        if (trees.list[i].network != none) root[i] = i;
+    const auto find = [&](std::uint32_t i) {
+        while (root[i] != i) i = root[i] = root[root[i]];
+        return i;
+    };
+    for (NetworkTouch& touch : trees.networkTouches) {
+        std::uint32_t first = none;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (touch.trees[k] == none) continue;
+            if (root[touch.trees[k]] == none) {
+                touch.trees[k] = touch.nodes[k] = none;
+                continue;
+            }
+            const auto i = find(touch.trees[k]);
+            if (first != none && i != first) root[std::max(i, first)] = std::min(i, first);
+            first = first == none ? i : std::min(i, first);
+        }
+    }
+    std::erase_if(trees.networkTouches, [](const NetworkTouch& t) { return !isOfNetwork(t); });
+    trees.groupOf.assign(trees.list.size(), none);
+    trees.groupCount = 0;
+    for (const auto i : trees.touchedAlone) {
+        if (root[i] == none) continue;
+        auto& group = trees.groupOf[find(i)];
+        if (group == none) {
+            group = trees.groupCount++;
+            if (trees.networkGroups.size() < trees.groupCount) trees.networkGroups.emplace_back();
+            NetworkGroup& made = trees.networkGroups[group];
+            made.trees.clear();
+            made.answers.clear();
+            made.work = 0;
+            made.waits = false;
+            made.error = made.mostPressing = 0;
+        }
+        trees.groupOf[i] = group;
+        trees.networkGroups[group].trees.push_back(i);
+    }
+    for (NetworkTouch& touch : trees.networkTouches)
+        for (const auto tree : touch.trees)
+            if (tree != none) touch.group = trees.groupOf[tree];
     choosePressing(trees.networkTouches);
 }
 

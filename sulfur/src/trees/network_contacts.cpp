@@ -10,20 +10,10 @@
 
 namespace sulfur::detail {
 
-namespace {
-
-/// Adds what the nodes of a row get by so much of it.
-void addTo(std::vector<Freedoms>& nodes, const PressedRow& row, double amount) {
-    for (std::size_t k = 0; k < 3; ++k)
-        if (row.nodes[k] != none) nodes[row.nodes[k]] += amount * row.along[k];
-}
-
-}  // namespace
-
-NetworkContacts::NetworkContacts(State& state, const Tree& tree)
+NetworkContacts::NetworkContacts(State& state, std::uint32_t group)
     : state_(state),
-      tree_(tree),
-      factor_(state.trees.factors[tree.network]),
+      number_(group),
+      group_(state.trees.networkGroups[group]),
       work_(state.trees.networkSweep),
       settled_(static_cast<double>(slowSpeedsOf(state.settings).settledChange * state.h)) {}
 
@@ -33,9 +23,9 @@ void NetworkContacts::list() {
     work_.contacts.clear();
     work_.bodies.clear();
     const auto& all = state_.trees.networkTouches;
-    const auto isBefore = [](const NetworkTouch& a, std::uint32_t n) { return a.network < n; };
-    auto held = std::lower_bound(all.begin(), all.end(), tree_.network, isBefore);
-    for (; held != all.end() && held->network == tree_.network; ++held) addTouch(*held);
+    const auto isBefore = [](const NetworkTouch& a, std::uint32_t n) { return a.group < n; };
+    auto held = std::lower_bound(all.begin(), all.end(), number_, isBefore);
+    for (; held != all.end() && held->group == number_; ++held) addTouch(*held);
 }
 
 /// A contact, and its friction after it.
@@ -67,7 +57,11 @@ void NetworkContacts::addRow(const NetworkTouch& held, const TouchView& t,
         const Freedoms along(static_cast<double>(d.ways[k][0]), static_cast<double>(d.ways[k][1]),
                              static_cast<double>(d.arms[k]));
         if (row.nodes[k] != none) {
-            row.along[k] = ofMovable(along, work_.inverseMass[row.nodes[k]]);
+            const auto& of = group_.trees;
+            const auto member = std::lower_bound(of.begin(), of.end(), held.trees[k]) - of.begin();
+            row.members[k] = static_cast<std::uint32_t>(member);
+            row.along[k] =
+                ofMovable(along, work_.members[row.members[k]].inverseMass[row.nodes[k]]);
             continue;
         }
         const SolverBody& body = state_.core.movers.bodies[t.movers[k]];
@@ -89,23 +83,30 @@ std::uint32_t NetworkContacts::bodyOf(std::uint32_t mover, const Freedoms& inver
 
 // --- how it answers ----------------------------------------------------------------------------
 
-double NetworkContacts::along(const PressedRow& row, std::span<const Freedoms> nodes) const {
+double NetworkContacts::along(const PressedRow& row, Vectors of) const {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k)
-        if (row.nodes[k] != none) sum += row.along[k].dot(nodes[row.nodes[k]]);
+        if (row.nodes[k] != none)
+            sum += row.along[k].dot((work_.members[row.members[k]].*of)[row.nodes[k]]);
     return sum;
+}
+/// Adds what the nodes of a row get by so much of it.
+void NetworkContacts::addTo(Vectors of, const PressedRow& row, double amount) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (row.nodes[k] != none)
+            (work_.members[row.members[k]].*of)[row.nodes[k]] += amount * row.along[k];
 }
 
 /// Gap or slide now.
 double NetworkContacts::valueOf(const PressedRow& row) const {
-    double value = row.value + along(row, work_.moved);
+    double value = row.value + along(row, &NetworkMember::moved);
     for (std::size_t k = 0; k < 3; ++k)
         if (row.bodies[k] != none) value += row.along[k].dot(work_.bodies[row.bodies[k]].moved);
     return value;
 }
 
 bool NetworkContacts::areKnown() const {
-    return factor_.answers.size() == rows() * rows();
+    return group_.answers.size() == rows() * rows();
 }
 
 /// 1/kg, without the network: by the bodies that both push.
@@ -122,13 +123,27 @@ double NetworkContacts::ownAnswer(std::size_t i, std::size_t j) const {
     return sum;
 }
 
-void NetworkContacts::findAnswers(NetworkSystem& system) {
+void NetworkContacts::findAnswers() {
     const std::size_t count = rows();
-    factor_.answers.assign(count * count, 0);
-    addAnswersOfNetwork(state_, tree_, system, work_.contacts, factor_.answers);
-    factor_.work += 2 * count * factor_.pattern.entries();
+    auto& answers = group_.answers;
+    answers.assign(count * count, 0);
+    std::pmr::vector<PressedRow> pressed(&state_.arena);
+    for (std::uint32_t m = 0; m < group_.trees.size(); ++m) {
+        pressed.assign(count, {});
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const PressedRow& row = work_.contacts[i];
+                if (row.nodes[k] == none || row.members[k] != m) continue;
+                pressed[i].nodes[k] = row.nodes[k];
+                pressed[i].along[k] = row.along[k];
+            }
+        const Tree& tree = state_.trees.list[group_.trees[m]];
+        NetworkFactor& factor = state_.trees.factors[tree.network];
+        addAnswersOfNetwork(state_, tree, factor.swept, pressed, answers);
+        group_.work += 2 * count * factor.pattern.entries();
+    }
     for (std::size_t j = 0; j < count; ++j)
-        for (std::size_t i = 0; i < count; ++i) factor_.answers[j * count + i] += ownAnswer(i, j);
+        for (std::size_t i = 0; i < count; ++i) answers[j * count + i] += ownAnswer(i, j);
 }
 
 // --- what presses ------------------------------------------------------------------------------
@@ -138,16 +153,17 @@ void NetworkContacts::bound() {
     const auto add = [&](const Freedoms& inverseMass) {
         if (inverseMass[0] > 0) mass += 1 / inverseMass[0];
     };
-    for (const Freedoms& w : work_.inverseMass) add(w);
+    for (std::size_t m = 0; m < group_.trees.size(); ++m)
+        for (const Freedoms& w : work_.members[m].inverseMass) add(w);
     for (const PressingBody& body : work_.bodies) add(body.inverseMass);
     for (const PressedRow& row : work_.contacts)
         if (row.normal == none) closing = std::max(closing, -valueOf(row));
-    factor_.mostPressing = mostPressing(state_, mass, closing);
+    group_.mostPressing = mostPressing(state_, mass, closing);
 }
 
 /// As much of a multiplier as the laws of contact and friction allow.
 double NetworkContacts::allowed(const PressedRow& row, double total) const {
-    if (row.normal == none) return std::clamp(total, 0.0, factor_.mostPressing);
+    if (row.normal == none) return std::clamp(total, 0.0, group_.mostPressing);
     const PressedRow& normal = work_.contacts[row.normal];
     const double pressing = std::max(normal.before + normal.pressed + normal.change, 0.0);
     const bool sticks = std::abs(total) <= row.hold * pressing;
@@ -158,7 +174,7 @@ double NetworkContacts::allowed(const PressedRow& row, double total) const {
 /// Projected Gauss-Seidel. `values`: of the rows before any change, m.
 template <class Total, class Law>
 void NetworkContacts::relax(std::span<double> values, Total&& totalOf, Law&& law) {
-    const auto& answers = factor_.answers;
+    const auto& answers = group_.answers;
     auto& rows = work_.contacts;
     for (int pass = 0; pass < tuned::networkContactPasses; ++pass) {
         double most = 0;
@@ -177,11 +193,11 @@ void NetworkContacts::relax(std::span<double> values, Total&& totalOf, Law&& law
     }
 }
 
-void NetworkContacts::solve(std::span<const Freedoms> goes) {
+void NetworkContacts::solve() {
     std::pmr::vector<double> values(rows(), 0, &state_.arena);
     for (std::size_t i = 0; i < rows(); ++i) {
         work_.contacts[i].change = 0;
-        values[i] = valueOf(work_.contacts[i]) + along(work_.contacts[i], goes);
+        values[i] = valueOf(work_.contacts[i]) + along(work_.contacts[i], &NetworkMember::nodes);
     }
     relax(
         values, [](const PressedRow& r) { return r.before + r.pressed + r.change; },
@@ -206,15 +222,15 @@ void placeBy(State& state, std::uint32_t mover, const Freedoms& push) {
     if (body.inverseInertia > 0) body.turn = placed.turn + static_cast<Real>(push[2]);
 }
 
-void NetworkContacts::solvePushes(std::span<const Freedoms> pushes) {
+void NetworkContacts::solvePushes() {
     const double h = static_cast<double>(state_.h);
     const double share = std::min(tuned::recoveryRate * h, tuned::recoveryShare);
     std::pmr::vector<double> values(rows(), 0, &state_.arena);
     for (std::size_t i = 0; i < rows(); ++i) {
         PressedRow& row = work_.contacts[i];
         row.change = 0;
-        values[i] =
-            along(row, pushes) - std::clamp(share * row.overlap, 0.0, tuned::recoverySpeed * h);
+        values[i] = along(row, &NetworkMember::nodes) -
+                    std::clamp(share * row.overlap, 0.0, tuned::recoverySpeed * h);
         for (std::size_t k = 0; k < 3; ++k)
             if (row.bodies[k] != none)
                 values[i] += row.along[k].dot(pushOf(state_, work_.bodies[row.bodies[k]].mover));
@@ -245,11 +261,11 @@ void NetworkContacts::moveBodies(const PressedRow& row, double amount) {
     }
 }
 
-void NetworkContacts::addChanges(std::vector<Freedoms>& nodes, double sign) const {
-    for (const PressedRow& row : work_.contacts) addTo(nodes, row, sign * row.change);
+void NetworkContacts::takeChanges() {
+    for (const PressedRow& row : work_.contacts) addTo(&NetworkMember::residual, row, -row.change);
 }
-void NetworkContacts::addPressed(std::vector<Freedoms>& nodes) const {
-    for (const PressedRow& row : work_.contacts) addTo(nodes, row, row.pressed);
+void NetworkContacts::addPressed() {
+    for (const PressedRow& row : work_.contacts) addTo(&NetworkMember::nodes, row, row.pressed);
 }
 
 void NetworkContacts::advance(double share) {
@@ -278,12 +294,12 @@ void NetworkContacts::brake() {
     std::pmr::vector<std::uint32_t> touches(&state_.arena);
     for (const PressedRow& row : work_.contacts)
         if (row.normal == none) touches.push_back(row.touch);
-    detail::brake(state_, tree_, touches, Brake::always);
+    detail::brake(state_, group_.trees, touches, Brake::always);
 }
 
-void NetworkContacts::push(std::vector<Freedoms>& nodes) {
+void NetworkContacts::push() {
     for (const PressedRow& row : work_.contacts) {
-        addTo(nodes, row, row.best);
+        addTo(&NetworkMember::nodes, row, row.best);
         const Real amount = static_cast<Real>(row.best);
         const auto isNode = [&](std::size_t k) { return row.nodes[k] != none; };
         pressFromOutside(state_, row.touch, row.normal == none ? amount : 0,

@@ -1,10 +1,11 @@
-// What presses on a network, in its sweeps: contacts with friction, solved together.
+// What presses on networks that touch each other, in their sweeps: contacts with friction, solved
+// together.
 //
-// A network answers a push at one contact at all the others. These answers, with those of the
-// movers that press, are a small dense matrix (the Delassus operator); what presses and rubs is
-// found on it by projected Gauss-Seidel (Jourdan, Alart and Jean 1998), with the law of the rows.
-// The rows of these contacts are nobody else's in the sweeps: to a row, light nodes that carry much
-// are free.
+// A network answers a push at one contact at all the others. The answers of all of them, with those
+// of the movers that press, are a small dense matrix (the Delassus operator); what presses and rubs
+// is found on it by projected Gauss-Seidel (Jourdan, Alart and Jean 1998), with the law of the
+// rows. The rows of these contacts are nobody else's in the sweeps: to a row, light nodes that
+// carry much are free.
 #pragma once
 
 #include <cstdint>
@@ -23,33 +24,34 @@ void placeBy(State& state, std::uint32_t mover, const Freedoms& push);
 
 class NetworkContacts {
 public:
-    NetworkContacts(State& state, const Tree& tree);
+    NetworkContacts(State& state, std::uint32_t group);
 
-    /// Takes up the touches of the network, as they are now.
+    /// Takes up the touches of the group, as they are now.
     void list();
     /// Notes how much a contact may press in this step: what stops all that is there, and some
     /// leverage. What is held between links that cannot give and what stands fast presses without
     /// end else.
     void bound();
     /// Rows for which no answers are known: those of another tick, or of other factors.
-    void findAnswers(NetworkSystem& system);
+    void findAnswers();
     bool areKnown() const;
 
     /// Changes of what presses and rubs, from where the nodes would go without any.
-    void solve(std::span<const Freedoms> goes);
-    /// The same of pushes without a velocity, which part what overlaps. `pushes`: of nodes, m.
-    void solvePushes(std::span<const Freedoms> pushes);
-    /// Adds these changes, or all that the passes have given so far, to the impulses on nodes.
-    void addChanges(std::vector<Freedoms>& nodes, double sign) const;
-    void addPressed(std::vector<Freedoms>& nodes) const;
+    void solve();
+    /// The same of pushes without a velocity, which part what overlaps.
+    void solvePushes();
+    /// Takes these changes from residuals, or adds all that the passes have given so far to the
+    /// impulses on nodes.
+    void takeChanges();
+    void addPressed();
     /// So much of the changes is made.
     void advance(double share);
     void keepBest();
     /// m, by which a contact is open or closed at most, beyond what rows would leave alone as well.
     double error() const;
 
-    /// Adds what the network's side gets to `nodes`; the other side gets it here.
-    void push(std::vector<Freedoms>& nodes);
+    /// Adds what nodes get to their impulses; the other side gets it here.
+    void push();
     /// Whether there is anything to part.
     bool overlap() const;
     /// What bodies that press are pushed apart by; call it after solvePushes().
@@ -64,7 +66,9 @@ private:
     void addTouch(const NetworkTouch& held);
     void addRow(const NetworkTouch& held, const TouchView& t, const TouchDirection& d);
     std::uint32_t bodyOf(std::uint32_t mover, const Freedoms& inverseMass);
-    double along(const PressedRow& row, std::span<const Freedoms> nodes) const;
+    using Vectors = std::vector<Freedoms> NetworkMember::*;
+    double along(const PressedRow& row, Vectors of) const;
+    void addTo(Vectors of, const PressedRow& row, double amount);
     double valueOf(const PressedRow& row) const;
     double ownAnswer(std::size_t i, std::size_t j) const;
     void moveBodies(const PressedRow& row, double amount);
@@ -73,8 +77,8 @@ private:
     void relax(std::span<double> values, Total&& totalOf, Law&& law);
 
     State& state_;
-    const Tree& tree_;
-    NetworkFactor& factor_;
+    std::uint32_t number_;
+    NetworkGroup& group_;
     NetworkSweep& work_;
     double settled_;  // m, by which surfaces may part that do not
 };

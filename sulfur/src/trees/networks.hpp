@@ -66,17 +66,18 @@ public:
         : state_(state), tree_(state.trees.list[tree]) {}
     void remember();
     void share(std::span<const Freedoms> given);
-    /// Answers what contacts begin with.
-    void answerLoads();
-    void sweep(bool first);
-    /// Sweeps once more what has waited.
-    void finish();
     double strain();
 
 private:
     State& state_;
     const Tree& tree_;
 };
+
+/// A group of networks answers what contacts begin with.
+void answerLoads(State& state, std::uint32_t group);
+void sweepNetworks(State& state, std::uint32_t group, bool first);
+/// Sweeps once more what has waited.
+void finishNetworks(State& state, std::uint32_t group);
 
 /// Products of blocks that a factorisation of a network takes, with its passes.
 std::uint64_t priceOf(const State& state, const Tree& tree);

@@ -58,6 +58,7 @@ void touchTrees(State& state) {
     Trees& trees = state.trees;
     trees.touchedAlone.clear();
     trees.networkTouches.clear();
+    trees.groupCount = 0;
     trees.touchedAlone.reserve(state.work.lonelyTrees.size());
     if (trees.list.empty()) return;
     trees.touched.assign(trees.list.size(), 0);
@@ -94,6 +95,7 @@ void touchTrees(State& state) {
         trees.touchedAlone.push_back(i);
         withSweeper(state, i, [](auto&& s) { s.remember(); });
     }
+    groupNetworks(state);
 }
 
 void shareBlows(State& state) {
@@ -137,23 +139,27 @@ void answerOfTree(State& state, std::uint32_t tree, std::span<Freedoms> given) {
 void answerLoads(State& state) {
     state.core.stirred.assign(state.core.movers.size(), 0);
     state.core.sweep = 0;
-    for (const auto i : state.trees.touchedAlone)
-        if (state.trees.list[i].network != none) NetworkSweeper(state, i).answerLoads();
+    for (std::uint32_t group = 0; group < state.trees.groupCount; ++group)
+        answerLoads(state, group);
 }
 
 void sweepTrees(State& state, int number) {
     const auto sweep = [&](std::uint32_t i) {
-        if (state.trees.list[i].network != none)
-            NetworkSweeper(state, i).sweep(number == 1);
-        else
-            withTreeSweeper(state, i, [](auto&& s) { s.sweep(); });
+        withTreeSweeper(state, i, [](auto&& s) { s.sweep(); });
     };
     for (const auto i : state.work.lines) sweep(i);
     const Trees& trees = state.trees;
+    const auto isWanted = [&](std::uint32_t i) {
+        return number == 1 || trees.touched[i] == Trees::pulled ||
+               isStirred(state, trees.list[i], number);
+    };
     for (const auto i : trees.touchedAlone)
-        if (number == 1 || trees.touched[i] == Trees::pulled ||
-            isStirred(state, trees.list[i], number))
-            sweep(i);
+        if (trees.list[i].network == none && isWanted(i)) sweep(i);
+    for (std::uint32_t group = 0; group < trees.groupCount; ++group) {
+        const auto& members = trees.networkGroups[group].trees;
+        if (std::any_of(members.begin(), members.end(), isWanted))
+            sweepNetworks(state, group, number == 1);
+    }
 }
 
 void holdNetworkRows(State& state) {
@@ -190,17 +196,15 @@ std::pmr::vector<std::uint32_t> touchesOf(State& state, std::uint32_t tree) {
 
 void finishTrees(State& state, double strain) {
     Trees& trees = state.trees;
+    for (std::uint32_t group = 0; group < trees.groupCount; ++group) finishNetworks(state, group);
     for (const auto i : trees.touchedAlone) {
         const Tree& tree = trees.list[i];
-        if (tree.network != none) {
-            NetworkSweeper(state, i).finish();
-            continue;
-        }
+        if (tree.network != none) continue;
         if (strain <= tuned::brakingTolerable) continue;
         double own = 0;
         withTreeSweeper(state, i, [&](auto&& s) { own = s.strain(); });
         if (own <= tuned::brakingTolerable) continue;
-        if (!brake(state, tree, touchesOf(state, i), Brake::ifItGains)) continue;
+        if (!brake(state, std::span(&i, 1), touchesOf(state, i), Brake::ifItGains)) continue;
         ++state.statistics.chainFallbacks;
         std::fill(trees.lambda.begin() + tree.first, trees.lambda.begin() + tree.last,
                   std::array<double, 2>{0, 0});

@@ -21,6 +21,9 @@ void stepTrees(State& state);
 
 /// Gives each node of a tree the contact that pushes most on it or its link (Trees::contact).
 void giveContacts(State& state);
+/// Groups of the networks that touch each other. Of their contacts, those that press most are
+/// theirs.
+void groupNetworks(State& state);
 /// Before the sweeps: finds the trees that contacts or swept constraints pull on.
 void touchTrees(State& state);
 /// What impacts have given to single nodes of the touched trees is shared along their links at
@@ -42,12 +45,13 @@ void releaseNetworkRows(State& state);
 /// solved, a network that is crumpled or pressed beyond what it can bear, and a tree that is
 /// strained and has gained energy by it, is braked. `strain`: the largest of trees.
 void finishTrees(State& state, double strain);
-/// When a tree or network is braked: always, or if it and what presses on it move with more energy
-/// than before the sweeps.
+/// When trees or networks are braked: always, or if they and what presses on them move with more
+/// energy than before the sweeps.
 enum class Brake : std::uint8_t { always, ifItGains };
-/// Its nodes and what presses on them go on as one, with their momentum: no link is strained and
+/// Their nodes and what presses on them go on as one, with their momentum: no link is strained and
 /// nothing comes nearer. What pressed is forgotten. `touches`: all of it. Returns whether they do.
-bool brake(State& state, const Tree& tree, std::span<const std::uint32_t> touches, Brake when);
+bool brake(State& state, std::span<const std::uint32_t> trees,
+           std::span<const std::uint32_t> touches, Brake when);
 /// By what share of its length a link is wrong, at most, in trees that contacts pull on.
 double strainOfTrees(State& state);
 /// Multipliers of the sweeps to the joints.

@@ -124,12 +124,11 @@ MemoryUse ofTrees(const State& state) {
 MemoryUse ofNetworks(const State& state) {
     const auto& t = state.trees;
     Sum sum;
-    sum.add(t.links, t.rows, t.linkMet, t.linkLambda, t.networkTouches, t.heldRows);
+    sum.add(t.links, t.rows, t.linkMet, t.linkLambda, t.networkTouches, t.heldRows, t.groupOf);
     for (const auto* factors : {&t.factors, &t.earlier})
         for (const auto& f : *factors) {
-            sum.add(f.rows, f.given);
-            sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes() +
-                         f.answers.size() * sizeof(double));
+            sum.add(f.rows, f.given, f.settled);
+            sum.addBytes(f.pattern.bytes() + f.step.bytes() + f.swept.bytes());
         }
     return sum.as("networks: links and factors", t.links.size(), true);
 }
@@ -175,6 +174,19 @@ MemoryUse ofBodies(const State& state) {
     return sum.as("bodies, and all handles", state.bodies.size(), false);
 }
 
+std::size_t bytesOfMembers(const detail::NetworkSweep& sweep) {
+    std::size_t bytes = 0;
+    for (const detail::NetworkMember& m : sweep.members)
+        bytes += m.rows.capacity() * sizeof(detail::NetworkRow) +
+                 (m.inverseMass.capacity() + m.moved.capacity() + m.bestMoved.capacity() +
+                  m.residual.capacity() + m.nodes.capacity()) *
+                     sizeof(Eigen::Vector3d) +
+                 (m.lambda.capacity() + m.bestLambda.capacity() + m.wanted.capacity() +
+                  m.values.capacity()) *
+                     2 * sizeof(double);
+    return bytes;
+}
+
 /// What a step needs only while it lasts.
 MemoryUse ofScratch(const State& state) {
     const auto& c = state.core;
@@ -184,16 +196,16 @@ MemoryUse ofScratch(const State& state) {
     const auto& m = state.mechanisms;
     const auto& e = state.work.explicitBatches;
     return Sum()
-        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.waysBefore,
-             c.unbalanced, c.lengths,
-             c.blows, c.knocks, c.impulses, c.struck, c.held, c.places)
+        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways,
+             c.waysBefore, c.unbalanced, c.lengths, c.blows, c.knocks, c.impulses, c.struck, c.held,
+             c.places)
         .add(m.rows, m.movers, m.nodes, m.answers, m.groups, m.numbers, m.trees)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.held, state.work.chains.scratch)
         .addBytes(t.points.bytes() + t.bodies.bytes())
         .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.best, n.values,
-             n.points, n.bodies, w.rows, w.contacts, w.bodies, w.inverseMass, w.moved, w.bestMoved,
-             w.residual, w.nodes, w.lambda, w.bestLambda, w.wanted, w.values)
+             n.points, n.bodies, w.contacts, w.bodies)
+        .addBytes(bytesOfMembers(w))
         .add(e.levelOfParticle, e.levelOfJoint, e.sorted, e.levelStart)
         .add(state.young, state.asked)
         .addBytes(state.arena.bytes())

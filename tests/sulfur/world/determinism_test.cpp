@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 10584207716559139504u);
+    EXPECT_EQ(world.hash(), 11728629578662841816u);
 #else
-    EXPECT_EQ(world.hash(), 8431759494504943755u);
+    EXPECT_EQ(world.hash(), 4349258762869264783u);
 #endif
 }
 
