@@ -74,6 +74,28 @@ void tautRopes(benchmark::State& state) {
 }
 BENCHMARK(tautRopes)->ArgName("crates")->Arg(0)->Arg(1)->Arg(3);
 
+/// Ropes of 8 m that hang over each other, held at both ends, and six crates that have come to lie
+/// on them. Argument: ropes.
+void ropesOverEachOther(benchmark::State& state) {
+    World world(still({}, standardGravity));
+    const auto ropes = static_cast<double>(state.range(0));
+    for (int i = 0; i < state.range(0); ++i) {
+        const Real y = Real(3 + 0.12 * i);
+        world.add(shapes::rope({.from = {-4, y},
+                                .to = {4, y},
+                                .slack = Real(0.1),
+                                .mass = 1,
+                                .pinFirst = true,
+                                .pinLast = true}));
+    }
+    for (int i = 0; i < 6; ++i)
+        world.add(shapes::box({.size = {Real(0.5), Real(0.5)}, .mass = 5}),
+                  {.position = {i - 2.5, 4 + 0.12 * ropes}});
+    for (int i = 0; i < 1000; ++i) world.step();
+    stepAndCount(state, world, {"rope", ropes}, false, {});
+}
+BENCHMARK(ropesOverEachOther)->ArgName("ropes")->Arg(4)->Arg(12);
+
 }  // namespace
 
 }  // namespace sulfur::lab
