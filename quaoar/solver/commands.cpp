@@ -117,7 +117,7 @@ int solveLevel(const SolverArguments& arguments, const std::string& file) {
 
 int playBot(const SolverArguments& arguments, const std::string& file) {
     const Ground ground(load(file));
-    const auto known = fittingWay(*ground.level, wayFile(arguments, file));
+    auto known = fittingWay(*ground.level, wayFile(arguments, file));
     if (!known) {
         throw std::runtime_error(wayFile(arguments, file).string() +
                                  " is missing or was made for another version of the level");
@@ -126,7 +126,11 @@ int playBot(const SolverArguments& arguments, const std::string& file) {
     bot.skill = arguments.solve.skill;
     bot.seed = arguments.solve.seed;
     std::printf("%s  skill %d  ", ground.level->id.c_str(), arguments.skill);
-    printSurvival(measureSurvival(ground, known->policy, bot, arguments.bot, arguments.solve.jobs));
+    known->survival =
+        measureSurvival(ground, known->policy, bot, arguments.bot, arguments.solve.jobs);
+    printSurvival(known->survival);
+    std::fflush(stdout);
+    if (arguments.keep) known->write(wayFile(arguments, file));
     return 0;
 }
 

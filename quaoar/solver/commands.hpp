@@ -17,6 +17,7 @@ struct SolverArguments {
     bool table = false;
     int fair = 0;  ///< resting states
     int bot = 0;   ///< games with the way that is known
+    bool keep = false;  ///< what these have shown
     int skill = 3;
     double wander = 0;  ///< hours of random play
     SolveOptions solve;

@@ -37,8 +37,11 @@ void describe(CLI::App& app, quaoar::SolverArguments& arguments) {
         ->check(CLI::Range(1, 100000));
     app.add_option("--skill", arguments.skill, "Of the bot: 1 a beginner, 5 an expert")
         ->check(CLI::Range(1, 5));
-    app.add_option("--bot", arguments.bot, "Only play so many games with the way that is known")
-        ->check(CLI::Range(1, 100000));
+    auto* bot =
+        app.add_option("--bot", arguments.bot, "Only play so many games with the way that is known")
+            ->check(CLI::Range(1, 100000));
+    app.add_flag("--keep", arguments.keep, "With --bot: the way tells its survival from then on")
+        ->needs(bot);
     app.add_flag("--repair", arguments.repair,
                  "Only mend what does not hold, beginning with the ways that are known");
     app.add_flag("--table", arguments.table,

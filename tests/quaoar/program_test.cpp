@@ -189,6 +189,13 @@ TEST(Program, TheSolverFindsAWayThroughASmallRoom) {
     const Outcome again = run(solver + quoted(folder / "room.json") + " --practice 0");
     EXPECT_EQ(again.status, 0) << again.output;
     EXPECT_EQ(readText(way), measured);
+    // Games alone change nothing, unless what they have shown is to be kept.
+    const std::string games = solver + quoted(folder / "room.json") + " --bot 3";
+    EXPECT_EQ(run(games).status, 0);
+    EXPECT_EQ(readText(way), measured);
+    EXPECT_EQ(run(games + " --keep").status, 0);
+    EXPECT_NE(readText(way).find("\ngames 3\n"), std::string::npos) << readText(way);
+    EXPECT_NE(run(solver + quoted(folder / "room.json") + " --keep").status, 0);
 }
 
 TEST(Program, TheSolverGivesUpHonestly) {

@@ -1,4 +1,6 @@
 // Many ropes of 40 rigid links with a load: what one link costs in a tick.
+#include <cmath>
+
 #include "battery/scenes.hpp"
 #include "stepping.hpp"
 
@@ -95,6 +97,28 @@ void ropesOverEachOther(benchmark::State& state) {
     stepAndCount(state, world, {"rope", ropes}, false, {});
 }
 BENCHMARK(ropesOverEachOther)->ArgName("ropes")->Arg(4)->Arg(12);
+
+/// A weight on a rope of springs that is reeled in and out by its last one, as a winch or a player
+/// does, beside so many jellies that sleep. Timed are the calls and the tick. Argument: jellies.
+void reeling(benchmark::State& state) {
+    World world;
+    const Body rope = world.add(shapes::rope(
+        {.to = {0, -2}, .stiffness = 1e4, .damping = 10, .bending = 0, .pinFirst = true}));
+    const Body load = world.add(shapes::ball({.radius = Real(0.2)}), {.position = {0, -3}});
+    const JointId last = world.connect(rope.back(), load.front(), {.stiffness = 1e4});
+    for (int i = 0; i < state.range(0); ++i) {
+        const Body jelly = world.add(shapes::jelly(), {.position = {4 + 3.0 * i, 0}});
+        world.putToSleep(jelly);
+    }
+    int tick = 0;
+    for (auto _ : state) {
+        const Real length = Real(0.75 + 0.25 * std::cos(0.01 * ++tick));
+        world.setRestLength(last, length);
+        world.setStiffness(last, Real(1e4) / length);
+        world.step();
+    }
+}
+BENCHMARK(reeling)->ArgName("jellies")->Arg(0)->Arg(10)->Arg(100);
 
 }  // namespace
 

@@ -113,6 +113,40 @@ BENCHMARK(leaving)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
+/// What comes and goes in a world where so many ropes and jellies sleep: a ball, and the tick after
+/// it; or a spring between two crates that fly, and that tick. Arguments: ropes, and as many
+/// jellies; whether it is the spring.
+void among(benchmark::State& state) {
+    World world({.gravity = {0, 0}});
+    for (int i = 0; i < state.range(0); ++i) {
+        const Real x = static_cast<Real>(3 * i);
+        world.add(shapes::rope({.from = {x, 10}, .to = {x, 8}, .pinFirst = true}));
+        world.add(shapes::jelly(), {.position = {static_cast<double>(x), 5}});
+    }
+    for (const BodyId body : world.bodies()) world.putToSleep(body);
+    const Body one = world.add(crate(), {.position = {0, 0}});
+    const Body other = world.add(crate(), {.position = {3, 0}});
+    world.setSleepingAllowed(one, false);
+    run(world, 0.1);
+    for (auto _ : state) {
+        if (state.range(1) != 0) {
+            const JointId spring = world.connect(one.front(), other.front(), {.stiffness = 100});
+            world.step();
+            world.remove(spring);
+        } else {
+            const Body ball = world.add(shapes::ball(), {.position = {-3, 0}});
+            world.step();
+            world.remove(ball);
+        }
+        world.step();
+    }
+    state.counters["asleep"] = world.statistics().particles - world.statistics().awakeParticles;
+}
+BENCHMARK(among)
+    ->ArgNames({"n", "spring"})
+    ->ArgsProduct({{0, 10, 100}, {0, 1}})
+    ->Unit(benchmark::kMicrosecond);
+
 }  // namespace
 
 }  // namespace sulfur::lab

@@ -8,15 +8,6 @@ namespace sulfur::detail {
 
 namespace {
 
-/// A network of springs and dampers that are forces is stable with NSV while
-/// h^2 K + 2 h B < 4, where the highest eigenvalue is bounded by Gershgorin's circles: for each
-/// particle, the sums over its joints of k (w_i + w_j) and b (w_i + w_j). The explicit parts below
-/// never go beyond 3, of which springs have up to 2.
-struct Load {
-    Real stiffness = 0;  // h^2 K
-    Real damping = 0;    // h B
-};
-
 /// Where the explicit part of a spring begins to lag behind the whole, and the most that springs
 /// and dampers are as forces together.
 constexpr Real softLimit = Real(tuned::softLimit), forceLimit = Real(tuned::forceLimit);
@@ -38,7 +29,7 @@ namespace {
 struct Shares {
     Real stiffness = 1, damping = 1;
 };
-Shares explicitShares(const Load& a, const Load& b, bool braced) {
+Shares explicitShares(const JointLoad& a, const JointLoad& b, bool braced) {
     const Real stiffest = std::max(a.stiffness, b.stiffness);
     const Real most = std::max(a.damping, b.damping);
     const Real used =
@@ -51,8 +42,8 @@ Shares explicitShares(const Load& a, const Load& b, bool braced) {
     return s;
 }
 
-/// What a push on a particle moves: a rigid component answers with its effective mass there, in
-/// the direction in which it is least.
+}  // namespace
+
 Real mobility(const State& state, std::uint32_t particle) {
     const auto cluster = state.particles.cluster[particle];
     if (cluster == none) return inverseMassAwake(state, particle);
@@ -61,8 +52,6 @@ Real mobility(const State& state, std::uint32_t particle) {
                              c.freeInverseInertia *
                                  static_cast<double>(state.particles.arm[particle].squaredNorm()));
 }
-
-}  // namespace
 
 Real inverseMassAwake(const State& state, std::uint32_t particle) {
     const bool moves = state.bodies[state.particles.body[particle]].kind == BodyKind::dynamic &&
@@ -78,6 +67,29 @@ namespace {
 /// while they are much softer.
 constexpr Real weightOfLinks = Real(tuned::weightOfLinks);
 
+}  // namespace
+
+Real weightOfSprings(const State& state, std::uint32_t particle, bool isLink) {
+    return isLink && state.particles.cluster[particle] == none ? weightOfLinks : 1;
+}
+
+void addLoad(JointLoad& load, const Spring& spring, Real weight, Real mobilities, Real h) {
+    load.stiffness += weight * h * h * spring.stiffness * mobilities;
+    load.damping += h * spring.damping * mobilities;
+}
+
+HowSolved howSolved(const State& state, std::uint32_t j, const Spring& spring, const JointLoad& a,
+                    const JointLoad& b) {
+    if (isRigid(state.joints, j)) return {0, 0, JointKind::rigid};
+    const Shares share = explicitShares(a, b, state.joints.braced[j] != 0);
+    HowSolved how{share.stiffness * spring.stiffness, share.damping * spring.damping};
+    const bool whole = how.stiffness == spring.stiffness && how.damping == spring.damping;
+    how.kind = whole ? JointKind::explicitElastic : JointKind::implicitElastic;
+    return how;
+}
+
+namespace {
+
 /// Of each particle that was not there `before`, as all that follows.
 std::vector<Real> weightsOf(const State& state, const Counts& before) {
     const Joints& joints = state.joints;
@@ -85,26 +97,21 @@ std::vector<Real> weightsOf(const State& state, const Counts& before) {
     for (auto j = before.joints; j < joints.size(); ++j)
         if (isRigid(joints, j))
             for (const auto p : {joints.a[j], joints.b[j]})
-                if (state.particles.cluster[p] == none)
-                    weights[p - before.particles] = weightOfLinks;
+                weights[p - before.particles] = weightOfSprings(state, p, true);
     return weights;
 }
 
-std::vector<Load> loadsOf(const State& state, const Counts& before) {
+std::vector<JointLoad> loadsOf(const State& state, const Counts& before) {
     const Joints& joints = state.joints;
-    const Real h = state.h;
     const std::vector<Real> weight = weightsOf(state, before);
     std::vector<Real> w(weight.size());
     for (std::uint32_t i = 0; i < w.size(); ++i) w[i] = mobility(state, before.particles + i);
-    std::vector<Load> load(weight.size());
+    std::vector<JointLoad> load(weight.size());
     for (auto j = before.joints; j < joints.size(); ++j) {
         if (isRigid(joints, j)) continue;
         const auto a = joints.a[j] - before.particles, b = joints.b[j] - before.particles;
-        const Real sum = w[a] + w[b];
-        for (const auto p : {a, b}) {
-            load[p].stiffness += weight[p] * h * h * joints.stiffness[j] * sum;
-            load[p].damping += h * joints.damping[j] * sum;
-        }
+        for (const auto p : {a, b})
+            addLoad(load[p], springOf(joints, j), weight[p], w[a] + w[b], state.h);
     }
     return load;
 }
@@ -113,21 +120,14 @@ std::vector<Load> loadsOf(const State& state, const Counts& before) {
 
 void classifyJoints(State& state, const Counts& before) {
     Joints& joints = state.joints;
-    const std::vector<Load> load = loadsOf(state, before);
+    const std::vector<JointLoad> load = loadsOf(state, before);
     for (auto j = before.joints; j < joints.size(); ++j) {
-        const Load &a = load[joints.a[j] - before.particles],
-                   &b = load[joints.b[j] - before.particles];
-        const Shares share = explicitShares(a, b, joints.braced[j] != 0);
-        joints.explicitStiffness[j] =
-            isRigid(joints, j) ? 0 : share.stiffness * joints.stiffness[j];
-        joints.explicitDamping[j] = isRigid(joints, j) ? 0 : share.damping * joints.damping[j];
-        if (isRigid(joints, j))
-            joints.kind[j] = JointKind::rigid;
-        else if (joints.explicitStiffness[j] == joints.stiffness[j] &&
-                 joints.explicitDamping[j] == joints.damping[j])
-            joints.kind[j] = JointKind::explicitElastic;
-        else
-            joints.kind[j] = JointKind::implicitElastic;
+        const HowSolved how =
+            howSolved(state, j, springOf(joints, j), load[joints.a[j] - before.particles],
+                      load[joints.b[j] - before.particles]);
+        joints.explicitStiffness[j] = how.stiffness;
+        joints.explicitDamping[j] = how.damping;
+        joints.kind[j] = how.kind;
     }
 }
 

@@ -43,6 +43,7 @@ bool isByBodies(const State& state, const std::vector<std::uint32_t>& list,
 void fill(const State& state, const std::vector<std::uint32_t>& list, ExplicitJoints& all,
           ForceBatch& batch) {
     const Joints& joints = state.joints;
+    batch.damped = false;
     for (auto k = batch.first; k < batch.last; ++k) {
         const auto j = list[k];
         const std::size_t at = batch.place + (k - batch.first);
@@ -82,8 +83,13 @@ void batchExplicitJoints(State& state) {
     places += sweepLanes;
     for (auto* numbers : {&all.joint, &all.a, &all.b}) numbers->assign(places, 0);
     for (auto* numbers : {&all.rest, &all.stiffness, &all.damping}) numbers->assign(places, 0);
+    fillExplicitBatches(state);
+}
+
+void fillExplicitBatches(State& state) {
+    ExplicitJoints& all = state.work.explicitBatches;
     for (ForceBatch& batch : all.batches)
-        if (batch.wide) fill(state, list, all, batch);
+        if (batch.wide) fill(state, state.work.explicitJoints, all, batch);
 }
 
 }  // namespace sulfur::detail

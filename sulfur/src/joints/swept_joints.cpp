@@ -58,14 +58,9 @@ private:
 };
 
 /// Behind the last joint of a batch come copies of its first, whose pushes are left out.
-void fillLanes(const State& state, const std::vector<std::uint32_t>& list, std::size_t places,
-               SweptJoints& swept) {
+void fillLanes(const State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
     const Joints& joints = state.joints;
-    swept.forEachArray([&](auto& numbers) { numbers.resize(places); });
-    const bool rigid = !list.empty() && joints.kind[list.front()] == JointKind::rigid;
-    for (auto* numbers : {&swept.hk, &swept.hb}) numbers->resize(rigid ? 0 : places);
-    swept.rest.resize(rigid ? places : 0);
-    swept.h = swept.newtons = 0;
+    swept.h = swept.newtons = 0;  // what follows from these is stale
     for (const SweepBatch& batch : swept.batches) {
         if (!batch.wide) continue;
         const std::size_t end = (batch.size() + sweepLanes - 1) / sweepLanes * sweepLanes;
@@ -82,9 +77,15 @@ void fillLanes(const State& state, const std::vector<std::uint32_t>& list, std::
     }
 }
 
-}  // namespace
+void makeRoom(const State& state, const std::vector<std::uint32_t>& list, std::size_t places,
+              SweptJoints& swept) {
+    swept.forEachArray([&](auto& numbers) { numbers.resize(places); });
+    const bool rigid = !list.empty() && state.joints.kind[list.front()] == JointKind::rigid;
+    for (auto* numbers : {&swept.hk, &swept.hb}) numbers->resize(rigid ? 0 : places);
+    swept.rest.resize(rigid ? places : 0);
+}
 
-void batchJoints(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
+void batch(State& state, const std::vector<std::uint32_t>& list, SweptJoints& swept) {
     swept.batches.clear();
     const Parts parts(state, list);
     swept.parts = parts.count();
@@ -105,7 +106,22 @@ void batchJoints(State& state, const std::vector<std::uint32_t>& list, SweptJoin
             if (wide) places += (to - from + sweepLanes - 1) / sweepLanes * sweepLanes;
         }
     }
-    fillLanes(state, list, places, swept);
+    makeRoom(state, list, places, swept);
+    fillLanes(state, list, swept);
+}
+
+}  // namespace
+
+void batchSweptJoints(State& state) {
+    WorkLists& work = state.work;
+    batch(state, work.implicitJoints, work.implicitSweep);
+    batch(state, work.rigidJoints, work.rigidSweep);
+}
+
+void fillSweptBatches(State& state) {
+    WorkLists& work = state.work;
+    fillLanes(state, work.implicitJoints, work.implicitSweep);
+    fillLanes(state, work.rigidJoints, work.rigidSweep);
 }
 
 }  // namespace sulfur::detail

@@ -160,6 +160,11 @@ void AwakeTriangles::fillBlocks() {
     pressed.assign(blocks, 0);
 }
 
+void forgetTriangles(State& state) {
+    state.triangles.bodies = 0;
+    std::fill(state.joints.braced.begin(), state.joints.braced.end(), std::uint8_t{0});
+}
+
 void findTriangles(State& state) {
     Triangles& triangles = state.triangles;
     if (triangles.bodies == 0) triangles.all.clear();

@@ -133,6 +133,7 @@ struct WorkLists {
     bool hasGaps = false;  // what is gone may still be in lists of bodies, clusters and joints
     bool stale = true;
     bool onlyAdded = false;  // by bodies that were added to those `listed`, and in no other way
+    bool retuned = false;    // joints have other numbers than their batches
     Counts listed;
 
     void bodyAdded() {

@@ -94,7 +94,7 @@ struct Trees {
     std::vector<std::uint32_t> touchedAlone;  // those that move alone, in order
     /// Of each node that a joint holds: the contact that pushes most on it, or on that joint.
     std::vector<std::uint32_t> contact;
-    std::vector<std::uint32_t> nodeOfParticle;
+    std::vector<std::uint32_t> nodeOfParticle;  // of trees as they are; empty: not yet listed
     std::vector<NetworkTouch> networkTouches;  // by groups
     std::vector<TouchMasses> heldRows;         // of these, while only networks solve them
     std::vector<NetworkGroup> networkGroups;   // of this step, and what later steps use again
@@ -113,6 +113,7 @@ struct Trees {
         nodes.clear();
         links.clear();
         rows.clear();
+        nodeOfParticle.clear();
         if (!factors.empty()) earlier.swap(factors);  // allocates nothing
         factors.clear();
     }

@@ -182,8 +182,7 @@ void listJoints(State& state) {
         if (!takesPart(state, j)) continue;
         (joints.kind[j] == JointKind::rigid ? work.rigidJoints : work.implicitJoints).push_back(j);
     }
-    batchJoints(state, work.implicitJoints, work.implicitSweep);
-    batchJoints(state, work.rigidJoints, work.rigidSweep);
+    batchSweptJoints(state);
 }
 
 void listAngles(State& state) {
@@ -297,12 +296,12 @@ void listStrained(State& state) {
 }
 
 /// Whether all that was added is single particles and whole rigid components, so that no joint of
-/// it has to be solved, and there are no trees: these are derived of all that there is.
+/// it has to be solved. Trees stay as they are then.
 bool addedAreRigid(const State& state, const Counts& before) {
     const auto& hinges = state.clusters.hinges;
     const bool hinged =
         !hinges.empty() && hinges.back().cluster >= firstCluster(state, before.bodies);
-    return !hinged && state.trees.list.empty() &&
+    return !hinged &&
            std::all_of(state.joints.inCluster.begin() + before.joints, state.joints.inCluster.end(),
                        [](auto in) { return in != 0; }) &&
            std::all_of(state.angles.kind.begin() + anglesOf(state, before.bodies).first,
@@ -310,17 +309,22 @@ bool addedAreRigid(const State& state, const Counts& before) {
                        [](AngleKind kind) { return kind == AngleKind::held; });
 }
 
+/// Ties between bodies come and go without that.
+bool anyShapeChanged(const State& state) {
+    return std::any_of(state.bodies.begin(), state.bodies.end(),
+                       [](const BodyRecord& body) { return body.clustersStale; });
+}
+
 /// Bodies that were added are tied to nothing, so that all but the trees, whose order is that of
 /// all particles, stays for the others.
 void deriveStructure(State& state) {
     const bool onlyAdded = state.structure.onlyAdded;
     const Counts before = onlyAdded ? state.structure.before : Counts{};
-    if (!onlyAdded) dissolveTrees(state);
-    updateClusters(state, before);
     if (!onlyAdded) {
-        state.triangles.bodies = 0;
-        std::fill(state.joints.braced.begin(), state.joints.braced.end(), std::uint8_t{0});
+        dissolveTrees(state);
+        if (state.triangles.bodies == 0 || anyShapeChanged(state)) forgetTriangles(state);
     }
+    updateClusters(state, before);
     findTriangles(state);
     classifyJoints(state, before);
     classifyAngles(state, before);
@@ -423,7 +427,15 @@ void listAnew(State& state) {
     state.anyStirred = true;  // of who woke, too
     work.listed = countsOf(state);
     for (auto* list : {&work.turned, &state.turned}) list->reserve(state.bodies.size());
-    work.stale = work.onlyAdded = false;
+    work.stale = work.onlyAdded = work.retuned = false;
+}
+
+/// Batches of joints of which only numbers have changed.
+void refillBatches(State& state) {
+    fillExplicitBatches(state);
+    fillSweptBatches(state);
+    listChainBatches(state);
+    state.work.retuned = false;
 }
 
 }  // namespace
@@ -438,7 +450,10 @@ void applyChanges(State& state) {
     updateStructure(state);
     followTurned(state);
     WorkLists& work = state.work;
-    if (work.stale) listAnew(state);
+    if (work.stale)
+        listAnew(state);
+    else if (work.retuned)
+        refillBatches(state);
     count(state);
 }
 

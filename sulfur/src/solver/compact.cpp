@@ -110,7 +110,9 @@ void retire(State& state, std::uint32_t index) {
     state.idle = state.nearby.valid = false;
     for (const ParticleId id : body.particles) state.particleSlots.retire(id);
     for (const JointId id : body.joints) {
-        state.joints.inCluster[state.jointSlots.dense(id)] = 1;  // nobody solves it
+        const auto j = state.jointSlots.dense(id);
+        state.joints.inCluster[j] = 1;  // nobody solves it
+        state.joints.braced[j] = 0;
         state.jointSlots.retire(id);
     }
     const Range angles = anglesOf(state, index);
@@ -280,6 +282,7 @@ void compact(State& state, Removal& removal) {
     squeezeBodies(state, removal);
     squeezeClusters(state, removal);
     if (particlesGo) {
+        state.triangles.bodies = 0;
         squeezeParticles(state, removal);
         renumberParticles(state, removal.newParticle);
     }

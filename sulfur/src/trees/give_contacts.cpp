@@ -74,6 +74,16 @@ void choosePressing(std::vector<NetworkTouch>& touches) {
     touches.resize(kept);
 }
 
+/// The node of each particle that trees move, anew after these have been found anew.
+void listNodes(State& state) {
+    Trees& trees = state.trees;
+    const bool isStale = trees.nodeOfParticle.empty();
+    trees.nodeOfParticle.resize(state.particles.size(), none);
+    for (std::uint32_t k = 0; isStale && k < trees.nodes.size(); ++k)
+        if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
+            trees.nodeOfParticle[trees.nodes[k].particle] = k;
+}
+
 void giveTouches(State& state) {
     const auto& touches = state.core.touches;
     std::pmr::vector<Real> gaps(state.trees.nodes.size(), 0, &state.arena);
@@ -98,12 +108,8 @@ void giveTouches(State& state) {
 
 void giveContacts(State& state) {
     Trees& trees = state.trees;
-    trees.contact.assign(trees.nodes.size(), none);
     trees.networkTouches.clear();
-    trees.nodeOfParticle.assign(state.particles.size(), none);
-    for (std::uint32_t k = 0; k < trees.nodes.size(); ++k)
-        if (trees.nodes[k].particle != none && trees.ofParticle[trees.nodes[k].particle] != none)
-            trees.nodeOfParticle[trees.nodes[k].particle] = k;
+    listNodes(state);
     giveTouches(state);
 }
 

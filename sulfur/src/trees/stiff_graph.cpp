@@ -28,7 +28,11 @@ bool canMove(const State& state, const TreeNode& node) {
 
 StiffGraph::StiffGraph(const State& state)
     : state_(state), particles_(static_cast<std::uint32_t>(state.particles.size())) {
-    for (std::uint32_t j = 0; j < state.joints.size(); ++j) addJoint(j);
+    std::vector<std::uint32_t> joints;
+    for (std::uint32_t j = 0; j < state.joints.size(); ++j)
+        if (isStiff(j)) joints.push_back(j);
+    edges.reserve(joints.size() + state.attachments.size() + state.clusters.hinges.size());
+    for (const auto j : joints) addJoint(j);
     for (std::uint32_t i = 0; i < state.attachments.size(); ++i) addAttachment(i);
     for (std::uint32_t i = 0; i < state.clusters.hinges.size(); ++i) addHinge(i);
     listEdgesAround();
@@ -65,11 +69,14 @@ void StiffGraph::add(const Edge& edge) {
     if (edge.a.vertex != edge.b.vertex) edges.push_back(edge);
 }
 
-void StiffGraph::addJoint(std::uint32_t j) {
+bool StiffGraph::isStiff(std::uint32_t j) const {
     const Joints& joints = state_.joints;
-    if (joints.inCluster[j] || joints.kind[j] == JointKind::explicitElastic) return;
-    if (joints.body[j] == none && isCut(state_, j)) return;
-    add({LinkKind::joint, j, endOf(joints.a[j]), endOf(joints.b[j])});
+    return !joints.inCluster[j] && joints.kind[j] != JointKind::explicitElastic &&
+           (joints.body[j] != none || !isCut(state_, j));
+}
+
+void StiffGraph::addJoint(std::uint32_t j) {
+    add({LinkKind::joint, j, endOf(state_.joints.a[j]), endOf(state_.joints.b[j])});
 }
 
 /// An attachment is an edge if its supports move as one; else it is swept.

@@ -55,6 +55,7 @@ private:
     EdgeEnd endOf(std::uint32_t particle) const;
     EdgeEnd endAt(std::uint32_t cluster, const LinkEnd& end) const;
     void add(const Edge& edge);
+    bool isStiff(std::uint32_t joint) const;
     void addJoint(std::uint32_t j);
     void addAttachment(std::uint32_t i);
     void addHinge(std::uint32_t i);

@@ -30,6 +30,24 @@ void withSweeper(State& state, std::uint32_t tree, Function&& f) {
         withTreeSweeper(state, tree, f);
 }
 
+/// Of trees that are awake.
+void clearMultipliers(Trees& trees, const std::vector<std::uint32_t>& list) {
+    for (auto* ofNodes : {&trees.met, &trees.lambda}) ofNodes->resize(trees.nodes.size());
+    for (auto* ofLinks : {&trees.linkMet, &trees.linkLambda}) ofLinks->resize(trees.links.size());
+    trees.contact.resize(trees.nodes.size(), none);
+    const auto clear = [](auto& all, std::uint32_t first, std::uint32_t last, const auto& zero) {
+        std::fill(all.begin() + first, all.begin() + last, zero);
+    };
+    constexpr std::array<double, 2> nothing{0, 0};
+    for (const auto i : list) {
+        const Tree& t = trees.list[i];
+        for (auto* ofNodes : {&trees.met, &trees.lambda}) clear(*ofNodes, t.first, t.last, nothing);
+        for (auto* ofLinks : {&trees.linkMet, &trees.linkLambda})
+            clear(*ofLinks, t.firstLink, t.lastLink, nothing);
+        clear(trees.contact, t.first, t.last, none);
+    }
+}
+
 void pull(State& state, const Grip& grip) {
     Trees& trees = state.trees;
     const auto tree = trees.of(grip.cluster, grip.particle);
@@ -62,11 +80,10 @@ void touchTrees(State& state) {
     trees.touchedAlone.reserve(state.work.lonelyTrees.size());
     if (trees.list.empty()) return;
     trees.touched.assign(trees.list.size(), 0);
-    trees.linkMet.assign(trees.links.size(), {0, 0});
-    trees.linkLambda.assign(trees.links.size(), {0, 0});
+    if (state.work.lonelyTrees.empty() && state.work.lines.empty()) return;
+    for (const auto* list : {&state.work.lonelyTrees, &state.work.lines})
+        clearMultipliers(trees, *list);
     const auto& tied = state.work.tiedTrees;
-    trees.met.assign(trees.nodes.size(), {0, 0});
-    trees.lambda.assign(trees.nodes.size(), {0, 0});
     giveContacts(state);
     for (std::size_t k = 0; k < state.core.awakeMovers.size(); ++k) {
         if (state.core.movers.colours[state.core.awakeMovers[k]] == 0) continue;

@@ -231,16 +231,14 @@ void World::setStiffness(JointId id, Real stiffness) {
     if (stiffness != infinite && state.joints.bend[j].angle != 0)
         throw Error(ErrorCode::outOfRange,
                     "a joint whose capsule is bent is rigid; allowed is an infinite stiffness");
-    state.joints.stiffness[j] = stiffness;
-    detail::jointChanged(state, j);
+    detail::retune(state, j, {stiffness, state.joints.damping[j]});
 }
 
 void World::setDamping(JointId id, Real damping) {
     State& state = impl_->changing();
     const auto j = indexOf(state, id);
     requireRange(static_cast<double>(damping), 0, 1e12, "damping");
-    state.joints.damping[j] = damping;
-    detail::jointChanged(state, j);
+    detail::retune(state, j, {state.joints.stiffness[j], damping});
 }
 
 void World::setRestLength(JointId id, Real restLength) {
@@ -250,8 +248,7 @@ void World::setRestLength(JointId id, Real restLength) {
     if (restLength == 0 && (state.joints.stiffness[j] == infinite || state.joints.radius[j] > 0))
         throw Error(ErrorCode::degenerate,
                     "rest length is 0; a rigid or colliding joint needs more than 0");
-    state.joints.restLength[j] = restLength;
-    detail::jointChanged(state, j);
+    detail::changeRestLength(state, j, restLength);
 }
 
 void World::setStrength(JointId id, Real strength) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bodies/impl.hpp"
+#include "joints/classify.hpp"
 
 namespace sulfur::detail {
 
@@ -53,6 +54,10 @@ void wakeBoth(State& state, const Mechanism& mechanism);
 void wakeEnds(State& state, std::uint32_t joint);
 /// Wakes the bodies of both ends, and makes the next tick notice changed joints.
 void jointChanged(State& state, std::uint32_t joint);
+/// The same, but for what is as good as before: a joint gets this stiffness and damping (which may
+/// be what it has), or this length at rest. Where it may, only what is around it follows.
+void retune(State& state, std::uint32_t joint, const Spring& spring);
+void changeRestLength(State& state, std::uint32_t joint, Real restLength);
 void bodyChanged(State& state);
 /// Makes the next tick measure the rigid components of a body again.
 void shapeChanged(State& state, std::uint32_t body);

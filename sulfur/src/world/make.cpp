@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "bodies/sleep.hpp"
@@ -11,6 +12,7 @@
 #include "core/room.hpp"
 #include "core/segments.hpp"
 #include "core/trigonometry.hpp"
+#include "joints/retune.hpp"
 #include "solver/compact.hpp"
 #include "solver/mechanisms.hpp"
 #include "world/impl.hpp"
@@ -233,6 +235,25 @@ void jointChanged(State& state, std::uint32_t joint) {
     if (state.joints.body[joint] != none)
         state.bodies[state.joints.body[joint]].clustersStale = true;
     state.structure.changed();
+}
+
+void retune(State& state, std::uint32_t joint, const Spring& spring) {
+    Joints& joints = state.joints;
+    std::optional<Retuning> retuning;
+    if (!state.structure.stale) retuning.emplace(state, joint, spring);
+    joints.stiffness[joint] = spring.stiffness;
+    joints.damping[joint] = spring.damping;
+    if (!retuning || !retuning->isLocal()) return jointChanged(state, joint);
+    retuning->apply(state);
+    wakeEnds(state, joint);
+}
+
+/// Those of a body have a part in its rigid components and triangles.
+void changeRestLength(State& state, std::uint32_t joint, Real restLength) {
+    state.joints.restLength[joint] = restLength;
+    if (state.joints.body[joint] != none) return jointChanged(state, joint);
+    state.work.retuned = true;
+    wakeEnds(state, joint);
 }
 
 void shapeChanged(State& state, std::uint32_t body) {
