@@ -41,17 +41,30 @@ int checkProof(const SolverArguments& arguments, const std::string& file) {
     return 1;
 }
 
-/// The proof that lies there, if it holds in this build.
-std::optional<Recording> knownProof(const std::shared_ptr<const Level>& level,
-                                    const fs::path& file) {
+/// The proof that lies there, if it finishes the level in this build; with the hash that it has in
+/// this build.
+std::optional<Recording> finishingProof(const std::shared_ptr<const Level>& level,
+                                        const fs::path& file, bool& holds) {
+    holds = false;
     if (!fs::exists(file)) return std::nullopt;
     try {
         Recording proof = Recording::read(file);
         const Verdict verdict = verify(level, proof);
-        if (verdict.finished && verdict.sameAsRecorded) return proof;
+        holds = verdict.finished && verdict.sameAsRecorded;
+        proof.finalHash = verdict.hash;
+        if (verdict.finished) return proof;
     } catch (const RecordingError&) {
     }
     return std::nullopt;
+}
+
+/// The same, if it holds.
+std::optional<Recording> knownProof(const std::shared_ptr<const Level>& level,
+                                    const fs::path& file) {
+    bool holds = false;
+    auto proof = finishingProof(level, file, holds);
+    if (!holds) proof.reset();
+    return proof;
 }
 
 /// The way that lies there, whatever version of the level it was made for. One that is damaged is
@@ -134,15 +147,23 @@ int playBot(const SolverArguments& arguments, const std::string& file) {
     return 0;
 }
 
-/// Mends what does not hold any more, beginning with what is known.
+/// Mends what does not hold any more, beginning with what is known. A proof that finishes all the
+/// same only gets another hash; the survival of its way is that of another physics.
 int repairLevel(const SolverArguments& arguments, const std::string& file) {
     const auto level = load(file);
-    const auto proof = knownProof(level, proofFile(arguments, file));
-    if (proof && fittingWay(*level, wayFile(arguments, file))) {
-        std::printf("%s  holds, %.3f s\n", level->id.c_str(), secondsOf(proof->ticks()));
-        return 0;
+    bool holds = false;
+    const auto proof = finishingProof(level, proofFile(arguments, file), holds);
+    auto way = fittingWay(*level, wayFile(arguments, file));
+    const bool isFresh = proof && acceptedByFreshProcess(file, *proof);
+    if (!isFresh || !way) return solveLevel(arguments, file);
+    if (!holds) {
+        way->survival = {};
+        proof->write(proofFile(arguments, file));
+        way->write(wayFile(arguments, file));
     }
-    return solveLevel(arguments, file);
+    std::printf("%s  %s, %.3f s\n", level->id.c_str(), holds ? "holds" : "finishes as before",
+                secondsOf(proof->ticks()));
+    return 0;
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start) {

@@ -196,6 +196,18 @@ TEST(Program, TheSolverFindsAWayThroughASmallRoom) {
     EXPECT_EQ(run(games + " --keep").status, 0);
     EXPECT_NE(readText(way).find("\ngames 3\n"), std::string::npos) << readText(way);
     EXPECT_NE(run(solver + quoted(folder / "room.json") + " --keep").status, 0);
+    // A proof that finishes with another hash, as after a change of the physics, gets that hash.
+    const auto proof = folder / "room.proof";
+    const std::string proven = readText(proof);
+    Recording other = Recording::read(proof);
+    other.finalHash ^= 1;
+    other.write(proof);
+    EXPECT_NE(readText(proof), proven);
+    const Outcome repaired = run(solver + quoted(folder / "room.json") + " --repair");
+    EXPECT_EQ(repaired.status, 0) << repaired.output;
+    EXPECT_NE(repaired.output.find("finishes as before"), std::string::npos) << repaired.output;
+    EXPECT_EQ(readText(proof), proven);
+    EXPECT_NE(readText(way).find("\ngames 0\n"), std::string::npos) << "it was measured before";
 }
 
 TEST(Program, TheSolverGivesUpHonestly) {
