@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <new>
+#include <utility>
 
 #include "fairness.hpp"
 #include "fresh_check.hpp"
@@ -41,18 +42,21 @@ int checkProof(const SolverArguments& arguments, const std::string& file) {
     return 1;
 }
 
-/// The proof that lies there, if it finishes the level in this build; with the hash that it has in
-/// this build.
-std::optional<Recording> finishingProof(const std::shared_ptr<const Level>& level,
-                                        const fs::path& file, bool& holds) {
-    holds = false;
+/// A proof that finishes its level in this build, with the hash that it has in this build.
+struct FinishingProof {
+    Recording recording;
+    bool holds = false;  ///< it had that hash
+};
+
+/// The proof that lies there, if it is one.
+std::optional<FinishingProof> finishingProof(const std::shared_ptr<const Level>& level,
+                                             const fs::path& file) {
     if (!fs::exists(file)) return std::nullopt;
     try {
         Recording proof = Recording::read(file);
         const Verdict verdict = verify(level, proof);
-        holds = verdict.finished && verdict.sameAsRecorded;
         proof.finalHash = verdict.hash;
-        if (verdict.finished) return proof;
+        if (verdict.finished) return FinishingProof{std::move(proof), verdict.sameAsRecorded};
     } catch (const RecordingError&) {
     }
     return std::nullopt;
@@ -61,10 +65,9 @@ std::optional<Recording> finishingProof(const std::shared_ptr<const Level>& leve
 /// The same, if it holds.
 std::optional<Recording> knownProof(const std::shared_ptr<const Level>& level,
                                     const fs::path& file) {
-    bool holds = false;
-    auto proof = finishingProof(level, file, holds);
-    if (!holds) proof.reset();
-    return proof;
+    auto proof = finishingProof(level, file);
+    if (!proof || !proof->holds) return std::nullopt;
+    return std::move(proof->recording);
 }
 
 /// The way that lies there, whatever version of the level it was made for. One that is damaged is
@@ -151,18 +154,17 @@ int playBot(const SolverArguments& arguments, const std::string& file) {
 /// same only gets another hash; the survival of its way is that of another physics.
 int repairLevel(const SolverArguments& arguments, const std::string& file) {
     const auto level = load(file);
-    bool holds = false;
-    const auto proof = finishingProof(level, proofFile(arguments, file), holds);
+    const auto proof = finishingProof(level, proofFile(arguments, file));
     auto way = fittingWay(*level, wayFile(arguments, file));
-    const bool isFresh = proof && acceptedByFreshProcess(file, *proof);
-    if (!isFresh || !way) return solveLevel(arguments, file);
-    if (!holds) {
+    if (!proof || !way) return solveLevel(arguments, file);
+    if (!proof->holds) {
+        if (!acceptedByFreshProcess(file, proof->recording)) return solveLevel(arguments, file);
         way->survival = {};
-        proof->write(proofFile(arguments, file));
+        proof->recording.write(proofFile(arguments, file));
         way->write(wayFile(arguments, file));
     }
-    std::printf("%s  %s, %.3f s\n", level->id.c_str(), holds ? "holds" : "finishes as before",
-                secondsOf(proof->ticks()));
+    std::printf("%s  %s, %.3f s\n", level->id.c_str(),
+                proof->holds ? "holds" : "finishes as before", secondsOf(proof->recording.ticks()));
     return 0;
 }
 

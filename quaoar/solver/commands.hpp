@@ -15,8 +15,8 @@ struct SolverArguments {
     bool fresh = false;   ///< begin without the way that is known
     bool repair = false;  ///< only what does not hold
     bool table = false;
-    int fair = 0;  ///< resting states
-    int bot = 0;   ///< games with the way that is known
+    int fair = 0;       ///< resting states
+    int bot = 0;        ///< games with the way that is known
     bool keep = false;  ///< what these have shown
     int skill = 3;
     double wander = 0;  ///< hours of random play

@@ -415,8 +415,8 @@ public:
     void setDamping(BodyId body, Real linear, Real angular);
     /// Leaves a number with a body, for the caller's use; it is no part of hash().
     void setUserData(BodyId body, std::uint64_t data);
-    // Each tick may call these three: while a spring stays one, only the joints around it follow.
-    /// N/m, 0 to `infinite`.
+    /// N/m, 0 to `infinite`. May be called in each tick, as the next two: while a spring stays one,
+    /// only the joints around it follow.
     void setStiffness(JointId joint, Real stiffness);
     /// N s/m, 0 to 1e12.
     void setDamping(JointId joint, Real damping);

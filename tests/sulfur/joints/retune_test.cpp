@@ -1,5 +1,5 @@
-// Springs that are changed while the world runs: only what is around them follows, and to the bit
-// as if they had always been so.
+// Springs that are changed while the world runs: only what is around them follows, and as if they
+// had always been so.
 #include <cmath>
 #include <vector>
 

@@ -227,7 +227,7 @@ TEST(Lifecycle, WhatAnAddedBodyNeedsIsDerivedAsIfAllWere) {
     }
 }
 
-/// Rigid bodies that come and go far away from ropes, chains and nets that swing.
+/// Rigid bodies that come far away from ropes, chains and nets that swing.
 TEST(Lifecycle, WhatIsAddedChangesNothingElse) {
     World alone({.sleeping = false}), among({.sleeping = false});
     std::vector<Body> ofAlone, ofAmong;
