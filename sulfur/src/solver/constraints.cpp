@@ -87,11 +87,12 @@ bool sweepContacts(State& state, int number) {
 }
 
 /// Before impacts, which would find nodes thrown by what their rows begin with.
-void answerLoadsOfNetworks(State& state) {
-    if (state.trees.networkTouches.empty()) return;
-    listTiedToNetworks(state);
+void beginTrees(State& state) {
+    if (state.trees.touchedAlone.empty()) return;
+    listTiedToTrees(state);
+    answerLoadsOfTrees(state);
     giveMotion(state);
-    answerLoads(state);
+    answerLoadsOfNetworks(state);
     takeMotionOfTied(state, 1);
 }
 
@@ -140,7 +141,7 @@ void solveConstraints(State& state) {
     startGrabs(state);
     settleMechanisms(state);
     touchTrees(state);
-    answerLoadsOfNetworks(state);
+    beginTrees(state);
     answerMechanisms(state);
     startAreas(state);
     strikeRows(state);
