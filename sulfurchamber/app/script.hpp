@@ -3,6 +3,7 @@
 
 #include <wx/uiaction.h>
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -89,6 +90,7 @@ private:
     std::set<std::string> done_;  ///< actions that were available in a round
     bool busy_ = false;           // the simulator lets events through while it works
     wxUIActionSimulator simulator_;
+    std::chrono::steady_clock::time_point lastPress_;
 };
 
 }  // namespace sulfurchamber

@@ -1,4 +1,7 @@
 // The mouse and the keys of scripts of the window: real events, whose arrival is waited for.
+#include <wx/settings.h>
+
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <map>
@@ -75,11 +78,19 @@ bool Script::moveMouseTo(const atlax::Vec2& pixels, std::function<void()> then) 
 }
 
 void Script::press(const sulfur::Point& at, std::function<void()> then) {
-    moveMouse(at, [this, then = std::move(then)] {
+    const auto pressNow = [this, then = std::move(then)] {
         const std::uint64_t before = frame_.sceneView().buttonEvents();
+        lastPress_ = std::chrono::steady_clock::now();
         simulator_.MouseDown();
         waitFor([this, before] { return frame_.sceneView().buttonEvents() != before; }, then);
-    });
+    };
+    // Two clicks at one place are no double click, however fast the machine is.
+    const auto isApart = [this] {
+        const auto pause =
+            std::chrono::milliseconds(wxSystemSettings::GetMetric(wxSYS_DCLICK_MSEC));
+        return std::chrono::steady_clock::now() - lastPress_ > pause + pause / 4;
+    };
+    moveMouse(at, [this, isApart, pressNow] { waitFor(isApart, pressNow); });
 }
 
 void Script::strokeThrough(const std::vector<sulfur::Point>& places, std::size_t next,
