@@ -86,7 +86,8 @@ bool sweepContacts(State& state, int number) {
     return stirred;
 }
 
-/// Before impacts, which would find nodes thrown by what their rows begin with.
+/// Trees, then networks, answer what rows begin with: before impacts, which would find nodes thrown
+/// by that.
 void beginTrees(State& state) {
     if (state.trees.touchedAlone.empty()) return;
     listTiedToTrees(state);
