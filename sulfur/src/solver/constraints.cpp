@@ -86,8 +86,7 @@ bool sweepContacts(State& state, int number) {
     return stirred;
 }
 
-/// Trees, then networks, answer what rows begin with: before impacts, which would find nodes thrown
-/// by that.
+/// Before impacts, which would find nodes thrown by what their rows begin with.
 void beginTrees(State& state) {
     if (state.trees.touchedAlone.empty()) return;
     listTiedToTrees(state);

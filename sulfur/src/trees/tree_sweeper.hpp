@@ -59,9 +59,9 @@ public:
         addSolution(given);
     }
 
-    /// Links answer what rows begin with before nodes get it, along the directions that they have
-    /// then: it would throw a light node so far that later ones say nothing. Where they would not
-    /// hold it, rows take it back.
+    /// Before nodes have got what their rows begin with: as if they had, but along the directions
+    /// that links have without. (It would throw a light node so far that these say nothing.) Where
+    /// links would not hold that, rows take back what they have given.
     void answerLoads() {
         auto& begins = state_.trees.scratch.begins;
         begins.resize(count_);
