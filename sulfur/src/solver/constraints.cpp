@@ -87,12 +87,11 @@ bool sweepContacts(State& state, int number) {
 }
 
 /// Before impacts, which would find nodes thrown by what their rows begin with.
-void beginTrees(State& state) {
-    if (state.trees.touchedAlone.empty()) return;
-    listTiedToTrees(state);
-    answerLoadsOfTrees(state);
+void answerLoadsOfNetworks(State& state) {
+    if (state.trees.networkTouches.empty()) return;
+    listTiedToNetworks(state);
     giveMotion(state);
-    answerLoadsOfNetworks(state);
+    answerLoads(state);
     takeMotionOfTied(state, 1);
 }
 
@@ -141,7 +140,7 @@ void solveConstraints(State& state) {
     startGrabs(state);
     settleMechanisms(state);
     touchTrees(state);
-    beginTrees(state);
+    answerLoadsOfNetworks(state);
     answerMechanisms(state);
     startAreas(state);
     strikeRows(state);

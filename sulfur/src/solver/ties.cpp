@@ -78,7 +78,7 @@ private:
 
 }  // namespace
 
-void listTiedToTrees(State& state) {
+void listTiedToNetworks(State& state) {
     Ties ties(state);
     ties.addTrees(state.trees.touchedAlone);
     ties.addNetworkTouches();

@@ -9,7 +9,6 @@
 #include <array>
 #include <memory_resource>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "contacts/touch_rows.hpp"
@@ -36,11 +35,14 @@ public:
         for (std::size_t i = 0; i < count_; ++i) loadMasses(i);
     }
 
-    /// Notes how far apart the ends of links are where the prediction has led them.
+    /// Notes the values that the prediction has led to.
     void remember() {
         for (std::size_t i = 1; i < count_; ++i) {
-            const Point apart = spanOf(i, true).apart;
-            state_.trees.met[tree_.first + i] = {apart[0], apart[1]};
+            updateLink(i);
+            auto& met = state_.trees.met[tree_.first + i];
+            met = {0, 0};
+            if (solver_.links[i].rows == 2) met = solver_.links[i].value;
+            if (solver_.links[i].rows == 1) met[0] = lengthNow_;
         }
     }
 
@@ -56,30 +58,9 @@ public:
     /// each node what is left of it.
     void answer(std::span<Freedoms> given) {
         oppose(given, true);
-        addSolution(given);
-    }
-
-    /// Before nodes have got what their rows begin with: as if they had, but along the directions
-    /// that links have without. (It would throw a light node so far that these say nothing.) Where
-    /// links would not hold that, rows take back what they have given.
-    void answerLoads() {
-        auto& begins = state_.trees.scratch.begins;
-        begins.resize(count_);
-        for (std::size_t i = 0; i < count_; ++i) begins[i] = beginsWith(node(i));
-        const auto isNothing = [](const Freedoms& b) { return b.isZero(0); };
-        if (std::all_of(begins.begin(), begins.end(), isNothing)) return;
-        for (std::size_t i = 1; i < count_; ++i) updateLink(i, begins);
-        solver_.solve();
-        // Once more, with the tensions that this has found.
-        for (std::size_t i = 1; i < count_; ++i) {
-            const double pulls = solver_.links[i].rows > 0 ? -solver_.links[i].lambda[0] : 0;
-            updateLink(i, begins);
-            keepFromTurning(i, pulls, begins);
-        }
-        solver_.solve();
-        if (!holdsWith(begins)) return;
-        for (std::size_t i = 0; i < count_; ++i) apply(i);
-        addMultipliers();
+        for (std::size_t i = 0; i < count_; ++i)
+            for (int k = 0; k < N; ++k)
+                given[i][k] += solver_.nodes[i].inverseMass[k] * solver_.nodes[i].impulse[k];
     }
 
     void sweep() {
@@ -91,15 +72,20 @@ public:
                           [](std::uint32_t contact) { return contact != none; }));
         for (std::size_t i = 1; i < count_; ++i) {
             updateLink(i);
-            keepFromTurning(i, pullsSoFar(i));
             addContact(i);
         }
         solver_.solve();
         const double most = held_.empty() ? 0 : mostPressingNow();
         for (int k = 0; k < tuned::mostReleases && releaseContacts(most); ++k) solver_.solve();
         for (std::size_t i = 0; i < count_; ++i) apply(i);
-        for (const auto i : held_) pushContact(i, std::exchange(solver_.links[i].lambda[1], 0));
-        addMultipliers();
+        for (std::size_t i = 1; i < count_; ++i) {
+            const auto& link = solver_.links[i];
+            const bool joint = node(i).kind == LinkKind::joint;
+            if (link.rows == 2 && joint) pushContact(i, link.lambda[1]);
+            for (std::size_t r = 0; r < 2; ++r)
+                if (static_cast<int>(r) < link.rows && !(joint && r == 1))
+                    state_.trees.lambda[tree_.first + i][r] += link.lambda[r];
+        }
     }
 
     /// The largest error of a rigid joint's length, as a share of it.
@@ -120,14 +106,6 @@ public:
 private:
     const TreeNode& node(std::size_t i) const { return state_.trees.nodes[tree_.first + i]; }
 
-    /// How far the ends of a link part by what their nodes are given.
-    Point partingBy(std::span<const Freedoms> given, std::size_t i, const Span& span) const {
-        const auto at = [](const Freedoms& b, const Point& arm) {
-            return Point(b.head<2>() + b[2] * Point(-arm[1], arm[0]));
-        };
-        return at(given[i], span.armHere) - at(given[node(i).parent], span.armThere);
-    }
-
     /// Finds the impulses at which rigid links do not grow by what is given.
     void oppose(std::span<const Freedoms> given, bool now) {
         for (std::size_t i = 1; i < count_; ++i) {
@@ -136,7 +114,10 @@ private:
             link.parent = n.parent;
             link.rows = 0;
             const Span span = spanOf(i, now);
-            const Point parting = partingBy(given, i, span);
+            const auto at = [](const Freedoms& b, const Point& arm) {
+                return Point(b.head<2>() + b[2] * Point(-arm[1], arm[0]));
+            };
+            const Point parting = at(given[i], span.armHere) - at(given[n.parent], span.armThere);
             if (n.kind != LinkKind::joint) {
                 setMeeting<N>(link, span, span);
                 link.value = {parting[0], parting[1]};
@@ -150,34 +131,6 @@ private:
             link.compliance = {0, 0};
         }
         solver_.solve();
-    }
-
-    /// What the rows of a node begin with and have not given yet.
-    Freedoms beginsWith(const TreeNode& n) const {
-        const auto m = n.cluster != none    ? moverOfCluster(state_, n.cluster)
-                       : n.particle != none ? moverOfParticle(state_, n.particle)
-                                            : none;
-        if (m == none) return Freedoms::Zero();
-        const SolverBody& body = state_.core.movers.bodies[m];
-        const Motion3& given = state_.core.movers.given[m];
-        Freedoms begins = Freedoms::Zero();
-        if (body.inverseMass > 0)
-            begins.head<2>() = Vec2(body.vx - given.x, body.vy - given.y).cast<double>();
-        if (body.inverseInertia > 0) begins[2] = static_cast<double>(body.spin - given.turn);
-        return begins;
-    }
-
-    void addSolution(std::span<Freedoms> given) const {
-        for (std::size_t i = 0; i < count_; ++i)
-            for (int k = 0; k < N; ++k)
-                given[i][k] += solver_.nodes[i].inverseMass[k] * solver_.nodes[i].impulse[k];
-    }
-
-    void addMultipliers() {
-        for (std::size_t i = 1; i < count_; ++i)
-            for (std::size_t r = 0; r < 2; ++r)
-                if (static_cast<int>(r) < solver_.links[i].rows)
-                    state_.trees.lambda[tree_.first + i][r] += solver_.links[i].lambda[r];
     }
 
     void loadMasses(std::size_t i) {
@@ -230,100 +183,53 @@ private:
         return {here.arm, there.arm, here.at - there.at};
     }
 
-    /// `given`: what nodes are about to get, or nothing.
-    void updateLink(std::size_t i, std::span<const Freedoms> given = {}) {
+    void updateLink(std::size_t i) {
         const TreeNode& n = node(i);
         auto& link = solver_.links[i];
         link.parent = n.parent;
         link.rows = 0;
-        Span now = spanOf(i, true);
-        const Point parting = given.empty() ? Point(0, 0) : partingBy(given, i, now);
-        const auto& noted = state_.trees.met[tree_.first + i];
-        const Point met(noted[0], noted[1]);
+        const Span now = spanOf(i, true);
+        const auto& met = state_.trees.met[tree_.first + i];
         if (n.kind != LinkKind::joint) {
-            now.apart += parting;
             setMeeting<N>(link, now, now);
-            Point wanted = met;
+            std::array<double, 2> wanted = met;
             if (!tree_.alone) {
                 const Point apart = spanOf(i, false).apart;
                 const double gap = apart.norm();
                 const double h = static_cast<double>(state_.h);
                 const double left = errorLeft(gap, h, closingSpeedOf(n.kind));
-                if (left > 0) wanted = left / gap * apart;
+                if (left > 0) wanted = {left / gap * apart[0], left / gap * apart[1]};
             }
-            link.value[0] -= wanted[0];
-            link.value[1] -= wanted[1];
+            for (std::size_t r = 0; r < 2; ++r) link.value[r] -= wanted[r];
             return;
         }
         lengthNow_ = now.apart.norm();
         if (!(lengthNow_ > 1e-12)) return;
         const Span start = spanOf(i, false);
-        const Point from = tree_.alone ? met : start.apart;
-        const double before = from.norm();
+        const double before = start.apart.norm();
         Point direction = now.apart / lengthNow_;
         // Ends that a contact has sent past each other come back the way that they went.
-        if (direction.dot(from) < -0.9 * before) {
+        if (direction.dot(start.apart) < -0.9 * before) {
             direction = -direction;
             lengthNow_ = -lengthNow_;
         }
         const bool asAtStart = !tree_.alone && before > 1e-12 &&
                                whip(n.link, before) < tuned::sweptWhip &&
-                               direction.dot(from) > 0.5 * before;
+                               direction.dot(start.apart) > 0.5 * before;
         setDistance<N>(link, asAtStart ? start : now, now,
-                       asAtStart ? Point(from / before) : direction, direction);
-        lengthNow_ += direction.dot(parting);
-        setValue(i, before);
+                       asAtStart ? Point(start.apart / before) : direction, direction);
+        setValue(i, before, met[0]);
     }
 
-    /// kg m, tension that the sweeps of this step have found.
-    double pullsSoFar(std::size_t i) const { return -state_.trees.lambda[tree_.first + i][0]; }
-
-    /// A second row of a joint that pulls: when it is turned from the direction that the prediction
-    /// has led it to, it pulls along the new one. Without, a light node of a taut rope would be as
-    /// if it were free, and contacts would throw it to and fro from step to step.
-    void keepFromTurning(std::size_t i, double pulls, std::span<const Freedoms> given = {}) {
-        auto& link = solver_.links[i];
-        if (!(pulls > 0) || !tree_.alone || link.rows == 0 || node(i).kind != LinkKind::joint)
-            return;
-        const auto& noted = state_.trees.met[tree_.first + i];
-        const Point met(noted[0], noted[1]);
-        const double length = met.norm();
-        if (!(length > 1e-12)) return;
-        const Span now = spanOf(i, true);
-        const Point across = perpendicular(Point(met / length));
-        Point apart = now.apart;
-        if (!given.empty()) apart += partingBy(given, i, now);
-        link.rows = 2;
-        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(across, now.armHere);
-        link.rowThere[1] = link.columnThere[1] = -rowAlong<N>(across, now.armThere);
-        link.compliance[1] = length / pulls;
-        link.value[1] =
-            across.dot(apart) + link.compliance[1] * state_.trees.lambda[tree_.first + i][1];
-    }
-
-    /// Whether rigid links keep their lengths when nodes get that and what the solution gives.
-    bool holdsWith(std::span<Freedoms> given) const {
-        addSolution(given);
-        for (std::size_t i = 1; i < count_; ++i) {
-            const TreeNode& n = node(i);
-            if (n.kind != LinkKind::joint || state_.joints.kind[n.link] != JointKind::rigid)
-                continue;
-            const Span now = spanOf(i, true);
-            const double before = now.apart.norm();
-            const double after = (now.apart + partingBy(given, i, now)).norm();
-            if (std::abs(after - before) > tuned::brakingTolerable * before) return false;
-        }
-        return true;
-    }
-
-    /// A contact that presses on a node of points, or on the capsule of its joint, is the second
-    /// row of that link, so that what the whole tree pulls with meets the surface at once. The
-    /// other side's mobility stands in the place of a compliance, as many times as the tree touches
-    /// it (mass splitting: Tonge, Benevolenski and Voroshilov 2012).
+    /// A contact that presses on a node of points, or on the capsule of its joint, is a second row
+    /// of that link, so that what the whole tree pulls with meets the surface at once. The other
+    /// side's mobility stands in the place of a compliance, as many times as the tree touches it
+    /// (mass splitting: Tonge, Benevolenski and Voroshilov 2012).
     void addContact(std::size_t i) {
         const auto at = state_.trees.contact[tree_.first + i];
-        const bool hasLength = solver_.links[i].rows > 0 && node(i).kind == LinkKind::joint;
-        if (at != none && hasLength) addTouch(i, at);
+        auto& link = solver_.links[i];
+        if (at == none || link.rows != 1) return;
+        addTouch(i, at);
     }
 
     void addTouch(std::size_t i, std::uint32_t touch) {
@@ -375,10 +281,7 @@ private:
         const auto kept = std::partition(held_.begin(), held_.end(),
                                          [&](std::uint32_t i) { return !isWrong(i); });
         if (kept == held_.end()) return false;
-        for (auto i = kept; i != held_.end(); ++i) {
-            updateLink(*i);
-            keepFromTurning(*i, pullsSoFar(*i));
-        }
+        for (auto i = kept; i != held_.end(); ++i) solver_.links[*i].rows = 1;
         held_.erase(kept, held_.end());
         return true;
     }
@@ -400,8 +303,8 @@ private:
                std::abs(static_cast<double>(joints.force[joint])) * h * h / length;
     }
 
-    /// `before`: m, its length as predicted, for trees that move alone, or when the step began.
-    void setValue(std::size_t i, double before) {
+    /// `met`: the length that the prediction led to, for trees that move alone.
+    void setValue(std::size_t i, double before, double met) {
         const Joints& joints = state_.joints;
         const auto j = node(i).link;
         auto& link = solver_.links[i];
@@ -414,10 +317,11 @@ private:
         elastic.hb = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]) * perPush;
         const double rest = static_cast<double>(joints.restLength[j]);
         const double wanted =
-            tree_.alone ? before : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
+            tree_.alone ? met : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
         link.compliance[0] = complianceOf(elastic);
-        link.value[0] = valueOf(elastic, lengthNow_ - wanted, lengthNow_ - before,
-                                state_.trees.lambda[tree_.first + i][0]);
+        link.value[0] =
+            valueOf(elastic, lengthNow_ - wanted, lengthNow_ - (tree_.alone ? met : before),
+                    state_.trees.lambda[tree_.first + i][0]);
     }
 
     void apply(std::size_t i) {

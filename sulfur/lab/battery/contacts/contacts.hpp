@@ -33,7 +33,7 @@ Rows arches(const Setup& setup);
 Rows weights(const Setup& setup);
 
 /// Ropes of 0.5 kg with loads up to 100 times that over the edges of crates hold for 20 s; they are
-/// never deeper in them than half of their radius. Over a peg they slip where theory says.
+/// never deeper in them than half of their radius.
 Rows ropesOverEdges(const Setup& setup);
 
 /// Bodies that start in each other by 10 to 100 % are apart after 3 s, within a tenth of a
