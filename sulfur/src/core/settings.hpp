@@ -249,7 +249,8 @@ inline constexpr double worthwhile = 0.05;
 inline constexpr int networkPasses = 2 * newtonPasses, projectionPasses = 4 * networkPasses,
                      factorPasses = newtonPasses / 2;
 /// Of a link's length: what passes leave, what they leave in the sweeps, what a step may leave at
-/// last that keeps energy, or that brakes, and beyond which its multipliers are of no use.
+/// last that keeps energy, or that brakes, and beyond which its multipliers are of no use. What
+/// rows begin with may strain a tree as much as what brakes.
 inline constexpr double networkTolerance = treeTolerance, sweptTolerance = strainLimit / 100,
                         networkTolerable = 10 * strainLimit,
                         brakingTolerable = 10 * networkTolerable,

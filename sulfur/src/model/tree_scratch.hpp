@@ -183,6 +183,7 @@ struct TreeScratch {
     Elimination<2> points;
     Elimination<3> bodies;
     std::vector<std::uint32_t> held;  // links of the tree that is swept, whose contacts press
+    std::vector<Eigen::Vector3d> begins;  // of its nodes: m and rad, that rows begin with
 
     template <int N>
     Elimination<N>& elimination() {

@@ -85,9 +85,9 @@ struct Trees {
 
     // Of the present tick only.
     std::vector<Vec2> predicted;                // m, displacement of each node
-    std::vector<std::array<double, 2>> met;     // m, constraint values after the prediction
+    std::vector<std::array<double, 2>> met;     // m, between a link's ends after the prediction
     std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
-    std::vector<std::array<double, 2>> linkMet, linkLambda;  // the same of networks
+    std::vector<std::array<double, 2>> linkMet, linkLambda;  // of networks: values
     /// Tree: 0, 1: contacts push on it, 2: something else that is swept, a grab or a lead does.
     std::vector<std::uint8_t> touched;
     static constexpr std::uint8_t pulled = 2;

@@ -7,8 +7,8 @@ namespace sulfur::detail {
 
 /// Lists the movers that any of these kinds, triangles, grabs or trees hold in this step.
 void listTied(State& state);
-/// Of these only what networks hold and what touches them.
-void listTiedToNetworks(State& state);
+/// Of these only what trees and networks hold, and what touches them.
+void listTiedToTrees(State& state);
 void clearMultipliers(State& state);
 /// Of angular joints, how those that are constraints are solved: anew with the lists.
 void groupAngles(State& state);

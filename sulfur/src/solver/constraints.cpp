@@ -86,12 +86,14 @@ bool sweepContacts(State& state, int number) {
     return stirred;
 }
 
-/// Before impacts, which would find nodes thrown by what their rows begin with.
-void answerLoadsOfNetworks(State& state) {
-    if (state.trees.networkTouches.empty()) return;
-    listTiedToNetworks(state);
+/// Trees, then networks, answer what rows begin with: before impacts, which would find nodes thrown
+/// by that.
+void beginTrees(State& state) {
+    if (state.trees.touchedAlone.empty()) return;
+    listTiedToTrees(state);
+    answerLoadsOfTrees(state);
     giveMotion(state);
-    answerLoads(state);
+    answerLoadsOfNetworks(state);
     takeMotionOfTied(state, 1);
 }
 
@@ -140,8 +142,8 @@ void solveConstraints(State& state) {
     startGrabs(state);
     settleMechanisms(state);
     touchTrees(state);
-    answerLoadsOfNetworks(state);
     answerMechanisms(state);
+    beginTrees(state);
     startAreas(state);
     strikeRows(state);
     shareBlows(state);

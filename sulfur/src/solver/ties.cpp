@@ -78,7 +78,7 @@ private:
 
 }  // namespace
 
-void listTiedToNetworks(State& state) {
+void listTiedToTrees(State& state) {
     Ties ties(state);
     ties.addTrees(state.trees.touchedAlone);
     ties.addNetworkTouches();

@@ -13,8 +13,9 @@ namespace sulfur::detail {
 
 namespace {
 
-/// The node whose link a touch becomes a row of: that of the corner, or of the side's lower end;
-/// none when both sides are of one tree, or neither is.
+/// The node whose link a touch becomes a row of: that of the corner if a joint holds it, else that
+/// of the side's lower end; none when both sides are of one tree, or no joint of a tree holds
+/// either.
 std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& particles) {
     const Trees& trees = state.trees;
     const auto treeOf = [&](std::uint32_t i) { return trees.of(state.particles.cluster[i], i); };
@@ -26,8 +27,8 @@ std::uint32_t nodeFor(const State& state, const std::array<std::uint32_t, 3>& pa
     const auto heldByJoint = [&](std::uint32_t k) {
         return k != none && trees.nodes[k].parent != none && trees.nodes[k].kind == LinkKind::joint;
     };
-    if (p != none) return heldByJoint(nodeOf(particles[0])) ? nodeOf(particles[0]) : none;
-    if (a != b) return none;
+    if (p != none && heldByJoint(nodeOf(particles[0]))) return nodeOf(particles[0]);
+    if (a == none || a != b) return none;
     const auto first = nodeOf(particles[1]), second = nodeOf(particles[2]);
     if (first == none || second == none) return none;
     const auto root = trees.list[a].first;

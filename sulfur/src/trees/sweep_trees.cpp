@@ -153,7 +153,14 @@ void answerOfTree(State& state, std::uint32_t tree, std::span<Freedoms> given) {
         TreeSweeper<3>(state, tree).answer(given);
 }
 
-void answerLoads(State& state) {
+void answerLoadsOfTrees(State& state) {
+    for (const auto i : state.trees.touchedAlone)
+        if (state.trees.list[i].network == none)
+            withTreeSweeper(state, i, [](auto&& s) { s.answerLoads(); });
+}
+
+void answerLoadsOfNetworks(State& state) {
+    if (state.trees.networkTouches.empty()) return;
     state.core.stirred.assign(state.core.movers.size(), 0);
     state.core.sweep = 0;
     for (std::uint32_t group = 0; group < state.trees.groupCount; ++group)

@@ -32,9 +32,11 @@ void shareBlows(State& state);
 /// `given`: displacement and angle of each node of a tree that has no cycles and is touched. Of
 /// that becomes what its rigid links leave.
 void answerOfTree(State& state, std::uint32_t tree, std::span<Eigen::Vector3d> given);
-/// Before the first sweep over rows: networks answer what these begin with. Else rows, which see
-/// nodes as free, would take nearly all of it back, and find it anew in every step.
-void answerLoads(State& state);
+/// Before the first sweep over rows: trees answer what these begin with, networks afterwards what
+/// they have given. Else rows, which see nodes as free, would take nearly all of it back, and find
+/// it anew in every step: a light rope would creep over what holds it by friction.
+void answerLoadsOfTrees(State& state);
+void answerLoadsOfNetworks(State& state);
 /// One sweep: every line through a mesh is solved as a whole, and every touched tree that the
 /// `number`-th sweep over rows has stirred; the first one solves all.
 void sweepTrees(State& state, int number);

@@ -9,6 +9,7 @@
 #include <array>
 #include <memory_resource>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contacts/touch_rows.hpp"
@@ -35,14 +36,11 @@ public:
         for (std::size_t i = 0; i < count_; ++i) loadMasses(i);
     }
 
-    /// Notes the values that the prediction has led to.
+    /// Notes how far apart the ends of links are where the prediction has led them.
     void remember() {
         for (std::size_t i = 1; i < count_; ++i) {
-            updateLink(i);
-            auto& met = state_.trees.met[tree_.first + i];
-            met = {0, 0};
-            if (solver_.links[i].rows == 2) met = solver_.links[i].value;
-            if (solver_.links[i].rows == 1) met[0] = lengthNow_;
+            const Point apart = spanOf(i, true).apart;
+            state_.trees.met[tree_.first + i] = {apart[0], apart[1]};
         }
     }
 
@@ -58,9 +56,31 @@ public:
     /// each node what is left of it.
     void answer(std::span<Freedoms> given) {
         oppose(given, true);
-        for (std::size_t i = 0; i < count_; ++i)
-            for (int k = 0; k < N; ++k)
-                given[i][k] += solver_.nodes[i].inverseMass[k] * solver_.nodes[i].impulse[k];
+        addSolution(given);
+    }
+
+    /// Links answer what rows begin with before nodes get it, along the directions that they have
+    /// then: it would throw a light node so far that its links would point anywhere. Where they
+    /// would not hold it, rows take it back.
+    void answerLoads() {
+        auto& begins = state_.trees.scratch.begins;
+        begins.resize(count_);
+        for (std::size_t i = 0; i < count_; ++i) begins[i] = beginsWith(node(i));
+        const auto isNothing = [](const Freedoms& b) { return b.isZero(0); };
+        if (std::all_of(begins.begin(), begins.end(), isNothing)) return;
+        for (std::size_t i = 1; i < count_; ++i) updateLink(i, begins);
+        solver_.solve();
+        // Once more, with the tensions that this has found.
+        for (std::size_t i = 1; i < count_; ++i) {
+            const double pulls = solver_.links[i].rows > 0 ? -solver_.links[i].lambda[0] : 0;
+            updateLink(i, begins);
+            keepFromTurning(i, pulls, begins);
+        }
+        solver_.solve();
+        addSolution(begins);
+        if (!holdsWith(begins)) return;
+        for (std::size_t i = 0; i < count_; ++i) apply(i);
+        addMultipliers();
     }
 
     void sweep() {
@@ -72,20 +92,15 @@ public:
                           [](std::uint32_t contact) { return contact != none; }));
         for (std::size_t i = 1; i < count_; ++i) {
             updateLink(i);
+            keepFromTurning(i, pullsSoFar(i));
             addContact(i);
         }
         solver_.solve();
         const double most = held_.empty() ? 0 : mostPressingNow();
         for (int k = 0; k < tuned::mostReleases && releaseContacts(most); ++k) solver_.solve();
         for (std::size_t i = 0; i < count_; ++i) apply(i);
-        for (std::size_t i = 1; i < count_; ++i) {
-            const auto& link = solver_.links[i];
-            const bool joint = node(i).kind == LinkKind::joint;
-            if (link.rows == 2 && joint) pushContact(i, link.lambda[1]);
-            for (std::size_t r = 0; r < 2; ++r)
-                if (static_cast<int>(r) < link.rows && !(joint && r == 1))
-                    state_.trees.lambda[tree_.first + i][r] += link.lambda[r];
-        }
+        for (const auto i : held_) pushContact(i, std::exchange(solver_.links[i].lambda[1], 0));
+        addMultipliers();
     }
 
     /// The largest error of a rigid joint's length, as a share of it.
@@ -106,6 +121,14 @@ public:
 private:
     const TreeNode& node(std::size_t i) const { return state_.trees.nodes[tree_.first + i]; }
 
+    /// How far the ends of a link part by what their nodes are given.
+    Point partingBy(std::span<const Freedoms> given, std::size_t i, const Span& span) const {
+        const auto at = [](const Freedoms& b, const Point& arm) {
+            return Point(b.head<2>() + b[2] * Point(-arm[1], arm[0]));
+        };
+        return at(given[i], span.armHere) - at(given[node(i).parent], span.armThere);
+    }
+
     /// Finds the impulses at which rigid links do not grow by what is given.
     void oppose(std::span<const Freedoms> given, bool now) {
         for (std::size_t i = 1; i < count_; ++i) {
@@ -114,10 +137,7 @@ private:
             link.parent = n.parent;
             link.rows = 0;
             const Span span = spanOf(i, now);
-            const auto at = [](const Freedoms& b, const Point& arm) {
-                return Point(b.head<2>() + b[2] * Point(-arm[1], arm[0]));
-            };
-            const Point parting = at(given[i], span.armHere) - at(given[n.parent], span.armThere);
+            const Point parting = partingBy(given, i, span);
             if (n.kind != LinkKind::joint) {
                 setMeeting<N>(link, span, span);
                 link.value = {parting[0], parting[1]};
@@ -131,6 +151,36 @@ private:
             link.compliance = {0, 0};
         }
         solver_.solve();
+    }
+
+    /// What the rows of a node begin with and have not given yet.
+    Freedoms beginsWith(const TreeNode& n) const {
+        const auto m = n.cluster != none    ? moverOfCluster(state_, n.cluster)
+                       : n.particle != none ? moverOfParticle(state_, n.particle)
+                                            : none;
+        if (m == none) return Freedoms::Zero();
+        const SolverBody& body = state_.core.movers.bodies[m];
+        const Motion3& given = state_.core.movers.given[m];
+        Freedoms begins = Freedoms::Zero();
+        if (body.inverseMass > 0)
+            begins.head<2>() = Vec2(body.vx - given.x, body.vy - given.y).cast<double>();
+        if (body.inverseInertia > 0) begins[2] = static_cast<double>(body.spin - given.turn);
+        return begins;
+    }
+
+    void addSolution(std::span<Freedoms> given) const {
+        for (std::size_t i = 0; i < count_; ++i)
+            for (int k = 0; k < N; ++k)
+                given[i][k] += solver_.nodes[i].inverseMass[k] * solver_.nodes[i].impulse[k];
+    }
+
+    void addMultipliers() {
+        for (std::size_t i = 1; i < count_; ++i) {
+            auto& sum = state_.trees.lambda[tree_.first + i];
+            for (std::size_t r = 0; r < 2; ++r)
+                if (static_cast<int>(r) < solver_.links[i].rows)
+                    sum[r] += solver_.links[i].lambda[r];
+        }
     }
 
     void loadMasses(std::size_t i) {
@@ -183,53 +233,100 @@ private:
         return {here.arm, there.arm, here.at - there.at};
     }
 
-    void updateLink(std::size_t i) {
+    /// `given`: what nodes are about to get, or nothing.
+    void updateLink(std::size_t i, std::span<const Freedoms> given = {}) {
         const TreeNode& n = node(i);
         auto& link = solver_.links[i];
         link.parent = n.parent;
         link.rows = 0;
-        const Span now = spanOf(i, true);
-        const auto& met = state_.trees.met[tree_.first + i];
+        Span now = spanOf(i, true);
+        const Point parting = given.empty() ? Point(0, 0) : partingBy(given, i, now);
+        const auto& noted = state_.trees.met[tree_.first + i];
+        const Point met(noted[0], noted[1]);
         if (n.kind != LinkKind::joint) {
+            now.apart += parting;
             setMeeting<N>(link, now, now);
-            std::array<double, 2> wanted = met;
+            Point wanted = met;
             if (!tree_.alone) {
                 const Point apart = spanOf(i, false).apart;
                 const double gap = apart.norm();
                 const double h = static_cast<double>(state_.h);
                 const double left = errorLeft(gap, h, closingSpeedOf(n.kind));
-                if (left > 0) wanted = {left / gap * apart[0], left / gap * apart[1]};
+                if (left > 0) wanted = left / gap * apart;
             }
-            for (std::size_t r = 0; r < 2; ++r) link.value[r] -= wanted[r];
+            link.value[0] -= wanted[0];
+            link.value[1] -= wanted[1];
             return;
         }
         lengthNow_ = now.apart.norm();
         if (!(lengthNow_ > 1e-12)) return;
         const Span start = spanOf(i, false);
-        const double before = start.apart.norm();
+        const Point from = tree_.alone ? met : start.apart;
+        const double before = from.norm();
         Point direction = now.apart / lengthNow_;
         // Ends that a contact has sent past each other come back the way that they went.
-        if (direction.dot(start.apart) < -0.9 * before) {
+        if (direction.dot(from) < -0.9 * before) {
             direction = -direction;
             lengthNow_ = -lengthNow_;
         }
         const bool asAtStart = !tree_.alone && before > 1e-12 &&
                                whip(n.link, before) < tuned::sweptWhip &&
-                               direction.dot(start.apart) > 0.5 * before;
+                               direction.dot(from) > 0.5 * before;
         setDistance<N>(link, asAtStart ? start : now, now,
-                       asAtStart ? Point(start.apart / before) : direction, direction);
-        setValue(i, before, met[0]);
+                       asAtStart ? Point(from / before) : direction, direction);
+        lengthNow_ += direction.dot(parting);
+        setValue(i, before);
     }
 
-    /// A contact that presses on a node of points, or on the capsule of its joint, is a second row
-    /// of that link, so that what the whole tree pulls with meets the surface at once. The other
-    /// side's mobility stands in the place of a compliance, as many times as the tree touches it
-    /// (mass splitting: Tonge, Benevolenski and Voroshilov 2012).
+    /// kg m, tension that this step has found so far.
+    double pullsSoFar(std::size_t i) const { return -state_.trees.lambda[tree_.first + i][0]; }
+
+    /// A second row of a joint that pulls: when it is turned from the direction that the prediction
+    /// has led it to, it pulls along the new one. Without, a light node of a taut rope would be as
+    /// if it were free, and contacts would throw it to and fro from step to step.
+    void keepFromTurning(std::size_t i, double pulls, std::span<const Freedoms> given = {}) {
+        auto& link = solver_.links[i];
+        const bool isJoint = link.rows > 0 && node(i).kind == LinkKind::joint;
+        const auto& noted = state_.trees.met[tree_.first + i];
+        const Point met(noted[0], noted[1]);
+        const double length = met.norm(), compliance = length / pulls;
+        if (!isJoint || !tree_.alone || !(pulls > 0 && length > 1e-12)) return;
+        if (!std::isfinite(compliance)) return;
+        const Span now = spanOf(i, true);
+        const Point across = perpendicular(Point(met / length));
+        Point apart = now.apart;
+        if (!given.empty()) apart += partingBy(given, i, now);
+        link.rows = 2;
+        link.rowHere[1] = link.columnHere[1] = rowAlong<N>(across, now.armHere);
+        link.rowThere[1] = link.columnThere[1] = -rowAlong<N>(across, now.armThere);
+        link.compliance[1] = compliance;
+        link.value[1] = across.dot(apart) + compliance * state_.trees.lambda[tree_.first + i][1];
+    }
+
+    /// Whether rigid links keep their lengths when nodes get that, and no arm turns far.
+    bool holdsWith(std::span<const Freedoms> given) const {
+        for (const Freedoms& g : given)
+            if (!(std::abs(g[2]) <= tuned::largestTurn)) return false;
+        for (std::size_t i = 1; i < count_; ++i) {
+            const TreeNode& n = node(i);
+            if (n.kind != LinkKind::joint || state_.joints.kind[n.link] != JointKind::rigid)
+                continue;
+            const Span now = spanOf(i, true);
+            const double before = now.apart.norm();
+            const double after = (now.apart + partingBy(given, i, now)).norm();
+            if (!(std::abs(after - before) <= tuned::brakingTolerable * before)) return false;
+        }
+        return true;
+    }
+
+    /// A contact that presses on a node of points, or on the capsule of its joint, is the second
+    /// row of that link, so that what the whole tree pulls with meets the surface at once. The
+    /// other side's mobility stands in the place of a compliance, as many times as the tree touches
+    /// it (mass splitting: Tonge, Benevolenski and Voroshilov 2012).
     void addContact(std::size_t i) {
         const auto at = state_.trees.contact[tree_.first + i];
-        auto& link = solver_.links[i];
-        if (at == none || link.rows != 1) return;
-        addTouch(i, at);
+        const bool hasLength = solver_.links[i].rows > 0 && node(i).kind == LinkKind::joint;
+        if (at != none && hasLength) addTouch(i, at);
     }
 
     void addTouch(std::size_t i, std::uint32_t touch) {
@@ -263,10 +360,15 @@ private:
         double mass = touchingMass_, closing = 0;
         for (const auto& n : solver_.nodes)
             if (n.inverseMass[0] > 0) mass += 1 / n.inverseMass[0];
-        for (std::size_t i = 1; i < count_; ++i)
-            for (int r = 0; r < solver_.links[i].rows; ++r)
-                closing = std::max(closing,
-                                   std::abs(solver_.links[i].value[static_cast<std::size_t>(r)]));
+        const auto close = [&](std::size_t i, std::size_t r) {
+            if (static_cast<int>(r) < solver_.links[i].rows)
+                closing = std::max(closing, std::abs(solver_.links[i].value[r]));
+        };
+        for (std::size_t i = 1; i < count_; ++i) {
+            close(i, 0);
+            if (node(i).kind != LinkKind::joint) close(i, 1);
+        }
+        for (const auto i : held_) close(i, 1);
         return mostPressing(state_, mass, closing);
     }
 
@@ -278,12 +380,12 @@ private:
             const double change = solver_.links[i].lambda[1];
             return static_cast<double>(pressingOf(state_, touch)) + change < 0 || change > most;
         };
-        const auto kept = std::partition(held_.begin(), held_.end(),
-                                         [&](std::uint32_t i) { return !isWrong(i); });
-        if (kept == held_.end()) return false;
-        for (auto i = kept; i != held_.end(); ++i) solver_.links[*i].rows = 1;
-        held_.erase(kept, held_.end());
-        return true;
+        return std::erase_if(held_, [&](std::uint32_t i) {
+                   if (!isWrong(i)) return false;
+                   updateLink(i);
+                   keepFromTurning(i, pullsSoFar(i));
+                   return true;
+               }) > 0;
     }
 
     /// What the tree's side of the contact got with the links' impulses, the other side gets here.
@@ -303,8 +405,8 @@ private:
                std::abs(static_cast<double>(joints.force[joint])) * h * h / length;
     }
 
-    /// `met`: the length that the prediction led to, for trees that move alone.
-    void setValue(std::size_t i, double before, double met) {
+    /// `before`: m, its length as predicted, for trees that move alone, or when the step began.
+    void setValue(std::size_t i, double before) {
         const Joints& joints = state_.joints;
         const auto j = node(i).link;
         auto& link = solver_.links[i];
@@ -317,11 +419,10 @@ private:
         elastic.hb = static_cast<double>(joints.damping[j] - joints.explicitDamping[j]) * perPush;
         const double rest = static_cast<double>(joints.restLength[j]);
         const double wanted =
-            tree_.alone ? met : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
+            tree_.alone ? before : rest + (elastic.rigid ? errorLeft(before - rest, h) : 0);
         link.compliance[0] = complianceOf(elastic);
-        link.value[0] =
-            valueOf(elastic, lengthNow_ - wanted, lengthNow_ - (tree_.alone ? met : before),
-                    state_.trees.lambda[tree_.first + i][0]);
+        link.value[0] = valueOf(elastic, lengthNow_ - wanted, lengthNow_ - before,
+                                state_.trees.lambda[tree_.first + i][0]);
     }
 
     void apply(std::size_t i) {

@@ -201,7 +201,8 @@ MemoryUse ofScratch(const State& state) {
              c.places)
         .add(m.rows, m.movers, m.nodes, m.answers, m.groups, m.numbers, m.trees)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
-             t.step.motion, t.step.before, t.step.links, t.held, state.work.chains.scratch)
+             t.step.motion, t.step.before, t.step.links, t.held, t.begins,
+             state.work.chains.scratch)
         .addBytes(t.points.bytes() + t.bodies.bytes())
         .add(n.links, n.inverseMass, n.predicted, n.nodes, n.sizes, n.turned, n.best, n.values,
              n.points, n.bodies, w.contacts, w.bodies)

@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 11728629578662841816u);
+    EXPECT_EQ(world.hash(), 5382657150191873200u);
 #else
-    EXPECT_EQ(world.hash(), 4349258762869264783u);
+    EXPECT_EQ(world.hash(), 3217163206669633122u);
 #endif
 }
 

@@ -42,7 +42,7 @@ struct Hanging {
     std::string name, picture;
     Body rope, crate;                           // the crate is what the rope lies on
     std::vector<Body> loads = {};               // none: the rope's last particle is the load
-    double wayReached = 0, overlapReached = 0;  // m, where more than what was asked
+    double wayReached = 0;                      // m, where more than what was asked
 };
 
 Rows hang(World& world, const Hanging& h, const Setup& setup) {
@@ -60,18 +60,15 @@ Rows hang(World& world, const Hanging& h, const Setup& setup) {
     }
     keepPicture(setup, h.picture, world);
     const double way = (loadPlace() - start).norm();
-    const auto bounded = [&](const std::string& what, double measured, double reached,
-                             double asked) {
-        return reached > asked ? fallsShort(h.name + what, measured, reached, asked)
-                               : atMost(h.name + what, measured, asked);
-    };
-    return {
-        bounded("way of the load in 20 s (m)", way, h.wayReached, 0.1),
-        bounded("deepest overlap of rope and crate (m)", deep, h.overlapReached, ropeRadius / 2),
-        atMost(h.name + "way of the crate under the rope (m)",
-               (world.centreOfMass(h.crate) - crateStart).norm(), 0.01),
-        atMost(h.name + "distortion of the crate (share)", bent, 1e-3),
-        reported(h.name + "stretch of a link (share)", stretch)};
+    constexpr double wayAsked = 0.1;  // m
+    const std::string wayOfLoad = h.name + "way of the load in 20 s (m)";
+    return {h.wayReached > wayAsked ? fallsShort(wayOfLoad, way, h.wayReached, wayAsked)
+                                    : atMost(wayOfLoad, way, wayAsked),
+            atMost(h.name + "deepest overlap of rope and crate (m)", deep, ropeRadius / 2),
+            atMost(h.name + "way of the crate under the rope (m)",
+                   (world.centreOfMass(h.crate) - crateStart).norm(), 0.01),
+            atMost(h.name + "distortion of the crate (share)", bent, 1e-3),
+            atMost(h.name + "stretch of a link (share)", stretch, 0.02)};
 }
 
 /// Pinned behind a crate, over its top and down its front.
@@ -92,7 +89,7 @@ Rows overEdge(double load, const Setup& setup) {
 }
 
 /// A crate of `mass` kg that hangs by both ends of a rope which lies over a fixed beam. Rope and
-/// crate are a ring, which is swept and not solved at once: a load of 100 ropes tears it off.
+/// crate are a ring.
 Rows sling(double mass, const Setup& setup) {
     World world(still(setup, standardGravity));
     Blueprint fixedBeam = crate({.size = 0.3});
@@ -111,9 +108,7 @@ Rows sling(double mass, const Setup& setup) {
          .picture = fmt::format("rope-sling-{:g}", mass),
          .rope = rope,
          .crate = beam,
-         .loads = {load},
-         .wayReached = mass > 10 ? 3000 : 0.1,
-         .overlapReached = mass > 10 ? 0.04 : 0.015},
+         .loads = {load}},
         setup);
 }
 
@@ -149,7 +144,7 @@ Rows joined(double left, double right, const Setup& setup) {
                  .rope = a.rope,
                  .crate = a.block,
                  .loads = a.loads,
-                 .wayReached = left != right ? 2.0 : 0.0},
+                 .wayReached = left != right ? 0.2 : 0.0},
                 setup);
 }
 
@@ -170,12 +165,95 @@ Rows slides(const Setup& setup) {
             reported(name + "way of the heavier one (m)", way)};
 }
 
+// --- a rope over a round peg --------------------------------------------------------------------
+
+constexpr double pegRadius = 0.3, pegFriction = 0.3;  // m; static and kinetic
+constexpr int halfOfRope = 40;                        // links
+
+/// A rope over the upper half of a peg at the origin, which its links touch in their middles.
+struct OverPeg {
+    double linkMass, load;  // kg; the latter at the back end
+
+    double turn() const {
+        return 2 * std::asin(link / 2 / std::hypot(pegRadius + ropeRadius, link / 2));
+    }
+    int onPeg() const { return static_cast<int>(std::acos(-1) / 2 / turn()); }  // links of a side
+    /// kg: that of its end and of the links that hang.
+    double back() const { return load + (halfOfRope - onPeg() - 1) * linkMass; }
+
+    /// At which ratio of `front` to back() it slips: Euler's law, with the weight of what lies on
+    /// the peg, which presses and has to be lifted.
+    double slipsAt() const {
+        const double bears = std::exp(pegFriction * std::acos(-1));
+        const double lies = linkMass / turn() / back();  // 1/rad
+        return bears + 2 * pegFriction / (1 + pegFriction * pegFriction) * lies * (bears + 1);
+    }
+
+    /// `front`: kg, as back().
+    Blueprint plan(double front) const {
+        const double around = std::hypot(pegRadius + ropeRadius, link / 2);
+        const double quarter = onPeg() * turn();
+        Blueprint rope;
+        rope.material = {.staticFriction = real(pegFriction), .kineticFriction = real(pegFriction)};
+        for (int i = -halfOfRope; i <= halfOfRope; ++i) {
+            const double angle = std::abs(i) * turn(), on = std::min(angle, quarter);
+            const double hangs = (angle - on) / turn() * link;
+            rope.particles.push_back({.position = vec2(std::copysign(around * std::sin(on), i),
+                                                       around * std::cos(on) - hangs),
+                                      .mass = real(linkMass)});
+        }
+        rope.particles.front().mass = real(front - back() + load);
+        rope.particles.back().mass = real(load);
+        for (std::uint32_t i = 0; i < 2 * halfOfRope; ++i)
+            rope.joints.push_back({.a = i, .b = i + 1, .radius = real(ropeRadius)});
+        return rope;
+    }
+};
+
+/// Whether the front end moves by more than 1 cm in the second half of a second.
+bool slips(const OverPeg& scene, double front, const Setup& setup) {
+    World world(still(setup, standardGravity));
+    Blueprint peg;
+    peg.kind = BodyKind::fixed;
+    peg.material = {.staticFriction = real(pegFriction), .kineticFriction = real(pegFriction)};
+    peg.particles.push_back({.position = {0, 0}, .radius = real(pegRadius)});
+    world.add(peg);
+    const Body rope = world.add(scene.plan(front));
+    double before = 0;
+    for (int i = 0; i < setup.tickRate; ++i) {
+        if (i == setup.tickRate / 2) before = world.position(rope.front()).y();
+        world.step();
+    }
+    return !(std::abs(before - world.position(rope.front()).y()) < 0.01);
+}
+
+/// The heavier the loads are than the links, the sooner a rope slips.
+Rows overPeg(const Setup& setup) {
+    Rows rows;
+    for (const double linkMass : {0.001, 0.01, 0.1})
+        for (const double load : {1.0, 10.0}) {
+            const OverPeg scene{linkMass, load};
+            double holds = 1, lets = 2 * scene.slipsAt();  // ratios
+            for (int k = 0; k < 10; ++k) {
+                const double ratio = std::sqrt(holds * lets);
+                (slips(scene, ratio * scene.back(), setup) ? lets : holds) = ratio;
+            }
+            const std::string name = fmt::format(
+                "rope with links of {:g} kg over a peg, load {:g} kg: error of the ratio at which "
+                "it slips (share)",
+                linkMass, load);
+            rows.push_back(fallsShort(name, std::abs(holds / scene.slipsAt() - 1),
+                                      load / linkMass < 5000 ? 0.15 : 0.4, 0.05));
+        }
+    return rows;
+}
+
 }  // namespace
 
 Rows ropesOverEdges(const Setup& setup) {
     Rows rows;
     for (Rows more : {overEdge(5, setup), overEdge(50, setup), sling(2, setup), sling(50, setup),
-                      joined(50, 50, setup), joined(50, 60, setup), slides(setup)})
+                      joined(50, 50, setup), joined(50, 60, setup), slides(setup), overPeg(setup)})
         for (Row& row : more) rows.push_back(std::move(row));
     return rows;
 }
