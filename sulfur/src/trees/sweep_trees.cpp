@@ -147,10 +147,7 @@ void shareBlows(State& state) {
 }
 
 void answerOfTree(State& state, std::uint32_t tree, std::span<Freedoms> given) {
-    if (state.trees.list[tree].points)
-        TreeSweeper<2>(state, tree).answer(given);
-    else
-        TreeSweeper<3>(state, tree).answer(given);
+    withTreeSweeper(state, tree, [&](auto&& s) { s.answer(given); });
 }
 
 void answerLoadsOfTrees(State& state) {

@@ -71,12 +71,10 @@ public:
         for (std::size_t i = 1; i < count_; ++i) updateLink(i, begins);
         solver_.solve();
         // Once more, with the tensions that this has found.
-        for (std::size_t i = 1; i < count_; ++i) {
-            const double pulls = solver_.links[i].rows > 0 ? -solver_.links[i].lambda[0] : 0;
-            updateLink(i, begins);
-            keepFromTurning(i, pulls, begins);
-        }
-        solver_.solve();
+        bool anyPulls = false;
+        for (std::size_t i = 1; i < count_; ++i)
+            anyPulls |= keepFromTurning(i, -solver_.links[i].lambda[0], begins);
+        if (anyPulls) solver_.solve();
         addSolution(begins);
         if (!holdsWith(begins)) return;
         for (std::size_t i = 0; i < count_; ++i) apply(i);
@@ -260,7 +258,7 @@ private:
         }
         lengthNow_ = now.apart.norm();
         if (!(lengthNow_ > 1e-12)) return;
-        const Span start = spanOf(i, false);
+        const Span start = tree_.alone ? Span{} : spanOf(i, false);
         const Point from = tree_.alone ? met : start.apart;
         const double before = from.norm();
         Point direction = now.apart / lengthNow_;
@@ -283,15 +281,16 @@ private:
 
     /// A second row of a joint that pulls: when it is turned from the direction that the prediction
     /// has led it to, it pulls along the new one. Without, a light node of a taut rope would be as
-    /// if it were free, and contacts would throw it to and fro from step to step.
-    void keepFromTurning(std::size_t i, double pulls, std::span<const Freedoms> given = {}) {
+    /// if it were free, and contacts would throw it to and fro from step to step. Returns whether
+    /// there is one.
+    bool keepFromTurning(std::size_t i, double pulls, std::span<const Freedoms> given = {}) {
         auto& link = solver_.links[i];
         const bool isJoint = link.rows > 0 && node(i).kind == LinkKind::joint;
+        if (!isJoint || !tree_.alone || !(pulls > 0)) return false;
         const auto& noted = state_.trees.met[tree_.first + i];
         const Point met(noted[0], noted[1]);
         const double length = met.norm(), compliance = length / pulls;
-        if (!isJoint || !tree_.alone || !(pulls > 0 && length > 1e-12)) return;
-        if (!std::isfinite(compliance)) return;
+        if (!(length > 1e-12) || !std::isfinite(compliance)) return false;
         const Span now = spanOf(i, true);
         const Point across = perpendicular(Point(met / length));
         Point apart = now.apart;
@@ -301,6 +300,7 @@ private:
         link.rowThere[1] = link.columnThere[1] = -rowAlong<N>(across, now.armThere);
         link.compliance[1] = compliance;
         link.value[1] = across.dot(apart) + compliance * state_.trees.lambda[tree_.first + i][1];
+        return true;
     }
 
     /// Whether rigid links keep their lengths when nodes get that, and no arm turns far.
