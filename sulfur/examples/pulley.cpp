@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     const double expected =
         9.81 * (heavy - light) / (heavy + light + ropes + disc / 2 * lever * lever) * world.time();
     std::printf(
-        "the light weight rises at %.3f m/s, expected %.3f; the pulley turns with %.3f m/s\n",
+        "the light weight rises at %.3f m/s, expected %.3f; the pulley runs below it at %.3f m/s\n",
         speed, expected, rim);
     const auto isRight = [&](double v) { return std::abs(v - expected) < 0.03 * expected; };
     return isRight(speed) && isRight(rim) ? 0 : 1;

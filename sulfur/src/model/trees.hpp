@@ -87,7 +87,8 @@ struct Trees {
     std::vector<Vec2> predicted;                // m, displacement of each node
     std::vector<std::array<double, 2>> met;     // m, between a link's ends after the prediction
     std::vector<std::array<double, 2>> lambda;  // kg m, multipliers of the sweeps
-    std::vector<std::array<double, 2>> linkMet, linkLambda;  // of networks: values
+    /// Of the links of networks: m, constraint values after the prediction; kg m, multipliers.
+    std::vector<std::array<double, 2>> linkMet, linkLambda;
     /// Tree: 0, 1: contacts push on it, 2: something else that is swept, a grab or a lead does.
     std::vector<std::uint8_t> touched;
     static constexpr std::uint8_t pulled = 2;
