@@ -6,10 +6,11 @@
 // been solved begin the next one without impulses, if its load goes through them to something else
 // that nothing pushes.
 //
-// Nor does a blow go on, or what has found no balance. A light crate between a heavy one and the
+// Nor does a blow go on, or what has lost its balance. A light crate between a heavy one and the
 // ground is pressed with a thousand times its weight from both sides; when one of these normals
-// turns to another side, what is left over would throw it, faster than sweeps can mend. So what a
-// step has changed wildly begins the next one with so much less of what presses it.
+// turns to another side, what is left over would throw it, faster than sweeps can mend. So nobody
+// begins a step thrown: of whom forces and rows' beginnings would change wildly, rows keep so much
+// less, and so do those of whom that would throw in its turn.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -39,7 +40,8 @@ public:
           vain_(slowSpeedsOf(state.settings).vain * state.h),
           wild_(slowSpeedsOf(state.settings).wild * state.h),
           pressed_(&state.arena),
-          isPressed_(&state.arena) {}
+          isPressed_(&state.arena),
+          losers_(&state.arena) {}
 
     void forgetVain() {
         if (state_.work.kinematic.empty()) return;
@@ -52,25 +54,63 @@ public:
         }
     }
 
-    /// Rigid components, and particles that links hold: what else is soft gives way by itself.
-    void noteUnbalanced() {
-        core_.unbalanced.clear();
-        if (core_.waysBefore.size() != core_.ways.size())
-            core_.waysBefore.resize(core_.ways.size());
-        for (std::size_t k = 0; k < core_.awakeMovers.size(); ++k) {
-            if (core_.awakeIsCluster[k] == 0 &&
-                state_.trees.ofParticle[core_.awakeDense[k]] == none)
-                continue;
-            const auto m = core_.awakeMovers[k];
-            const BodyWay &now = core_.ways[m], &before = core_.waysBefore[m];
-            const Real change = std::abs(now.x - before.x) + std::abs(now.y - before.y) +
-                                movers_.reach[m] * std::abs(now.turn - before.turn);
-            if (change > wild_) core_.unbalanced.push_back({m, wild_ / change});
+    /// `answer`: trees and networks do, to what has not been given yet. A mover loses only once.
+    void forgetWild(void (*answer)(State&)) {
+        std::pmr::vector<std::uint8_t> hasLost(movers_.size(), 0, &state_.arena);
+        losers_.assign(core_.awakeMovers.begin(), core_.awakeMovers.end());
+        std::pmr::vector<Thrown> thrown(&state_.arena);
+        while (true) {
+            thrown.clear();
+            for (const auto m : losers_)
+                if (const Real share = keepsOf(m); share < 1 && hasLost[m] == 0)
+                    thrown.push_back({m, share});
+            losers_.clear();
+            if (thrown.empty()) return;
+            for (const Thrown& t : thrown) hasLost[t.mover] = 1;
+            loseOf(thrown);
+            std::sort(losers_.begin(), losers_.end());
+            losers_.erase(std::unique(losers_.begin(), losers_.end()), losers_.end());
+            answer(state_);
         }
     }
+
+private:
+    /// A mover that would be thrown, and which share its rows keep.
+    struct Thrown {
+        std::uint32_t mover;
+        Real share;
+    };
+    /// A row that keeps the share of one of them.
+    struct Kept {
+        std::uint32_t place;  // of the mover among the thrown ones
+        std::uint32_t order;  // in which it was found
+        std::variant<ManifoldBlock*, TouchBlock*> block;
+        std::uint32_t lane;
+    };
+
+    /// What rows keep of their impulses on a mover, so that these change its way since the last
+    /// step by no more than is wild. Of rigid components, and of particles that links hold: what
+    /// else is soft gives way by itself.
+    Real keepsOf(std::uint32_t m) const {
+        const bool isCluster = core_.moverIsCluster[m] != 0;
+        const auto dense = core_.denseOfMover[m];
+        if (m >= core_.ways.size() || dense == none) return 1;
+        if (!isCluster && state_.trees.ofParticle[dense] == none) return 1;
+        const SolverBody& body = movers_.bodies[m];
+        const Prediction& p = movers_.predictions[m];
+        const BodyWay& before = core_.ways[m];
+        const Real reach = movers_.reach[m];
+        const Eigen::Vector<Real, 3> given(body.vx, body.vy, reach * body.spin),
+            change(p.vx + body.vx - before.x, p.vy + body.vy - before.y,
+                   reach * (p.spin + body.spin - before.turn));
+        const Real gives = given.norm();
+        if (!(gives > wild_)) return 1;
+        const Real along = change.dot(given) / gives;
+        return 1 - std::clamp<Real>((along - wild_) / gives, 0, 1);
+    }
+
     /// Movers of one body stand together, and its rows are looked at once for all of them.
-    void forgetUnbalanced() {
-        const auto& all = core_.unbalanced;
+    void loseOf(const std::pmr::vector<Thrown>& all) {
         std::pmr::vector<std::uint32_t> placeOf(movers_.body.size(), none, &state_.arena);
         for (std::uint32_t k = 0; k < all.size(); ++k) placeOf[all[k].mover] = k;
         std::pmr::vector<Kept> kept(&state_.arena);
@@ -100,15 +140,6 @@ public:
                 std::visit([&](auto* block) { keep(*block, k.lane, all[k.place].share); }, k.block);
         }
     }
-
-private:
-    /// A row that keeps the share of an unbalanced mover.
-    struct Kept {
-        std::uint32_t place;  // of the mover among the unbalanced ones
-        std::uint32_t order;  // in which it was found
-        std::variant<ManifoldBlock*, TouchBlock*> block;
-        std::uint32_t lane;
-    };
 
     bool isDriver(std::uint32_t m) const {
         return movers_.bodies[m].inverseMass == 0 && movers_.bodies[m].inverseInertia == 0;
@@ -169,6 +200,7 @@ private:
             body.vx -= gone * push[0] * body.inverseMass;
             body.vy -= gone * push[1] * body.inverseMass;
             body.spin -= gone * twist * body.inverseInertia;
+            if (body.inverseMass > 0) losers_.push_back(m);
         });
         keepImpulses(block, lane, share);
     }
@@ -177,21 +209,20 @@ private:
     ContactCore& core_;
     Movers& movers_;
     Real vain_;  // m: a driver that closes in by more in a step has pressed in vain
-    Real wild_;  // m: what a step changes by more is unbalanced
+    Real wild_;  // m: whom a step's begin changes by more is thrown
     std::pmr::vector<std::uint32_t> pressed_;   // bodies, slots
     std::pmr::vector<std::uint8_t> isPressed_;  // by slot of a body
+    std::pmr::vector<std::uint32_t> losers_;    // movers whose rows have lost something
 };
 
 }  // namespace
 
-void giveWay(State& state) {
-    GivingWay way(state);
-    way.forgetVain();
-    way.noteUnbalanced();
+void forgetVain(State& state) {
+    GivingWay(state).forgetVain();
 }
 
-void forgetUnbalanced(State& state) {
-    if (!state.core.unbalanced.empty()) GivingWay(state).forgetUnbalanced();
+void forgetWild(State& state, void (*answer)(State&)) {
+    GivingWay(state).forgetWild(answer);
 }
 
 }  // namespace sulfur::detail

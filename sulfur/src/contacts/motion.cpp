@@ -479,7 +479,6 @@ void endMotionOf(State& state, std::size_t first, std::size_t last) {
 void endMotion(State& state) {
     ContactCore& core = state.core;
     Movers& movers = core.movers;
-    core.ways.swap(core.waysBefore);
     core.ways.assign(movers.size(), {});
     core.lengths.assign(movers.size(), 0);
     inPieces(state.tasks, core.awakeMovers.size(), moversInMicrosecond,

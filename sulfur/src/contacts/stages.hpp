@@ -22,14 +22,12 @@ void takeMotion(State& state);
 void updateBoxes(State& state);
 /// What a driver squeezes against something that cannot give way begins the next step without
 /// impulses.
-void giveWay(State& state);
+void forgetVain(State& state);
 /// Bodies that were put into each other are led apart; when the step ends, their places too.
 void leadApart(State& state);
 void endLeads(State& state);
 /// Pairs that may have come to touch are looked at; rows are made, changed and taken away.
 void lookAtPairs(State& state);
-/// What the last step has changed wildly begins this one with less of what its rows gave.
-void forgetUnbalanced(State& state);
 /// Rows take up how their bodies have moved and turned.
 void refreshRows(State& state);
 /// Stacks that begin to rest begin with the loads of statics. An accelerator: without this call all
@@ -38,6 +36,9 @@ void loadStacks(State& state);
 /// Rows are swept for the `number`-th time in this step, from 1 to 255. Returns whether that has
 /// stirred anybody: has changed how fast surfaces part.
 bool sweepRows(State& state, int number, SweepKind kind);
+/// Whom forces and what rows begin with would throw, rows give less. `answer`: trees and networks
+/// answer what has not been given yet.
+void forgetWild(State& state, void (*answer)(State&));
 /// Impacts with restitution change the predicted motion; when the step ends, also places.
 void strikeRows(State& state);
 void endBlows(State& state);

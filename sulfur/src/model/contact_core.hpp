@@ -87,18 +87,6 @@ struct Blow {
     Motion3 before;       // as it would have gone
 };
 
-/// A mover that the last step has changed wildly.
-struct Unbalanced {
-    std::uint32_t mover = 0;
-    Real share = 0;  // of the impulses of its rows, with which it begins the next step
-
-    template <class Archive>
-    void archive(Archive& a) {
-        a(mover);
-        a(share);
-    }
-};
-
 /// The impulse of an impact, beside those of the rows.
 struct Knock {
     std::array<std::uint32_t, 3> particles{none, none, none};  // slots: corner, side
@@ -195,10 +183,9 @@ struct ContactCore {
     std::vector<std::uint32_t> awakeChunks, awakeStrips;
     std::vector<std::uint32_t> newChunks;  // in no grid yet
 
-    // Scratch of a tick, but the next one begins with what was unbalanced, and compares the ways.
+    // Scratch of a tick, but the next one compares the ways.
     std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
-    std::vector<Unbalanced> unbalanced;  // by the step before
     std::vector<std::uint8_t> stirred;   // by mover, the last sweep that has stirred it
     std::uint8_t sweep = 0;              // number of the present one
     std::vector<std::uint32_t> tied;     // movers that other constraints hold in this step, too
@@ -211,7 +198,6 @@ struct ContactCore {
     std::vector<KnownSide> knownSides;
     std::vector<Passing> passings;
     std::vector<BodyWay> ways;           // by mover: how it goes in this step
-    std::vector<BodyWay> waysBefore;     // and how in the one before
     std::vector<Real> lengths;           // m, by mover: how far any of its surface goes at most
     Real farthest = 0;                   // m, of all movers, as far as they go without rows
     std::uint32_t newRows = 0;           // manifolds, in this step
@@ -259,7 +245,6 @@ struct ContactCore {
         a(lastStep);
         a(loadsAgain);
         a(ways);
-        a(unbalanced);
     }
 };
 

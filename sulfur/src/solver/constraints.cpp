@@ -144,6 +144,7 @@ void solveConstraints(State& state) {
     touchTrees(state);
     answerMechanisms(state);
     beginTrees(state);
+    forgetWild(state, beginTrees);
     startAreas(state);
     strikeRows(state);
     shareBlows(state);
@@ -151,7 +152,7 @@ void solveConstraints(State& state) {
     if (state.settings.friction == Friction::sliding) dragRows(state);
     dampSticking(state);
     endMotion(state);
-    giveWay(state);
+    forgetVain(state);
     endBlows(state);
     holdBackFast(state);
     endLeads(state);

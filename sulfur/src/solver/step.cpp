@@ -90,7 +90,6 @@ void updateBroadPhase(State& state) {
 
 void updateNarrowPhase(State& state) {
     lookAtPairs(state);
-    forgetUnbalanced(state);
     refreshRows(state);
     if (state.callbacks.preSolve)
         askAboutRows(state);

@@ -196,9 +196,8 @@ MemoryUse ofScratch(const State& state) {
     const auto& m = state.mechanisms;
     const auto& e = state.work.explicitBatches;
     return Sum()
-        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways,
-             c.waysBefore, c.unbalanced, c.lengths, c.blows, c.knocks, c.impulses, c.struck, c.held,
-             c.places)
+        .add(c.ahead, c.moved, c.placed, c.again, c.heirs, c.leads, c.passings, c.ways, c.lengths,
+             c.blows, c.knocks, c.impulses, c.struck, c.held, c.places)
         .add(m.rows, m.movers, m.nodes, m.answers, m.groups, m.numbers, m.trees)
         .add(t.chain.nodes, t.chain.links, t.chain.springs, t.chain.factors, t.step.nodes,
              t.step.motion, t.step.before, t.step.links, t.held, t.begins,

@@ -40,9 +40,9 @@ TEST(Determinism, GoldenHash) {
     build(world);
     test::run(world, 1);
 #ifdef SULFUR_REAL_DOUBLE
-    EXPECT_EQ(world.hash(), 5382657150191873200u);
+    EXPECT_EQ(world.hash(), 11918120721301507804u);
 #else
-    EXPECT_EQ(world.hash(), 3217163206669633122u);
+    EXPECT_EQ(world.hash(), 5641917245865028683u);
 #endif
 }
 
