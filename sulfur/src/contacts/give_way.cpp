@@ -88,25 +88,24 @@ private:
         std::uint32_t lane;
     };
 
-    /// What rows keep of their impulses on a mover, so that these change its way since the last
-    /// step by no more than is wild. Of rigid components, and of particles that links hold: what
-    /// else is soft gives way by itself.
+    /// Which share rows keep of their impulses on a mover, so that these change its way since the
+    /// last step by no more than is wild. Of rigid components, and of particles that links hold:
+    /// what else is soft gives way by itself.
     Real keepsOf(std::uint32_t m) const {
-        const bool isCluster = core_.moverIsCluster[m] != 0;
+        const SolverBody& body = movers_.bodies[m];
+        const Real reach = movers_.reach[m], around = reach * body.spin;
+        const Real gives = body.vx * body.vx + (body.vy * body.vy + around * around);
+        if (!(gives > wild_ * wild_)) return 1;
         const auto dense = core_.denseOfMover[m];
         if (m >= core_.ways.size() || dense == none) return 1;
-        if (!isCluster && state_.trees.ofParticle[dense] == none) return 1;
-        const SolverBody& body = movers_.bodies[m];
+        if (core_.moverIsCluster[m] == 0 && state_.trees.ofParticle[dense] == none) return 1;
         const Prediction& p = movers_.predictions[m];
         const BodyWay& before = core_.ways[m];
-        const Real reach = movers_.reach[m];
-        const Eigen::Vector<Real, 3> given(body.vx, body.vy, reach * body.spin),
-            change(p.vx + body.vx - before.x, p.vy + body.vy - before.y,
-                   reach * (p.spin + body.spin - before.turn));
-        const Real gives = given.norm();
-        if (!(gives > wild_)) return 1;
-        const Real along = change.dot(given) / gives;
-        return 1 - std::clamp<Real>((along - wild_) / gives, 0, 1);
+        const Real turns = reach * (p.spin + body.spin - before.turn);
+        const Real changes = body.vx * (p.vx + body.vx - before.x) +
+                             (body.vy * (p.vy + body.vy - before.y) + around * turns);
+        const Real given = std::sqrt(gives);
+        return 1 - std::clamp<Real>((changes / given - wild_) / given, 0, 1);
     }
 
     /// Movers of one body stand together, and its rows are looked at once for all of them.

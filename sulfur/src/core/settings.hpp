@@ -45,8 +45,8 @@ inline constexpr double creepSpeed = restingSpeed / 5;
 inline constexpr double restingPush = 2 * creepSpeed;
 /// m/s: a sweep that changes how fast surfaces part by no more leaves their bodies alone.
 inline constexpr double settledChange = restingSpeed / 10;
-/// m/s, by which a step changes what is struck, or what has found no balance: a tenth of a second's
-/// fall. What stays in its place is changed by a fiftieth of that at 500 Hz.
+/// m/s, by which what rows begin with may change anybody's motion: a tenth of a second's fall.
+/// What stays in its place is changed by a fiftieth of that at 500 Hz.
 inline constexpr double wildChange = 1;
 /// m/s: what slides faster does not stick.
 inline constexpr double stickingSpeed = 2 * restingSpeed;

@@ -13,7 +13,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::uint64_t snapshotMark = 0x47735f7266756c53u;  // "Slfr_sG", little-endian
+constexpr std::uint64_t snapshotMark = 0x48735f7266756c53u;  // "Slfr_sH", little-endian
 
 /// Everything that decides how the world goes on.
 template <class Archive>
