@@ -69,23 +69,25 @@ private:
 
     // Springs that let the body sag by two parts in a hundred under its weight, and large ones,
     // which fall faster, by less. A strip bends with the square of its slenderness, and has springs
-    // that are as much stiffer.
+    // that are as much stiffer. A narrow one is one cell wide: pressed together, rows of three
+    // particles would fold over the middle one and lock, as triangles on both sides of a row are
+    // turned over the other way. So would long cells.
     static sulfur::shapes::JellyOptions jelly(const Point& size, double mass) {
-        const auto cells = [](double side) {
-            return std::clamp(static_cast<int>(std::lround(side / 0.2)) + 1, 3, 12);
+        const double slender = std::max(1.0, size.maxCoeff() / size.minCoeff() / 2);
+        const auto cells = [&](double side) {
+            const int wanted = static_cast<int>(std::lround(side / 0.2));
+            return slender > 1 && wanted < 3 ? 1 : std::clamp(wanted, 2, 11);
+        };
+        const auto along = [&](double side, double other) {
+            const double longest = 1.5 * other / cells(other);
+            return std::max(cells(side), static_cast<int>(std::ceil(side / longest)));
         };
         sulfur::shapes::JellyOptions options;
         options.size = size.cast<Real>();
-        // Cells are three times as long as they are wide at most, else they fold.
-        const auto along = [&](double side, double other) {
-            const double widest = 3 * other / (cells(other) - 1);
-            return std::max(cells(side), static_cast<int>(std::ceil(side / widest)) + 1);
-        };
-        options.columns = along(size.x(), size.y());
-        options.rows = along(size.y(), size.x());
+        options.columns = along(size.x(), size.y()) + 1;
+        options.rows = along(size.y(), size.x()) + 1;
         options.mass = real(mass);
         options.radius = real(std::min(0.03, size.minCoeff() / 8));
-        const double slender = std::max(1.0, size.maxCoeff() / size.minCoeff() / 2);
         options.stiffness = real(260 * mass * std::max(size.y(), 1 / size.y()) * slender * slender);
         options.damping = real(1.2 * mass);
         return options;

@@ -126,9 +126,10 @@ struct Jelly {
 };
 
 const std::vector<Point>& jellySizes() {
-    static const std::vector<Point> sizes{
-        Point(0.1, 0.1), Point(0.1, 0.05), Point(0.4, 0.3),  Point(0.8, 0.8),  Point(2, 1),
-        Point(5, 4),     Point(0.1, 1),    Point(0.15, 2.5), Point(2.5, 0.15), Point(5, 0.5)};
+    static const std::vector<Point> sizes{Point(0.1, 0.1), Point(0.1, 0.05), Point(0.4, 0.3),
+                                          Point(0.8, 0.8), Point(2, 1),      Point(5, 4),
+                                          Point(0.2, 0.6), Point(0.3, 3),    Point(2.5, 0.15),
+                                          Point(5, 0.5),   Point(0.1, 1),    Point(0.15, 2.5)};
     return sizes;
 }
 
@@ -147,25 +148,26 @@ TEST(Tools, AJellyOfAnySizeHasItsShapeAgainAfterAFall) {
     }
 }
 
+// How a strip buckles is a matter of chance.
 TEST(Tools, AJellyOfAnySizeHasItsShapeAgainAfterACrateOnIt) {
-    for (const Point& size : jellySizes()) {
-        Workbench bench;
-        const Jelly jelly(bench, {-size.x() / 2, 0.05}, size);
-        BodyId crate;
-        bench.document().edit("Crate", [&] {
-            crate = bench.document().add(
-                "crate", sulfur::shapes::BoxOptions{.size = {0.5f, 0.5f}, .mass = 50},
-                {.position = {0, size.y() + 0.5}});
-        });
-        bench.document().play();
-        tickFor(bench, 3);
-        bench.select({crate});
-        bench.deleteSelection();
-        tickFor(bench, 5);
-        EXPECT_LT(jelly.change(), 0.02) << size.transpose();
-    }
+    for (const Point& size : jellySizes())
+        for (int i = -4; i <= 4; ++i) {
+            Workbench bench;
+            const Jelly jelly(bench, {-size.x() / 2, 0.05}, size);
+            BodyId crate;
+            bench.document().edit("Crate", [&] {
+                crate = bench.document().add(
+                    "crate", sulfur::shapes::BoxOptions{.size = {0.5f, 0.5f}, .mass = 50},
+                    {.position = {0.005 * i, size.y() + 0.5}});
+            });
+            bench.document().play();
+            tickFor(bench, 3);
+            bench.select({crate});
+            bench.deleteSelection();
+            tickFor(bench, 5);
+            EXPECT_LT(jelly.change(), 0.02) << size.transpose() << ", " << i;
+        }
 }
-
 TEST(Tools, AJellyOfAnySizeHasItsShapeAgainAfterItWasPulledAbout) {
     for (const Point& size : jellySizes()) {
         Workbench bench;
