@@ -151,6 +151,7 @@ private:
     std::vector<TextLine> statisticsLines() const;
     std::vector<MenuItem> itemsOf(Screen screen);
     std::vector<MenuItem> titleItems();
+    MenuItem dailyItem();
     std::size_t titlePlace(Screen screen) const;
     std::vector<MenuItem> pausedItems();
     std::vector<MenuItem> finishedItems();

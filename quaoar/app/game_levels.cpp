@@ -75,19 +75,16 @@ void Game::endStory() {
     show(Screen::credits);
 }
 
-/// Once it is proven it is the last one of the list, and stands in the menu.
+/// Once it is proven it is the last one of the list, and can be chosen.
 void Game::offerDaily() {
-    if (!daily_ || !daily_->ready() || dailyLevel_) return;
+    if (!daily_ || !daily_->ended()) return;
     try {
-        dailyLevel_ = levels_.addDaily(daily_->file());
+        if (daily_->ready()) dailyLevel_ = levels_.addDaily(daily_->file());
     } catch (const std::runtime_error& error) {
         atlax::log(atlax::LogLevel::Warning, error.what());
-        daily_.reset();
-        return;
     }
-    if (screen_ != Screen::title) return;
-    const std::size_t selected = menu_.selected();
-    show(Screen::title, selected > 0 ? selected + 1 : 0);
+    daily_.reset();
+    if (screen_ == Screen::title) show(Screen::title, menu_.selected());
 }
 
 void Game::watch(std::shared_ptr<const Recording> recording) {

@@ -136,8 +136,7 @@ std::vector<MenuItem> Game::titleItems() {
         std::to_string(levels_[last].number) + "  " + texts_(levels_[last].name);
     const std::string play = begun ? texts_("Continue: {}", {level}) : texts_("Play");
     std::vector<MenuItem> items{{play, [this, last] { playLevel(last); }}};
-    if (dailyLevel_)
-        items.push_back({texts_("Level of the day"), [this] { playLevel(*dailyLevel_); }});
+    if (options_.daily) items.push_back(dailyItem());
     const std::vector<MenuItem> rest{{texts_("Levels"), [this] { show(Screen::levels, level_); }},
                                      {texts_("Options"), [this] { show(Screen::options); }},
                                      {texts_("Statistics"), [this] { show(Screen::statistics); }},
@@ -147,9 +146,18 @@ std::vector<MenuItem> Game::titleItems() {
     return items;
 }
 
+/// It has its place before there is anything to play: no other entry moves under a player's hand.
+MenuItem Game::dailyItem() {
+    if (dailyLevel_) return {texts_("Level of the day"), [this] { playLevel(*dailyLevel_); }};
+    const bool tried = daily_ && !daily_->ended();
+    return {.label = texts_(tried ? "Level of the day: being made" : "Level of the day: none"),
+            .run = {},
+            .dim = true};
+}
+
 /// Where the entry of a screen stands in the menu of the title.
 std::size_t Game::titlePlace(Screen screen) const {
-    const std::size_t before = dailyLevel_ ? 2 : 1;
+    const std::size_t before = options_.daily ? 2 : 1;
     switch (screen) {
         case Screen::options:
             return before + 1;

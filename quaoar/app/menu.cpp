@@ -59,7 +59,8 @@ void Menu::drawItem(atlax::Canvas& canvas, const atlax::Font& font, std::size_t 
     const float width = canvas.measure(font, items_[item].label, size).width;
     const float room = box.size.x - 76 * unit;
     canvas.text(font, items_[item].label, {box.min.x + box.size.x * 0.5f, middle},
-                {width > room ? size * room / width : size, here ? palette::night : palette::frost,
+                {width > room ? size * room / width : size,
+                 (here ? palette::night : palette::frost).withAlpha(items_[item].dim ? 0.5f : 1.0f),
                  atlax::AlignX::Centre, atlax::AlignY::Middle});
 }
 

@@ -14,6 +14,8 @@ struct MenuItem {
     std::function<void()> run;
     /// For what has values: one on (1) or back (-1), by the keys for left and right.
     std::function<void(int)> change = {};
+    /// Drawn dimmer: what cannot be chosen, or not yet.
+    bool dim = false;
 };
 
 class Menu {

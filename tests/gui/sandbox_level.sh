@@ -107,7 +107,7 @@ wait_until 30 window_opened || fail "no window; the game said: $(cat game.log)"
 wait_until 30 picture_is_drawn || fail "the window stays empty"
 xdotool windowfocus "$(tail -1 window)"
 sleep 0.5
-for key in Down Return Right; do
+for key in Down Down Return Right; do
     xdotool key "$key"
     sleep 0.5
 done

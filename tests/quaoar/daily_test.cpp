@@ -95,7 +95,7 @@ TEST(Daily, IsProvenKeptAndOffered) {
     EXPECT_TRUE(std::filesystem::exists(place / "other.json"));
     const std::string proof = readText(place / "daily-2026-11-29.proof");
 
-    // The next time it is there at once, and stands in the menu.
+    // The next time it is there at once, and can be chosen from the menu.
     writeEasyLevels(folder, 2);
     Preferences preferences(folder / "settings.json");
     Game game({.levels = LevelList::ofFolder(folder.path()),
@@ -104,7 +104,7 @@ TEST(Daily, IsProvenKeptAndOffered) {
               preferences);
     int waits = 0;
     Script script;
-    script.keys({Key::Down});  // levels, which move on by one when it comes
+    script.keys({Key::Down, Key::Down});  // the levels, whose place is the same when it comes
     for (int i = 0; i < 200; ++i)
         script.next([&](atlax::Platform&) {
             if (game.levels().size() == 3) return;

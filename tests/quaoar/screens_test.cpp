@@ -82,6 +82,37 @@ TEST(Game, everyPressOfAFrameMovesTheMenu) {
     EXPECT_EQ(play(played), 9);
 }
 
+// It comes late or not at all; a press that was meant for another entry must not start it.
+TEST(Game, theLevelOfTheDayHasItsPlaceBeforeItIsThere) {
+    const Folder folder("daily");
+    Preferences preferences(folder / "settings.json");
+    Game game({.level = firstLevel(), .daily = std::pair("/proc/no/such/place", "2026-11-30")},
+              preferences);
+    Script script;
+    script.then([](atlax::Platform& platform) {
+        tap(platform, Key::Down);
+        tap(platform, Key::Enter);
+    });
+    script.then([&](atlax::Platform&) { EXPECT_EQ(game.screen(), Screen::title); });
+    script.wait(200);
+    script.then([](atlax::Platform& platform) {
+        tap(platform, Key::Enter);
+        tap(platform, Key::Down);
+        tap(platform, Key::Down);
+        tap(platform, Key::Enter);
+    });
+    script.then([&](atlax::Platform& platform) {
+        EXPECT_EQ(game.screen(), Screen::options);
+        tap(platform, Key::Escape);
+    });
+    script.then([&](atlax::Platform&) {
+        EXPECT_EQ(game.screen(), Screen::title);
+        EXPECT_EQ(game.selected(), 3u);
+    });
+    Played played(game, script);
+    EXPECT_EQ(play(played), 9);
+}
+
 TEST(Game, everyPressOfAFrameFires) {
     const Folder folder("shots");
     Preferences preferences(folder / "settings.json");
