@@ -32,22 +32,33 @@ end_sandbox() {
     wait "$pid" 2> /dev/null || true
     ! grep -E 'Gtk|GLib|Pixman' "$1.log" || fail "the toolkit complains; see $PWD/$1.log"
 }
+# Takes a picture when nothing changes any more: where processors are busy, the little pictures of the
+# library come one by one for seconds.
+stays() {
+    mv "$1" before.png
+    sleep 0.3
+    take_picture "$1"
+    (($(changed_pixels before.png "$1") < 200))
+}
+take_last_picture() {
+    sleep 1
+    take_picture "$1"
+    sleep 0.5
+    wait_until 60 stays "$1" || fail "the window changes for ever; see $PWD/$1"
+}
 # A page shows the same after the diagram came and went, with which everything is laid out anew.
 page_is_whole() {
     xdotool key "$1"
-    sleep 1.5
-    take_picture "page-$1.png"
+    take_last_picture "page-$1.png"
     local changed
     changed=$(changed_pixels "$2-start.png" "page-$1.png")
     ((changed > 3000)) || fail "page $1 does not open; see $PWD/page-$1.png"
     xdotool key F8
-    sleep 1.5
-    take_picture "page-$1-diagram.png"
+    take_last_picture "page-$1-diagram.png"
     changed=$(changed_pixels "page-$1.png" "page-$1-diagram.png")
     ((changed > 3000)) || fail "no diagram opens; see $PWD/page-$1-diagram.png"
     xdotool key F8
-    sleep 1.5
-    take_picture "page-$1-anew.png"
+    take_last_picture "page-$1-anew.png"
     changed=$(changed_pixels "page-$1.png" "page-$1-anew.png")
     ((changed < 2000)) || fail "page $1 was not laid out: $changed pixels; see $PWD/page-$1.png"
 }
