@@ -336,7 +336,7 @@ TEST(LevelList, tellsHowHardALevelIsWhereThatWasMeasured) {
     const LevelList levels = LevelList::ofFolder(levelsFolder());
     ASSERT_EQ(levels[0].id, "01-cold-wake");
     EXPECT_EQ(levels.difficulty(0), std::optional<int>(1)) << "all of the bot's games";
-    EXPECT_EQ(levels.difficulty(4), std::optional<int>(2)) << "63 %";
+    EXPECT_EQ(levels.difficulty(4), std::optional<int>(2)) << "78 %";
     const Folder folder("difficulty");
     writeEasyLevels(folder, 1);
     EXPECT_FALSE(LevelList::ofFolder(folder.path()).difficulty(0)) << "nobody has played it";
