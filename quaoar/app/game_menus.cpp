@@ -149,8 +149,7 @@ std::vector<MenuItem> Game::titleItems() {
 /// It has its place before there is anything to play: no other entry moves under a player's hand.
 MenuItem Game::dailyItem() {
     if (dailyLevel_) return {texts_("Level of the day"), [this] { playLevel(*dailyLevel_); }};
-    const bool tried = daily_ && !daily_->ended();
-    return {.label = texts_(tried ? "Level of the day: being made" : "Level of the day: none"),
+    return {.label = texts_(daily_ ? "Level of the day: being made" : "Level of the day: none"),
             .run = {},
             .dim = true};
 }

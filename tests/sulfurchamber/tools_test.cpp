@@ -168,6 +168,7 @@ TEST(Tools, AJellyOfAnySizeHasItsShapeAgainAfterACrateOnIt) {
             EXPECT_LT(jelly.change(), 0.02) << size.transpose() << ", " << i;
         }
 }
+
 TEST(Tools, AJellyOfAnySizeHasItsShapeAgainAfterItWasPulledAbout) {
     for (const Point& size : jellySizes()) {
         Workbench bench;

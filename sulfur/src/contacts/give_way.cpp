@@ -169,7 +169,8 @@ private:
                 if (pressingOf(other, l) >= loadShare * load) ends |= press(other, l, driver);
             });
         for (std::size_t k = first; ends && k < pressed_.size(); ++k)
-            forEachRow(core_, pressed_[k], [&](auto& other, std::uint32_t l) { forget(other, l); });
+            forEachRow(core_, pressed_[k],
+                       [&](auto& other, std::uint32_t l) { keep(other, l, 0); });
     }
 
     /// Notes whom a row presses. Returns whether that is something else that nothing pushes.
@@ -186,10 +187,6 @@ private:
         return ends;
     }
 
-    template <class Block>
-    void forget(Block& block, std::uint32_t lane) {
-        keep(block, lane, 0);
-    }
     /// A row begins the next step with a share of what it gives.
     template <class Block>
     void keep(Block& block, std::uint32_t lane, Real share) {

@@ -186,9 +186,9 @@ struct ContactCore {
     // Scratch of a tick, but the next one compares the ways.
     std::vector<double> ahead;        // m, odometers at the end of this step as predicted; by mover
     std::vector<std::uint8_t> moved;  // by mover, 1: its rows are refreshed in this step
-    std::vector<std::uint8_t> stirred;   // by mover, the last sweep that has stirred it
-    std::uint8_t sweep = 0;              // number of the present one
-    std::vector<std::uint32_t> tied;     // movers that other constraints hold in this step, too
+    std::vector<std::uint8_t> stirred;  // by mover, the last sweep that has stirred it
+    std::uint8_t sweep = 0;             // number of the present one
+    std::vector<std::uint32_t> tied;    // movers that other constraints hold in this step, too
     std::vector<Motion3> placed;  // by mover: where it was from its reference before the sweeps
     std::vector<std::uint32_t> again;
     FoundInPieces findInPieces;

@@ -152,6 +152,7 @@ double gainOfThrow(test::Random& random) {
     return most / before - 1;
 }
 
+/// Ten of these gained energy while rows kept what would throw somebody.
 TEST(GiveWay, RandomThrowsGainNothing) {
     test::Random random(20261130);
     for (int i = 0; i < 400; ++i) EXPECT_LT(gainOfThrow(random), 0.02) << "throw " << i;
