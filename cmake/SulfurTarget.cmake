@@ -12,8 +12,12 @@ function(sulfur_target target)
     -ffp-contract=off -fno-fast-math
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
     -Woverloaded-virtual -Wcast-align -Wunused -Wnull-dereference -Wdouble-promotion)
+  # Clang warns of every float that is handed on as a double; GCC of those that slip into a product.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-double-promotion>)
   # With it, ccache keeps what is compiled with a precompiled header.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+    "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:SHELL:-Xclang -fno-pch-timestamp>")
   if(SULFUR_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

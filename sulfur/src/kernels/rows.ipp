@@ -1,9 +1,5 @@
 // The kernels of rows.hpp. A vector has eight lanes whatever the processor: the compiler splits it
 // where its registers are narrower.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // nothing of it is called from outside
-#endif
-
 #if defined(__AVX__)
 #include <immintrin.h>  // its functions are always inlined
 #endif
@@ -623,7 +619,7 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
     const Vec armA = share * cross(midAX, midAY, tx, ty),
               armB = share * cross(midBX, midBY, tx, ty);
     const Vec mobility = mass + armA * armA * a.inertia + armB * armB * b.inertia;
-    store(block.tangentMass, (mobility > zero) & (count > zero) ? one / mobility : zero);
+    store(block.tangentMass, ((mobility > zero) & (count > zero)) ? one / mobility : zero);
     {
         const ManifoldPoint &p = block.points[0], &q = block.points[1];
         const auto mixed = [&](Vec ux, Vec uy, Vec ua, Vec ub, Vec wx, Vec wy, Vec wa, Vec wb) {
@@ -649,7 +645,7 @@ std::uint32_t refreshManifold(SolverBody* bodies, const PoseView& poses, Manifol
         store(block.inverse, inverse);
         store(block.answer1, answer1);
         store(block.answer2, answer2);
-        store(block.heldMass, (held > zero) & (count > zero) ? one / held : zero);
+        store(block.heldMass, ((held > zero) & (count > zero)) ? one / held : zero);
     }
     const Vec t = load(block.rubbing);
     sum.x += changeOf<anew>(block.tangentX, tx) * t;

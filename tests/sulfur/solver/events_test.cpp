@@ -169,9 +169,10 @@ struct Pair {
         world.step();
         const auto& ended = world.events().contactsEnded;
         EXPECT_EQ(ended.size(), pairs.size()) << what;
-        for (const auto& [p, q] : pairs) {
-            const auto told = std::count_if(ended.begin(), ended.end(),
-                                            [&](const auto& e) { return isOf(e, p, q); });
+        for (const auto& pair : pairs) {
+            const auto told = std::count_if(ended.begin(), ended.end(), [&](const auto& e) {
+                return isOf(e, pair.first, pair.second);
+            });
             EXPECT_EQ(told, 1) << what;
         }
         EXPECT_TRUE(world.events().contactsBegun.empty()) << what;
