@@ -94,10 +94,12 @@ private:
         Decision decision{now, nullptr, match, place.best, {}};
         if (options_.remember) decision.snapshot = session_.snapshot();
         const double began = player_.seconds();
+        const int reached = checkpointsReached(session_);
         const PolicyChoice& choice = place.choices[static_cast<std::size_t>(place.best)];
         Ending ending = player_.carryOut(choice.intention, slip);
         if (ending == Ending::done && stalled()) ending = player_.giveUp();
-        decision.attempt = {ending, situationOf(session_), player_.seconds() - began};
+        decision.attempt = {ending, situationOf(session_), player_.seconds() - began,
+                            checkpointsReached(session_) > reached};
         game_.decisions.push_back(decision);
         return ending;
     }

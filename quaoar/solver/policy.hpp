@@ -2,9 +2,11 @@
 //
 // A place is a situation in which something was tried. Of each of its choices it is known where it
 // has led, with slips and without; the value of a place is the share of attempts that come from
-// there to the exit if the best choice is made everywhere (value iteration over sampled outcomes,
-// the nearest known place standing for where an attempt went on; Sutton and Barto, Reinforcement
-// Learning, 2nd edition, 2018, chapters 4 and 9).
+// there to the next checkpoint or to the exit if the best choice is made everywhere (value
+// iteration over sampled outcomes, the nearest known place standing for where an attempt went on;
+// Sutton and Barto, Reinforcement Learning, 2nd edition, 2018, chapters 4 and 9). Checkpoints are
+// goals because all lives begin anew there: what may go wrong behind them says little about the way
+// to them.
 #pragma once
 
 #include <memory>
@@ -23,6 +25,7 @@ struct Try {
     Ending ending = Ending::done;
     Situation after;
     double seconds = 0;
+    bool checkpoint = false;  ///< one more was reached on the way there
     int nearest = -1;     ///< place that is most like `after`
     double unlike = 1e9;  ///< and how much it is not
 };

@@ -171,6 +171,32 @@ TEST(Solver, ASteadyWayThroughTheRoomIsFound) {
     EXPECT_FALSE(searchSteadyWays(ground, quick(), solution).empty());
 }
 
+TEST(Policy, ACheckpointIsAGoal) {
+    // A bold choice comes to a checkpoint four times of five and falls right behind it; a cautious
+    // one always comes to where every second attempt gets on.
+    Situation start, later;
+    later.place = {5, 0};
+    const Intention bold = swing(), cautious;
+    Policy policy;
+    const int before = policy.add({start, nullptr, {}});
+    const int behind = policy.add({later, nullptr, {}});
+    const int end = policy.addChoice(behind, cautious);
+    for (const Ending ending : {Ending::finished, Ending::died})
+        policy.addTry(behind, end, {ending, later, 0});
+    const int first = policy.addChoice(before, bold), second = policy.addChoice(before, cautious);
+    for (int n = 0; n < 5; ++n) {
+        policy.addTry(before, first, {Ending::died, start, 0, n > 0});
+        policy.addTry(before, second, {Ending::done, later, 0});
+    }
+    policy.weigh();
+    EXPECT_EQ(policy.place(before).best, first);
+    EXPECT_NEAR(policy.place(before).value, 0.8 * 0.75, 1e-9);
+    // Who gets on behind the checkpoint, too, is better off than who falls.
+    policy.addTry(before, second, {Ending::done, later, 0, true});
+    EXPECT_NEAR(policy.worth(policy.place(before).choices[1].tries.back()), 0.75 + 0.25 * 0.5,
+                1e-9);
+}
+
 TEST(Bot, WhoDoesNotKnowWhatToDoUsesUpHisLives) {
     const Ground ground(room());
     Session session(ground.level);
