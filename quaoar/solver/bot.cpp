@@ -93,15 +93,15 @@ private:
         const Place& place = policy_.places()[static_cast<std::size_t>(match.place)];
         Decision decision{now, nullptr, match, place.best, {}};
         if (options_.remember) decision.snapshot = session_.snapshot();
-        const double began = player_.seconds();
-        const int reached = checkpointsReached(session_);
         const PolicyChoice& choice = place.choices[static_cast<std::size_t>(place.best)];
-        Ending ending = player_.carryOut(choice.intention, slip);
-        if (ending == Ending::done && stalled()) ending = player_.giveUp();
-        decision.attempt = {ending, situationOf(session_), player_.seconds() - began,
-                            checkpointsReached(session_) > reached};
+        Try& attempt = decision.attempt;
+        attempt = tried(session_, player_, choice.intention, slip);
+        if (attempt.ending == Ending::done && stalled()) {
+            attempt.ending = player_.giveUp();
+            attempt.after = situationOf(session_);
+        }
         game_.decisions.push_back(decision);
-        return ending;
+        return attempt.ending;
     }
 
     Session& session_;

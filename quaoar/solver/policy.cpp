@@ -21,6 +21,14 @@ double trust(double unlike) {
 
 }  // namespace
 
+Try tried(Session& session, Player& player, const Intention& intention, const Slip& slip) {
+    const double began = player.seconds();
+    const int reached = checkpointsReached(session);
+    const Ending ending = player.carryOut(intention, slip);
+    return {ending, situationOf(session), player.seconds() - began,
+            checkpointsReached(session) > reached};
+}
+
 double unlikeness(const Situation& a, const Situation& b) {
     if (a.tied != b.tied) return 6 + (a.place - b.place).norm();
     // Who is at rest somewhere has time to go to the same spot in his mind.

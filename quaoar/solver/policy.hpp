@@ -26,9 +26,12 @@ struct Try {
     Situation after;
     double seconds = 0;
     bool checkpoint = false;  ///< one more was reached on the way there
-    int nearest = -1;     ///< place that is most like `after`
-    double unlike = 1e9;  ///< and how much it is not
+    int nearest = -1;         ///< place that is most like `after`
+    double unlike = 1e9;      ///< and how much it is not
 };
+
+/// Carries an intention out where the player is; what it leads to is not yet compared with places.
+Try tried(Session& session, Player& player, const Intention& intention, const Slip& slip = {});
 
 struct PolicyChoice {
     Intention intention;

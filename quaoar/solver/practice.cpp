@@ -28,14 +28,10 @@ std::vector<Place> placesAlong(Session& session, const Way& way) {
         Place place;
         place.here = situationOf(session);
         place.snapshot = session.snapshot();
-        const double before = player.seconds();
-        const int reached = checkpointsReached(session);
-        const Ending ending = player.carryOut(step);
-        const Try attempt{ending, situationOf(session), player.seconds() - before,
-                          checkpointsReached(session) > reached};
+        const Try attempt = tried(session, player, step);
         place.choices.push_back({step, {attempt}, 0});
         places.push_back(std::move(place));
-        if (ending != Ending::done) break;
+        if (attempt.ending != Ending::done) break;
     }
     return places;
 }
@@ -62,12 +58,10 @@ void learnWay(Policy& policy, Session& session, const Way& way) {
 Try Practice::attempt(Lesson& lesson, Session& session, const Intention& idea,
                       const Slip& slip) const {
     session.restore(*lesson.snapshot);
-    const int reached = checkpointsReached(session);
     Player player(session);
-    const Ending ending = player.carryOut(idea, slip);
-    lesson.simulated += player.seconds();
-    return policy_.known(
-        {ending, situationOf(session), player.seconds(), checkpointsReached(session) > reached});
+    const Try attempt = tried(session, player, idea, slip);
+    lesson.simulated += attempt.seconds;
+    return policy_.known(attempt);
 }
 
 double Practice::promise(const PolicyChoice& choice) const {
@@ -102,14 +96,12 @@ std::vector<Intention> Practice::ideasFor(const Lesson& lesson, Session& session
 /// Carries an idea out without slips, and lets it end by what can be seen.
 PolicyChoice Practice::plainly(Lesson& lesson, Session& session, const Intention& idea) const {
     session.restore(*lesson.snapshot);
-    const int reached = checkpointsReached(session);
     Player player(session);
     PolicyChoice choice{idea, {}, 0};
-    const Ending ending = player.carryOut(idea);
-    if (ending == Ending::done) choice.intention = endedBySight(idea, player.trace());
-    lesson.simulated += player.seconds();
-    choice.tries.push_back(policy_.known(
-        {ending, situationOf(session), player.seconds(), checkpointsReached(session) > reached}));
+    const Try attempt = tried(session, player, idea);
+    if (attempt.ending == Ending::done) choice.intention = endedBySight(idea, player.trace());
+    lesson.simulated += attempt.seconds;
+    choice.tries.push_back(policy_.known(attempt));
     return choice;
 }
 
