@@ -46,8 +46,11 @@ int ChamberApp::OnRun() {
 }
 
 int ChamberApp::FilterEvent(wxEvent& event) {
-    if (event.GetEventType() == wxEVT_LEFT_DOWN)
-        if (auto* frame = dynamic_cast<MainFrame*>(GetTopWindow())) frame->leaveKeys();
+    const bool byUser = event.GetEventCategory() == wxEVT_CATEGORY_USER_INPUT;
+    auto* const frame = byUser ? dynamic_cast<MainFrame*>(GetTopWindow()) : nullptr;
+    if (frame == nullptr) return Event_Skip;
+    frame->canvas().stir();  // menus and panels may change what is seen
+    if (event.GetEventType() == wxEVT_LEFT_DOWN) frame->leaveKeys();
     return Event_Skip;
 }
 

@@ -72,6 +72,7 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
         notify(tr("The film is {}", {file.string()}));
     };
     view_.onFrame = [this] { onFrame(); };
+    view_.busy = [this] { return onFrame_ || thumbnails_.working() || pointedTool_; };
     view_.whileDrawing = [this](atlax::Canvas& canvas) { thumbnails_.work(canvas); };
     canvas_->setOnEnd([this](int code, const std::string& error) {
         if (!error.empty()) tellInDialog(error, "SulfurChamber cannot draw");

@@ -20,6 +20,9 @@ public:
     /// Draws a hand at a place of the scene, metres.
     void showHand(std::optional<sulfur::Point> place, bool pressed);
 
+    /// Whether a film or a hand is shown.
+    bool moves() const { return film_ != nullptr || hand_.has_value(); }
+
     /// After the scene; leaves the canvas in screen space. `camera` is the scene's, `inset` what
     /// rulers take at the left, logical pixels, and `seconds` the time since the last frame.
     void paint(atlax::Canvas& canvas, const atlax::Font& font, const Workbench& bench,

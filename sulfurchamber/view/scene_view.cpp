@@ -371,6 +371,12 @@ void SceneView::draw(atlax::Canvas& canvas, double alpha) {
     applyTime();
 }
 
+bool SceneView::atRest() const {
+    const bool moves = guest_ != nullptr || bench_.document().playing() || singles_ > 0;
+    const bool shows = seeking() || film_ || guide_.moves() || showsPast();
+    return !moves && !shows && !(busy && busy());
+}
+
 void SceneView::drawScene(atlax::Canvas& canvas, double alpha) {
     followSlider();
     if (wantedBounds_) {

@@ -38,6 +38,8 @@ public:
     void event(const atlax::Event& event) override;
     void tick() override;
     void draw(atlax::Canvas& canvas, double alpha) override;
+    /// Nothing plays, no film, and nobody is busy.
+    bool atRest() const override;
     /// Nothing here is kept on the graphics card; onGraphicsLost tells others.
     bool restoreGraphics() override;
     void stop() override;
@@ -146,6 +148,8 @@ public:
     std::function<void(const std::string&)> onProblem;
     /// After each frame.
     std::function<void()> onFrame;
+    /// Whether somebody has work for every frame.
+    std::function<bool()> busy;
     /// The canvas is another one: a guest was dismissed.
     std::function<void()> onGraphicsLost;
     /// Within each frame, for pictures of something else.

@@ -4,7 +4,9 @@
 #include <wx/app.h>
 #include <wx/frame.h>
 
+#include <atlax/backend.hpp>
 #include <atlax/image.hpp>
+
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -91,6 +93,49 @@ TEST(WxBackend, MouseKeysAndTextArrive) {
     EXPECT_EQ(presses, 1);
     EXPECT_EQ(repeats, 1) << "the second press without a release is the keyboard's repeat";
     EXPECT_TRUE(rightWentDown);
+}
+
+/// Says that nothing moves in its picture.
+class RestingApp : public ScriptedApp {
+public:
+    bool atRest() const override { return rests; }
+    bool rests = true;
+};
+
+TEST(WxBackend, WhatIsAtRestDrawsSeldomUntilSomethingHappens) {
+    RestingApp app;
+    std::int64_t began = 0, pushed = 0, answered = 0;
+    int before = 0, resting = 0;
+    const auto milliseconds = [](std::int64_t ns) { return ns / 1'000'000; };
+    app.onTick = [&] {
+        const std::int64_t now = monotonicNs();
+        if (began == 0) began = now;
+        const auto gone = milliseconds(now - began);
+        if (gone < 1500) before = app.draws;
+        if (pushed == 0 && gone >= 3500) {
+            resting = app.draws - before;
+            pushed = now;
+            wxTheApp->CallAfter([] { pushMouse(wxEVT_MOTION, 30, 40); });
+        }
+        if (pushed != 0 && answered == 0 && app.last<MouseMoved>()) answered = app.draws;
+        // Half a second of frames follows what has happened.
+        if (gone >= 4500) app.platform->quit();
+    };
+    EXPECT_EQ(run(app, small()), 0);
+    EXPECT_GE(resting, 4);
+    EXPECT_LE(resting, 12) << "five a second";
+    ASSERT_GT(answered, 0);
+    EXPECT_GE(app.draws - answered, 14) << "those after an event, where others are at rest";
+}
+
+TEST(WxBackend, WhatMovesDrawsAsOftenAsItCan) {
+    RestingApp app;
+    app.rests = false;
+    app.onTick = [&] {
+        if (app.ticks == 1500) app.platform->quit();
+    };
+    EXPECT_EQ(run(app, small()), 0);
+    EXPECT_GE(app.draws, 24);
 }
 
 TEST(WxBackend, TheApplicationMayRefuseToClose) {

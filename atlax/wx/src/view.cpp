@@ -23,6 +23,8 @@ namespace {
 constexpr std::int64_t nsPerMs = 1'000'000;
 // What is not seen still ticks, but need not hurry.
 constexpr std::int64_t hiddenFrameNs = 16 * nsPerMs;
+// What is at rest, and for how long nothing has happened then.
+constexpr std::int64_t restingFrameNs = 200 * nsPerMs, calmNs = 500 * nsPerMs;
 
 wxGLAttributes displayAttributes() {
     wxGLAttributes attributes;
@@ -104,16 +106,21 @@ private:
 
 // What only the implementation needs to know.
 struct View::Handlers {
+    explicit Handlers(Application& app) : application(app) {}
+
+    Application& application;
     std::unique_ptr<wxGLContext> context;
     wxTimer timer;
     Ended ended;
     std::string error;
     std::int64_t framePeriodNs = 0;
     std::int64_t nextFrameNs = 0;
+    std::int64_t stirredNs = 0;
     std::bitset<keyCount> keysDown;
     std::bitset<mouseButtonCount> buttonsDown;
     bool vsync = true;
     bool running = false;
+    bool resting = false;
     bool inDialog = false;
     bool dialogClosed = false;  // and the application has not been told
     bool over = false;          // ended; never starts again
@@ -122,7 +129,7 @@ struct View::Handlers {
 View::View(wxWindow* parent, Application& application, const WindowOptions& options, wxWindowID id)
     : wxGLCanvas(parent, checkedAttributes(), id, wxDefaultPosition, wxDefaultSize, wxWANTS_CHARS),
       platform_(std::make_unique<ViewPlatform>(*this, application, options)),
-      handlers_(std::make_unique<Handlers>()) {
+      handlers_(std::make_unique<Handlers>(application)) {
     handlers_->vsync = options.vsync;
     if (options.maxFramesPerSecond > 0)
         handlers_->framePeriodNs = 1'000'000'000 / options.maxFramesPerSecond;
@@ -209,6 +216,7 @@ void View::attempt(const std::function<void()>& body) {
 
 void View::send(const Event& event) {
     if (!handlers_->running || handlers_->inDialog) return;
+    stir();
     attempt([&] { platform_->handle(event); });
 }
 
@@ -260,6 +268,15 @@ bool View::start() {
     return true;
 }
 
+void View::stir() {
+    handlers_->stirredNs = monotonicNs();
+    if (std::exchange(handlers_->resting, false)) handlers_->nextFrameNs = 0;
+}
+
+bool View::rests() const {
+    return monotonicNs() - handlers_->stirredNs > calmNs && handlers_->application.atRest();
+}
+
 // Whether another frame is due at once.
 bool View::runFrame() {
     const auto* window = dynamic_cast<wxTopLevelWindow*>(wxGetTopLevelParent(this));
@@ -273,8 +290,10 @@ bool View::runFrame() {
     platform_->frame(visible);
     if (platform_->finished()) return false;
     if (visible) SwapBuffers();
+    handlers_->resting = visible && rests();
+    const std::int64_t least = visible ? 0 : hiddenFrameNs;
     const std::int64_t period =
-        visible ? handlers_->framePeriodNs : std::max(hiddenFrameNs, handlers_->framePeriodNs);
+        std::max(handlers_->resting ? restingFrameNs : least, handlers_->framePeriodNs);
     const std::int64_t now = monotonicNs();
     handlers_->nextFrameNs = std::max(now, handlers_->nextFrameNs + period);
     return handlers_->nextFrameNs <= now;
@@ -306,12 +325,14 @@ void View::onIdle(wxIdleEvent& event) {
 
 void View::onPaint(wxPaintEvent&) {
     const wxPaintDC validates(this);
+    stir();
     handlers_->nextFrameNs = 0;  // what was uncovered is drawn with the next idle event
 }
 
 void View::onSize(wxSizeEvent& event) {
     event.Skip();
     if (handlers_->running && !handlers_->inDialog) attempt([&] { tellSize(); });
+    stir();
     handlers_->nextFrameNs = 0;
 }
 

@@ -38,6 +38,10 @@ public:
     /// covers everything. `alpha` (0 <= alpha < 1) says how far the time is
     /// between the last tick and the next one.
     virtual void draw(Canvas& canvas, double alpha) = 0;
+    /// Whether the picture stays as it is, or nearly, until the user does something. A window of
+    /// wxWidgets then draws, and ticks, five times a second only, half a second after the last
+    /// event, and at once with the next one; others draw as always.
+    virtual bool atRest() const { return false; }
     /// Whether the window may close now; called for every CloseRequested.
     virtual bool mayClose() { return true; }
     /// The graphics context was lost (its driver was reset) and a new one made, and

@@ -23,7 +23,8 @@ void prepareDisplay();
 /// frames are. A one-shot timer ends the wait until the next frame is due
 /// (WindowOptions::maxFramesPerSecond), so that the program sleeps in between. Where the display
 /// has vsync, swapping buffers waits for it.
-/// The length of ticks is kept by atlax's fixed clock, independent of all that.
+/// The length of ticks is kept by atlax's fixed clock, independent of all that. Where the
+/// application is at rest (Application::atRest) frames come seldom, and the processor sleeps.
 ///
 /// The application starts with the first frame after the window has become visible, and stops when
 /// it calls Platform::quit, when one of its functions throws, on stop(), or with the destructor.
@@ -47,6 +48,9 @@ public:
     void send(const Event& event);
     /// Stops the application now; the view stays, empty.
     void stop();
+    /// Something has happened outside of the view that may be seen in it: an application that is at
+    /// rest draws with the next idle event, and for a while as often as otherwise.
+    void stir();
 
     /// Called once when the application has ended by itself: with the code of Platform::quit and
     /// an empty text, or with 1 and one sentence that says what went wrong. Not called after
@@ -73,6 +77,7 @@ private:
     void openContext();
     bool start();
     bool runFrame();
+    bool rests() const;
     void tellSize();
     Vec2 pixels(const wxMouseEvent& event) const;
     void attempt(const std::function<void()>& body);
