@@ -122,7 +122,8 @@ int solveLevel(const SolverArguments& arguments, const std::string& file) {
         if (!proof && acceptedByFreshProcess(file, first)) first.write(proofFile(arguments, file));
     };
     const bool begins = known && !arguments.fresh;
-    Solution solution = solve(ground, options, begins ? &known->policy : nullptr);
+    Solution solution =
+        begins ? solve(ground, options, &known->policy, proof) : solve(ground, options, nullptr);
     if (known && solution.searched == 0) solution.searched = known->searched;
     // What was measured in another version of the level, or of the physics, is worth nothing.
     if (known && (!proof || known->levelHash != ground.level->contentHash)) known.reset();

@@ -193,12 +193,12 @@ std::optional<Recording> shortenAll(const Ground& ground, const SolveOptions& op
 
 }  // namespace
 
-Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known) {
+Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known,
+               std::optional<Recording> proof) {
     Solution solution;
-    std::optional<Recording> proof;
     if (known != nullptr) {
         solution.policy = *known;
-        proof = recordBest(ground, *known, 12);
+        keepShorter(proof, recordBest(ground, *known, 12));
     }
     // A proof should show that gold can be had: where a known way has become slower, it searches,
     // unless ways are not to be made quicker.

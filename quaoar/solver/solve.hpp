@@ -50,7 +50,9 @@ std::optional<Recording> record(const Ground& ground, const Policy& policy, std:
 /// The shortest of so many games.
 std::optional<Recording> recordBest(const Ground& ground, const Policy& policy, int games);
 
-/// All of it. `known` is a policy to begin with, null if there is none.
-Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known);
+/// All of it. `known` is a policy to begin with, null if there is none, and `proof` one that holds:
+/// with it nothing is searched, however seldom the policy finishes, unless gold is wanted.
+Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known,
+               std::optional<Recording> proof = std::nullopt);
 
 }  // namespace quaoar

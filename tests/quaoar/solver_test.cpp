@@ -228,6 +228,18 @@ TEST(Solver, AKnownWayIsMendedWithoutASearch) {
     EXPECT_TRUE(verify(lighter.level, mended.proof).finished);
 }
 
+/// A way that seldom lasts, here one that never does, is practised and not searched for again.
+TEST(Solver, WithAProofThatHoldsNothingIsSearched) {
+    const Ground ground(room());
+    SolveOptions options = quick();
+    const Solution first = solve(ground, options, nullptr);
+    options.polish = 0;
+    const Policy knowsNothing;
+    const Solution again = solve(ground, options, &knowsNothing, first.proof);
+    EXPECT_EQ(again.simulated, 0);
+    EXPECT_EQ(again.proof.format(), first.proof.format());
+}
+
 TEST(Solver, AWayBecomesQuicker) {
     const Ground ground(room());
     Solution solution;
