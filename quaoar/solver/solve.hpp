@@ -51,7 +51,8 @@ std::optional<Recording> record(const Ground& ground, const Policy& policy, std:
 std::optional<Recording> recordBest(const Ground& ground, const Policy& policy, int games);
 
 /// All of it. `known` is a policy to begin with, null if there is none, and `proof` one that holds:
-/// with it nothing is searched, however seldom the policy finishes, unless gold is wanted.
+/// with it nothing is searched, however seldom the policy finishes, unless ways are to be made
+/// quicker and it misses gold.
 Solution solve(const Ground& ground, const SolveOptions& options, const Policy* known,
                std::optional<Recording> proof = std::nullopt);
 

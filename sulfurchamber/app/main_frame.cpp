@@ -24,6 +24,7 @@
 #include "chamber_app.hpp"
 #include "icons.hpp"
 #include "level_panel.hpp"
+#include "measure_panel.hpp"
 #include "picture_grid.hpp"
 #include "program_files.hpp"
 #include "value_row.hpp"
@@ -72,7 +73,12 @@ MainFrame::MainFrame(Workbench& bench, const Options& options)
         notify(tr("The film is {}", {file.string()}));
     };
     view_.onFrame = [this] { onFrame(); };
-    view_.busy = [this] { return onFrame_ || thumbnails_.working() || pointedTool_; };
+    view_.busy = [this] {
+        const bool filmComes =
+            pointedTool_ && view_.options().films && view_.guide().film() != pointedTool_;
+        const bool works = thumbnails_.working() || side_->measures().searching();
+        return onFrame_ || filmComes || works;
+    };
     view_.whileDrawing = [this](atlax::Canvas& canvas) { thumbnails_.work(canvas); };
     canvas_->setOnEnd([this](int code, const std::string& error) {
         if (!error.empty()) tellInDialog(error, "SulfurChamber cannot draw");

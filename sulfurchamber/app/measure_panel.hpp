@@ -24,6 +24,7 @@ public:
     void refresh();
     /// Whether stages are measured: only while somebody looks.
     void watch(bool on);
+    bool searching() const { return costs_.has_value(); }
     /// For scripts: begins the search for the dearest object; what it has found, "" until then.
     void findDearest();
     const std::string& dearest() const { return dearest_; }

@@ -372,8 +372,8 @@ void SceneView::draw(atlax::Canvas& canvas, double alpha) {
 }
 
 bool SceneView::atRest() const {
-    const bool moves = guest_ != nullptr || bench_.document().playing() || singles_ > 0;
-    const bool shows = seeking() || film_ || guide_.moves() || showsPast();
+    const bool moves = hasGuest() || bench_.document().playing() || singles_ > 0;
+    const bool shows = seeking() || film_ || guide_.moves();
     return !moves && !shows && !(busy && busy());
 }
 

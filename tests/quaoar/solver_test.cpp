@@ -228,7 +228,7 @@ TEST(Solver, AKnownWayIsMendedWithoutASearch) {
     EXPECT_TRUE(verify(lighter.level, mended.proof).finished);
 }
 
-/// A way that seldom lasts, here one that never does, is practised and not searched for again.
+/// A way that seldom lasts, here one that never does, is not searched for again.
 TEST(Solver, WithAProofThatHoldsNothingIsSearched) {
     const Ground ground(room());
     SolveOptions options = quick();

@@ -105,7 +105,7 @@ public:
 TEST(WxBackend, WhatIsAtRestDrawsSeldomUntilSomethingHappens) {
     RestingApp app;
     std::int64_t began = 0, pushed = 0, answered = 0;
-    int before = 0, resting = 0;
+    int before = 0, resting = 0, soon = 0;
     const auto milliseconds = [](std::int64_t ns) { return ns / 1'000'000; };
     app.onTick = [&] {
         const std::int64_t now = monotonicNs();
@@ -118,6 +118,7 @@ TEST(WxBackend, WhatIsAtRestDrawsSeldomUntilSomethingHappens) {
             wxTheApp->CallAfter([] { pushMouse(wxEVT_MOTION, 30, 40); });
         }
         if (pushed != 0 && answered == 0 && app.last<MouseMoved>()) answered = app.draws;
+        if (pushed != 0 && milliseconds(now - pushed) < 150) soon = app.draws;
         // Half a second of frames follows what has happened.
         if (gone >= 4500) app.platform->quit();
     };
@@ -125,6 +126,7 @@ TEST(WxBackend, WhatIsAtRestDrawsSeldomUntilSomethingHappens) {
     EXPECT_GE(resting, 4);
     EXPECT_LE(resting, 12) << "five a second";
     ASSERT_GT(answered, 0);
+    EXPECT_GE(soon - answered, 2) << "the first frames after an event follow each other";
     EXPECT_GE(app.draws - answered, 14) << "those after an event, where others are at rest";
 }
 

@@ -270,7 +270,9 @@ bool View::start() {
 
 void View::stir() {
     handlers_->stirredNs = monotonicNs();
-    if (std::exchange(handlers_->resting, false)) handlers_->nextFrameNs = 0;
+    if (!std::exchange(handlers_->resting, false)) return;
+    handlers_->nextFrameNs = 0;
+    handlers_->timer.Stop();  // it waits for the next frame of a picture at rest
 }
 
 bool View::rests() const {

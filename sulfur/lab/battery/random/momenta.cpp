@@ -1,6 +1,12 @@
 #include "battery/random/momenta.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace sulfur::lab {
 
@@ -8,10 +14,10 @@ namespace {
 
 using Vec = Eigen::Vector2d;
 
-/// Calls `act` with the ParticleInfo of each particle that can move.
-template <class Act>
-void forEachMover(const World& world, BodyId body, Act&& act) {
-    for (const ParticleId id : world.particles(body)) {
+/// Calls `act` with the ParticleInfo of each of these particles that can move.
+template <class Ids, class Act>
+void forEachMover(const World& world, const Ids& particles, Act&& act) {
+    for (const ParticleId id : particles) {
         const ParticleInfo p = world.info(id);
         if (!p.pinned) act(p);
     }
@@ -23,18 +29,18 @@ struct Lack {
     double kinetic = 0;  // J
 };
 
-Lack lackOf(const World& world, BodyId body) {
+Lack lackOf(const World& world, const std::vector<ParticleId>& part) {
     double mass = 0, inertia = 0, across = 0, along = 0, kinetic = 0, rounding = 0;
     Vec momentum = Vec::Zero();
     Point centre(0, 0);
-    forEachMover(world, body, [&](const ParticleInfo& p) {
+    forEachMover(world, part, [&](const ParticleInfo& p) {
         const double m = static_cast<double>(p.mass);
         mass += m;
         centre += m * p.position;
         momentum += m * p.velocity.cast<double>();
     });
     centre /= mass;
-    forEachMover(world, body, [&](const ParticleInfo& p) {
+    forEachMover(world, part, [&](const ParticleInfo& p) {
         const double m = static_cast<double>(p.mass);
         const Vec r = p.position - centre;
         const Vec v = p.velocity.cast<double>() - momentum / mass;
@@ -50,13 +56,46 @@ Lack lackOf(const World& world, BodyId body) {
     return {.spin = spin - across, .kinetic = spin * spin / inertia / 2 - kinetic};
 }
 
+/// Particles that turn as one: of triangles of rigid joints that share sides, or of a body that is
+/// a single one. What is broken may be several of these.
+std::vector<std::vector<ParticleId>> rigidPartsOf(const World& world, BodyId body) {
+    std::map<std::pair<ParticleId, ParticleId>, std::size_t> sides;
+    for (const JointId id : world.joints(body)) {
+        const JointInfo joint = world.info(id);
+        if (joint.stiffness == infinite)
+            sides.try_emplace(std::minmax(joint.a, joint.b), sides.size());
+    }
+    std::vector<std::size_t> partOf(sides.size());
+    std::iota(partOf.begin(), partOf.end(), 0);
+    std::vector<char> braced(sides.size(), world.particles(body).size() == 2);
+    const auto unite = [&](std::size_t a, std::size_t b) {
+        std::replace(partOf.begin(), partOf.end(), std::size_t{partOf[a]}, std::size_t{partOf[b]});
+        braced[a] = braced[b] = 1;
+    };
+    for (const auto& [side, index] : sides) {
+        for (const ParticleId other : world.particles(body)) {
+            const auto one = sides.find(std::minmax(side.first, other));
+            const auto two = sides.find(std::minmax(side.second, other));
+            if (one == sides.end() || two == sides.end()) continue;
+            unite(index, one->second);
+            unite(index, two->second);
+        }
+    }
+    std::map<std::size_t, std::set<ParticleId>> parts;
+    for (const auto& [side, index] : sides)
+        if (braced[index]) parts[partOf[index]].insert({side.first, side.second});
+    std::vector<std::vector<ParticleId>> all;
+    for (const auto& [part, ids] : parts) all.emplace_back(ids.begin(), ids.end());
+    return all;
+}
+
 }  // namespace
 
 Momentum momentumOf(const World& world) {
     Momentum momentum;
     for (const BodyId body : world.bodies()) {
         if (world.kind(body) != BodyKind::dynamic) continue;
-        forEachMover(world, body, [&](const ParticleInfo& p) {
+        forEachMover(world, world.particles(body), [&](const ParticleInfo& p) {
             const Vec mv = static_cast<double>(p.mass) * p.velocity.cast<double>();
             momentum.sum += mv;
             momentum.scale += mv.norm();
@@ -72,7 +111,7 @@ Momenta momentaOf(const World& world, const Point& about) {
     const Vec gravity = world.gravity().cast<double>();
     for (const BodyId body : world.bodies()) {
         if (world.kind(body) != BodyKind::dynamic) continue;
-        forEachMover(world, body, [&](const ParticleInfo& p) {
+        forEachMover(world, world.particles(body), [&](const ParticleInfo& p) {
             const double m = static_cast<double>(p.mass);
             const Vec v = p.velocity.cast<double>(), r = p.position - about;
             all.angular += m * cross(r, v);
@@ -84,22 +123,14 @@ Momenta momentaOf(const World& world, const Point& about) {
             all.kinetic += inertia * p.spin * p.spin / 2;
             all.gravitational -= m * gravity.dot(p.position);
         });
-        if (!isRigid(world, body)) continue;
-        const Lack lack = lackOf(world, body);
-        all.angular += lack.spin;
-        all.kinetic += lack.kinetic;
-        all.energy += lack.kinetic;
+        for (const auto& part : rigidPartsOf(world, body)) {
+            const Lack lack = lackOf(world, part);
+            all.angular += lack.spin;
+            all.kinetic += lack.kinetic;
+            all.energy += lack.kinetic;
+        }
     }
     return all;
-}
-
-bool isRigid(const World& world, BodyId body) {
-    // Boxes, polygons and wheels are braced, 2 n - 3 rigid joints or more; a rod has one.
-    std::size_t rigid = 0;
-    for (const JointId joint : world.joints(body))
-        if (world.info(joint).stiffness == infinite) ++rigid;
-    const std::size_t count = world.particles(body).size();
-    return count >= 2 && rigid >= 2 * count - 3;
 }
 
 Point centreOf(const World& world) {

@@ -23,15 +23,12 @@ struct Momenta {
     double gravitational = 0;  ///< J of it, zero at the origin
 };
 
-/// Measures by what World::velocity tells. Where that is the chord of what turns, the spin of rigid
-/// bodies is mended: of a chord over the angle a, the part across the radius is sin(a) / h and the
-/// part along it (1 - cos(a)) / h, so that a = 2 atan(along / across) whatever the step h was, and
-/// the spin is a / sin(a) times the part across. Of what turns by half a turn in a step or more
+/// Measures by what World::velocity tells. Where that is the chord of what turns, the spin of what
+/// is rigid is mended: of a chord over the angle a, the part across the radius is sin(a) / h and
+/// the part along it (1 - cos(a)) / h, so that a = 2 atan(along / across) whatever the step h was,
+/// and the spin is a / sin(a) times the part across. Of what turns by half a turn in a step or more
 /// nobody can tell.
 Momenta momentaOf(const World& world, const Point& about);
-
-/// Whether the particles of a body turn as one, as its joints tell.
-bool isRigid(const World& world, BodyId body);
 
 /// The mass-weighted mean place of all that is dynamic.
 Point centreOf(const World& world);
